@@ -1,0 +1,199 @@
+//! What a person asks for, in their own units.
+//!
+//! A [`Scenario`] is one blow to one eye. It is read from RON, checked field by field, and never
+//! changed by anything below it. Units live in the names of the fields (`force_n`, `duration_ms`);
+//! the rooms below convert once to SI.
+//!
+//! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
+
+use serde::{Deserialize, Serialize};
+
+/// One blow to one eye: everything that a run depends on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// Shown wherever the result is shown.
+    pub name: String,
+    /// The material model.
+    #[serde(default)]
+    pub model: Model,
+    /// What hits the eye.
+    pub impact: Impact,
+    /// Simulated time from the first contact, in ms.
+    #[serde(default = "Scenario::default_window_ms")]
+    pub window_ms: f64,
+    /// Anatomy and mesh.
+    #[serde(default)]
+    pub eye: EyeInput,
+    /// Integrator and step.
+    #[serde(default)]
+    pub numerics: NumericsInput,
+}
+
+impl Scenario {
+    fn default_window_ms() -> f64 {
+        3.0
+    }
+}
+
+impl Default for Scenario {
+    fn default() -> Self {
+        Self {
+            name: "300 N for 0.2 ms".to_owned(),
+            model: Model::default(),
+            impact: Impact::ForcePulse(ForcePulse::default()),
+            window_ms: Self::default_window_ms(),
+            eye: EyeInput::default(),
+            numerics: NumericsInput::default(),
+        }
+    }
+}
+
+/// Which set of materials and which forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Model {
+    /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013): unit depth, drag on
+    /// every node.
+    #[default]
+    Paper,
+}
+
+/// What hits the eye.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Impact {
+    /// A force on an arc of the cornea that follows a given pulse in time.
+    ForcePulse(ForcePulse),
+}
+
+/// A force on an arc of the cornea, along the inward normal at its middle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ForcePulse {
+    /// Peak of the total force.
+    pub force_n: f64,
+    /// Time from the first to the last force.
+    pub duration_ms: f64,
+    /// Front angle of the middle of the arc: 0 at the corneal apex, positive above.
+    pub angle_deg: f64,
+    /// Half of the loaded arc (the paper's "impact area").
+    pub half_width_deg: f64,
+    /// How the force rises and falls.
+    pub shape: PulseShape,
+}
+
+impl Default for ForcePulse {
+    fn default() -> Self {
+        Self {
+            force_n: 300.0,
+            duration_ms: 0.2,
+            angle_deg: 0.0,
+            half_width_deg: 20.0,
+            shape: PulseShape::default(),
+        }
+    }
+}
+
+/// How the force of a pulse rises and falls.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum PulseShape {
+    /// Constant, with raised-cosine edges.
+    SmoothRectangle {
+        /// Share of the duration that each edge takes, 0 to 0.5.
+        #[serde(default = "PulseShape::default_edge")]
+        edge_fraction: f64,
+    },
+    /// Linear rise to the middle, linear fall.
+    Triangle,
+    /// Half a sine.
+    HalfSine,
+}
+
+impl PulseShape {
+    fn default_edge() -> f64 {
+        0.1
+    }
+}
+
+impl Default for PulseShape {
+    fn default() -> Self {
+        Self::SmoothRectangle {
+            edge_fraction: Self::default_edge(),
+        }
+    }
+}
+
+/// Anatomy, materials and mesh. Every default is the paper's value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct EyeInput {
+    /// Refinement level k: 15k+1 nodes a side. Level 1 is the paper's mesh.
+    pub level: u32,
+    /// Half-angle of the front opening of the orbit.
+    pub opening_deg: f64,
+    /// Whether lens springs have the lens modulus.
+    pub lens: bool,
+    /// Which shell nodes the filaments join, in hops of level 1 (10 degrees each).
+    pub filament_hops: Vec<u32>,
+    /// Multiplies the stiffness of every filament; 0 leaves them out.
+    pub filament_factor: f64,
+    /// Half-angle of the retina from the posterior pole.
+    pub retina_deg: f64,
+    /// Elastic modulus of the corneoscleral shell.
+    pub sclera_kpa: f64,
+    /// Elastic modulus of the orbital fat.
+    pub fat_kpa: f64,
+    /// Elastic modulus of the lens.
+    pub lens_kpa: f64,
+    /// Elastic modulus of the rest of the globe.
+    pub rest_kpa: f64,
+    /// Mass of the globe, shared equally by its nodes.
+    pub globe_mass_g: f64,
+    /// Drag on a globe node of level 1.
+    pub globe_drag_ns_m: f64,
+    /// Drag on a fat node of level 1.
+    pub fat_drag_ns_m: f64,
+}
+
+impl Default for EyeInput {
+    fn default() -> Self {
+        Self {
+            level: 1,
+            opening_deg: 40.0,
+            lens: true,
+            filament_hops: vec![2, 3, 4],
+            filament_factor: 1.0,
+            retina_deg: 129.6,
+            sclera_kpa: 2600.0,
+            fat_kpa: 47.0,
+            lens_kpa: 6880.0,
+            rest_kpa: 42.0,
+            globe_mass_g: 7.5,
+            globe_drag_ns_m: 0.705,
+            fat_drag_ns_m: 1.44,
+        }
+    }
+}
+
+/// How the equations of motion are solved.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct NumericsInput {
+    /// The integrator, or `Auto`.
+    pub integrator: IntegratorChoice,
+    /// The step; none lets the program take one from the stability bound.
+    pub step_us: Option<f64>,
+}
+
+/// Which integrator solves the equations of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum IntegratorChoice {
+    /// The program chooses.
+    #[default]
+    Auto,
+    /// The paper's scheme, first order.
+    SemiImplicitEuler,
+    /// Second order, drag solved exactly.
+    VelocityVerlet,
+}
