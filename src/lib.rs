@@ -1,2 +1,4 @@
+pub mod dynamics;
 pub mod eye;
+pub mod recording;
 pub mod scenario;

@@ -1,0 +1,271 @@
+//! The force pulse in time, and its share for each shell node.
+//!
+//! The whole force acts along the inward normal at the location angle theta, (cos theta,
+//! -sin theta). Node s takes the share of [theta - w, theta + w] that overlaps its own arc of
+//! 360/N degrees, divided by the sum, so the total is exact for any theta, w and mesh. The loaded
+//! arc is first clipped to the opening: bone shields the rest.
+//!
+//! A pulse is smooth except at its breaks. Integrators end a segment at every break and look up
+//! the force by segment, so that a jump has a left and a right value and no step straddles it.
+
+use crate::eye::Eye;
+use crate::scenario::{ForcePulse, PulseShape};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+/// The part of a pulse between two breaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Piece {
+    /// Rising edge.
+    Rise,
+    /// Constant.
+    Plateau,
+    /// Falling edge.
+    Fall,
+    /// Half a sine.
+    Arch,
+    /// After the pulse.
+    Nothing,
+}
+
+/// A stretch of time with a smooth load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// First instant, in s.
+    pub start: f64,
+    /// Last instant, in s.
+    pub end: f64,
+    /// What the force does in between.
+    pub piece: Piece,
+}
+
+/// Total force against time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pulse {
+    peak: f64,
+    duration: f64,
+    shape: PulseShape,
+}
+
+impl Pulse {
+    /// The pulse of a scenario, in SI units.
+    pub fn new(input: &ForcePulse) -> Self {
+        Self {
+            peak: input.force_n,
+            duration: input.duration_ms * 1e-3,
+            shape: input.shape,
+        }
+    }
+
+    /// Peak force, in N.
+    pub fn peak(&self) -> f64 {
+        self.peak
+    }
+
+    /// Time from first to last force, in s.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    fn edge(&self) -> f64 {
+        match self.shape {
+            PulseShape::SmoothRectangle { edge_fraction } => edge_fraction * self.duration,
+            PulseShape::Triangle | PulseShape::HalfSine => 0.5 * self.duration,
+        }
+    }
+
+    /// Smooth stretches from 0 to `window` seconds, in order.
+    pub fn segments(&self, window: f64) -> Vec<Segment> {
+        let edge = self.edge();
+        let t = self.duration;
+        let pieces = match self.shape {
+            PulseShape::HalfSine => vec![(t, Piece::Arch)],
+            _ => vec![
+                (edge, Piece::Rise),
+                (t - edge, Piece::Plateau),
+                (t, Piece::Fall),
+            ],
+        };
+        let mut start = 0.0;
+        let mut segments = Vec::with_capacity(4);
+        for (end, piece) in pieces.into_iter().chain([(window, Piece::Nothing)]) {
+            let end = end.min(window);
+            // An edge of no length is a jump, not a segment.
+            if end - start > 1e-12 * t {
+                segments.push(Segment { start, end, piece });
+                start = end;
+            }
+        }
+        segments
+    }
+
+    /// Force at time `t` by the law of `piece`, in N.
+    pub fn force(&self, piece: Piece, t: f64) -> f64 {
+        let raised = |s: f64| match self.shape {
+            PulseShape::SmoothRectangle { .. } => 0.5 - 0.5 * (PI * s).cos(),
+            PulseShape::Triangle | PulseShape::HalfSine => s,
+        };
+        self.peak
+            * match piece {
+                Piece::Rise => raised(t / self.edge()),
+                Piece::Plateau => 1.0,
+                Piece::Fall => raised((self.duration - t) / self.edge()),
+                Piece::Arch => (PI * t / self.duration).sin(),
+                Piece::Nothing => 0.0,
+            }
+    }
+
+    /// Integral of the force over the whole pulse, in N s.
+    pub fn impulse(&self) -> f64 {
+        self.peak
+            * self.duration
+            * match self.shape {
+                PulseShape::SmoothRectangle { edge_fraction } => 1.0 - edge_fraction,
+                PulseShape::Triangle => 0.5,
+                PulseShape::HalfSine => 2.0 / PI,
+            }
+    }
+}
+
+/// How a force on an arc of the cornea is shared among shell nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcLoad {
+    /// Node index and its share; the shares add up to 1.
+    pub shares: Vec<(usize, f64)>,
+    /// Unit vector of the force.
+    pub direction: Vector2<f64>,
+    /// Share of the asked arc that lies behind bone, 0 to 1.
+    pub shielded: f64,
+    /// The loaded arc after clipping, front angles in radians.
+    pub arc: (f64, f64),
+}
+
+impl ArcLoad {
+    /// Spreads a force over the arc that `input` asks for.
+    pub fn new(input: &ForcePulse, eye: &Eye) -> Self {
+        let theta = input.angle_deg.to_radians();
+        let width = input.half_width_deg.to_radians();
+        let opening = eye.opening_rad;
+        let (low, high) = (
+            (theta - width).max(-opening),
+            (theta + width).min(opening),
+        );
+        let half_arc = PI / eye.landmarks.shell.len() as f64;
+        let mut shares: Vec<(usize, f64)> = eye
+            .landmarks
+            .shell
+            .iter()
+            .filter_map(|&i| {
+                let phi = eye.nodes[i].front_angle();
+                // An arc that reaches past the posterior pole meets the node from the other side.
+                let overlap: f64 = [-2.0 * PI, 0.0, 2.0 * PI]
+                    .iter()
+                    .map(|turn| {
+                        let phi = phi + turn;
+                        (high.min(phi + half_arc) - low.max(phi - half_arc)).max(0.0)
+                    })
+                    .sum();
+                // Rounding at the edge of an arc must not load a node that only touches it.
+                (overlap > 1e-12 * half_arc).then_some((i, overlap))
+            })
+            .collect();
+        let total: f64 = shares.iter().map(|(_, overlap)| overlap).sum();
+        for (_, share) in &mut shares {
+            *share /= total;
+        }
+        Self {
+            shares,
+            direction: Vector2::new(theta.cos(), -theta.sin()),
+            shielded: 1.0 - (high - low) / (2.0 * width),
+            arc: (low, high),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::EyeInput;
+
+    fn pulse(shape: PulseShape) -> Pulse {
+        Pulse::new(&ForcePulse {
+            force_n: 100.0,
+            duration_ms: 0.2,
+            shape,
+            ..ForcePulse::default()
+        })
+    }
+
+    fn shapes() -> [PulseShape; 5] {
+        [
+            PulseShape::SmoothRectangle { edge_fraction: 0.1 },
+            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
+            PulseShape::SmoothRectangle { edge_fraction: 0.5 },
+            PulseShape::Triangle,
+            PulseShape::HalfSine,
+        ]
+    }
+
+    #[test]
+    fn segments_cover_the_window_without_gaps() {
+        for shape in shapes() {
+            for window in [1e-4, 2e-4, 3e-3] {
+                let segments = pulse(shape).segments(window);
+                assert_eq!(segments[0].start, 0.0);
+                assert!((segments.last().unwrap().end - window).abs() < 1e-18);
+                for pair in segments.windows(2) {
+                    assert_eq!(pair[0].end, pair[1].start);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_impulse_is_the_integral_of_the_force() {
+        for shape in shapes() {
+            let pulse = pulse(shape);
+            let sum: f64 = pulse
+                .segments(3e-4)
+                .iter()
+                .map(|s| {
+                    let n = 20_000;
+                    let h = (s.end - s.start) / f64::from(n);
+                    (0..n)
+                        .map(|i| h * pulse.force(s.piece, s.start + (f64::from(i) + 0.5) * h))
+                        .sum::<f64>()
+                })
+                .sum();
+            assert!((sum / pulse.impulse() - 1.0).abs() < 1e-8, "{shape:?}");
+        }
+    }
+
+    #[test]
+    fn an_arc_past_the_opening_is_clipped_and_the_shielded_share_is_stated() {
+        let eye = Eye::build(&EyeInput::default());
+        let load = ArcLoad::new(
+            &ForcePulse {
+                angle_deg: 30.0,
+                half_width_deg: 20.0,
+                ..ForcePulse::default()
+            },
+            &eye,
+        );
+        assert!((load.shielded - 0.25).abs() < 1e-12);
+        let total: f64 = load.shares.iter().map(|s| s.1).sum();
+        assert!((total - 1.0).abs() < 1e-12);
+        for (node, _) in load.shares {
+            let phi = eye.nodes[node].front_angle().to_degrees();
+            assert!(phi > 5.0 - 1e-9 && phi < 45.0);
+        }
+    }
+
+    #[test]
+    fn a_twenty_degree_arc_loads_four_nodes_equally() {
+        let eye = Eye::build(&EyeInput::default());
+        let load = ArcLoad::new(&ForcePulse::default(), &eye);
+        assert_eq!(load.shares.len(), 4);
+        for (_, share) in load.shares {
+            assert!((share - 0.25).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Positions, velocities and accelerations in the kernel's rows, and its working space.
+
+use super::aligned::Aligned;
+use super::kernel::{self, Survey};
+use super::load::Piece;
+use super::system::{LANES, Place, System};
+use nalgebra::{Point2, Vector2};
+
+/// The eye at one instant.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// Time, in s.
+    pub time: f64,
+    pub(super) x: Aligned,
+    pub(super) y: Aligned,
+    pub(super) vx: Aligned,
+    pub(super) vy: Aligned,
+    /// Acceleration by springs and load, drag left out.
+    pub(super) ax: Aligned,
+    pub(super) ay: Aligned,
+    /// Work done by the load so far, in J.
+    pub work: f64,
+    /// Energy lost to drag so far, in J.
+    pub dissipated: f64,
+    pub(super) scratch: Scratch,
+}
+
+/// Space that the kernel writes before it reads.
+#[derive(Debug, Clone)]
+pub(super) struct Scratch {
+    /// Forces from the row below.
+    pub up_x: Aligned,
+    pub up_y: Aligned,
+    /// Forces from filaments and load; zero but on the shell.
+    pub extra_x: Aligned,
+    pub extra_y: Aligned,
+    /// The gathered ring.
+    pub ring_x: Aligned,
+    pub ring_y: Aligned,
+    pub ring_fx: Aligned,
+    pub ring_fy: Aligned,
+}
+
+impl State {
+    /// `system` at rest, at time 0.
+    pub fn at_rest(system: &System) -> Self {
+        let len = system.rest_x.len();
+        let zeros = || Aligned::zeros(len);
+        let ring = || Aligned::zeros(system.ring.padded_len());
+        Self {
+            time: 0.0,
+            x: system.rest_x.clone(),
+            y: system.rest_y.clone(),
+            vx: zeros(),
+            vy: zeros(),
+            ax: zeros(),
+            ay: zeros(),
+            work: 0.0,
+            dissipated: 0.0,
+            scratch: Scratch {
+                up_x: Aligned::zeros(system.stride + LANES),
+                up_y: Aligned::zeros(system.stride + LANES),
+                extra_x: zeros(),
+                extra_y: zeros(),
+                ring_x: ring(),
+                ring_y: ring(),
+                ring_fx: ring(),
+                ring_fy: ring(),
+            },
+        }
+    }
+
+    /// A state of nothing, to stand in while another is moved out.
+    pub fn empty() -> Self {
+        let none = || Aligned::zeros(0);
+        Self {
+            time: 0.0,
+            x: none(),
+            y: none(),
+            vx: none(),
+            vy: none(),
+            ax: none(),
+            ay: none(),
+            work: 0.0,
+            dissipated: 0.0,
+            scratch: Scratch {
+                up_x: none(),
+                up_y: none(),
+                extra_x: none(),
+                extra_y: none(),
+                ring_x: none(),
+                ring_y: none(),
+                ring_fx: none(),
+                ring_fy: none(),
+            },
+        }
+    }
+
+    /// Takes over the time, positions, velocities and accelerations of `other`.
+    pub fn copy_motion(&mut self, other: &Self) {
+        self.time = other.time;
+        self.x.copy_from_slice(&other.x);
+        self.y.copy_from_slice(&other.y);
+        self.vx.copy_from_slice(&other.vx);
+        self.vy.copy_from_slice(&other.vy);
+        self.ax.copy_from_slice(&other.ax);
+        self.ay.copy_from_slice(&other.ay);
+    }
+
+    /// Brings the acceleration up to date by the load law `piece`.
+    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
+        let force = system.load().pulse.force(piece, self.time);
+        kernel::evaluate(system, self, force, 0.0)
+    }
+
+    /// Position of the node at `place`, in m.
+    pub fn position(&self, place: Place) -> Point2<f64> {
+        Point2::new(self.x[place.slot], place.sign() * self.y[place.slot])
+    }
+
+    /// Velocity of the node at `place`, in m/s.
+    pub fn velocity(&self, place: Place) -> Vector2<f64> {
+        Vector2::new(self.vx[place.slot], place.sign() * self.vy[place.slot])
+    }
+
+    /// Acceleration of the node at `place`, drag included, in m/s^2.
+    pub fn acceleration(&self, system: &System, place: Place) -> Vector2<f64> {
+        let drag = system.decay_at(place.slot);
+        Vector2::new(
+            self.ax[place.slot] - drag * self.vx[place.slot],
+            place.sign() * (self.ay[place.slot] - drag * self.vy[place.slot]),
+        )
+    }
+
+    /// Moves the node at `place` and sets its velocity: for tests and for starting off rest.
+    pub fn set(&mut self, place: Place, position: Point2<f64>, velocity: Vector2<f64>) {
+        self.x[place.slot] = position.x;
+        self.y[place.slot] = place.sign() * position.y;
+        self.vx[place.slot] = velocity.x;
+        self.vy[place.slot] = place.sign() * velocity.y;
+    }
+
+    /// Speed that the load works on: the sum of share times velocity along the force, in m/s.
+    pub(super) fn load_speed(&self, system: &System) -> f64 {
+        system
+            .load()
+            .work
+            .iter()
+            .map(|&(slot, wx, wy)| wx * self.vx[slot] + wy * self.vy[slot])
+            .sum()
+    }
+}
+
+impl System {
+    /// Decay rate c/m at a slot, in 1/s.
+    pub(super) fn decay_at(&self, slot: usize) -> f64 {
+        let fat = self.groups[slot / LANES].fat[slot % LANES];
+        if fat > 0.0 { self.decay[1] } else { self.decay[0] }
+    }
+}

@@ -1,0 +1,476 @@
+//! The eye and its load compiled into rows for the force kernel.
+//!
+//! The mesh stays a grid: row j holds the nodes of that row side by side, padded to whole groups of
+//! eight, and every grid spring belongs to one of four directions (right, up, up-right, and from
+//! above-left to below-right), stored with the node at its lower left. The kernel then needs no
+//! index lists. Filaments live on the ring of shell nodes, which is gathered into a run of its own
+//! with ghosts at both ends.
+//!
+//! A place of the grid that has no node, and a spring that has no moving end, has stiffness 0.
+//!
+//! When the load is symmetric about the visual axis, only the upper half is compiled. The row below
+//! it is a ghost that mirrors the row above; each node then stands for itself and its image, which
+//! the weights in the energy sums account for. The motion is the whole eye's to round-off.
+
+use super::aligned::Aligned;
+use super::load::{ArcLoad, Pulse};
+use crate::eye::{Eye, SpringKind};
+use std::collections::HashMap;
+
+/// Nodes that the kernel handles at once.
+pub const LANES: usize = 8;
+/// Grid directions a node owns springs in.
+pub(super) const DIRECTIONS: usize = 4;
+/// A spring shorter than this share of the shortest rest length is treated as that long, so that
+/// its direction stays defined: the force is continuous and no NaN can arise.
+const SHORTEST_SHARE: f64 = 1e-6;
+
+/// Eight neighbouring values.
+pub(super) type Lane = [f64; LANES];
+
+/// What the kernel needs of eight neighbouring nodes.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Group {
+    /// Stiffness of the springs in each direction, N/m.
+    pub stiffness: [Lane; DIRECTIONS],
+    /// Stiffness times rest length, N.
+    pub tension: [Lane; DIRECTIONS],
+    /// 1/mass of nodes that move, else 0.
+    pub inverse_mass: Lane,
+    /// 1 for fat, 0 for globe.
+    pub fat: Lane,
+    /// Half the mass times the number of nodes it stands for.
+    pub half_mass: Lane,
+}
+
+/// What the survey needs beside a [`Group`].
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct SurveyGroup {
+    /// Half the stiffness times the number of springs it stands for.
+    pub half_stiffness: [Lane; DIRECTIONS],
+    /// Rest length, m.
+    pub rest: [Lane; DIRECTIONS],
+    /// 1/rest length, 0 where there is no spring.
+    pub inverse_rest: [Lane; DIRECTIONS],
+    /// 1/(twice the rest area) of the quad at the upper right, 0 where there is none.
+    pub inverse_area: Lane,
+    /// 1 where there is no quad, else 0.
+    pub no_quad: Lane,
+}
+
+/// All filaments of one hop count.
+#[derive(Debug, Clone)]
+pub(super) struct Filaments {
+    /// Distance along the ring between the two ends.
+    pub hop: usize,
+    /// First gathered place that owns a spring.
+    pub first: usize,
+    pub stiffness: Vec<Lane>,
+    pub tension: Vec<Lane>,
+    pub half_stiffness: Vec<Lane>,
+    pub rest: Vec<Lane>,
+    pub inverse_rest: Vec<Lane>,
+}
+
+/// The ring of shell nodes, unrolled, with ghosts at both ends.
+#[derive(Debug, Clone)]
+pub(super) struct Ring {
+    /// Where each gathered place is read, and the sign of its y.
+    pub gather: Vec<(u32, f64)>,
+    /// Number of ghosts before the first owned place.
+    pub ghosts: usize,
+    /// Number of owned places.
+    pub owned: usize,
+    pub filaments: Vec<Filaments>,
+}
+
+impl Ring {
+    /// Length of a run that every eight-lane access of the ring fits in.
+    pub fn padded_len(&self) -> usize {
+        (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
+    }
+}
+
+/// Where a node of the eye is found in the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// Index into the rows.
+    pub slot: usize,
+    /// Whether the slot holds its mirror image.
+    pub mirrored: bool,
+}
+
+impl Place {
+    /// Sign of the y components read at the slot.
+    pub fn sign(self) -> f64 {
+        if self.mirrored { -1.0 } else { 1.0 }
+    }
+}
+
+/// The load as the kernel applies it.
+#[derive(Debug, Clone)]
+pub struct NodeLoad {
+    /// Force against time.
+    pub pulse: Pulse,
+    /// Slot, share along x, share along y.
+    pub(super) shares: Vec<(usize, f64, f64)>,
+    /// Slot, weight along x, weight along y: gives the speed that does the load's work.
+    pub(super) work: Vec<(usize, f64, f64)>,
+}
+
+/// An eye and its load, ready to be moved.
+#[derive(Debug, Clone)]
+pub struct System {
+    pub(super) side: usize,
+    pub(super) stride: usize,
+    /// First row whose springs are evaluated; a ghost when mirrored.
+    pub(super) first_row: usize,
+    /// Row that the ghost mirrors.
+    pub(super) mirror_row: Option<usize>,
+    pub(super) groups: Vec<Group>,
+    pub(super) survey: Vec<SurveyGroup>,
+    pub(super) ring: Ring,
+    pub(super) shortest_squared: f64,
+    pub(super) rest_x: Aligned,
+    pub(super) rest_y: Aligned,
+    /// Decay rate c/m of globe and fat, in 1/s.
+    pub(super) decay: [f64; 2],
+    /// Use only operations that every machine rounds alike.
+    pub(super) portable: bool,
+    places: Vec<Place>,
+    load: NodeLoad,
+    omega_bound: f64,
+    springs_per_evaluation: usize,
+}
+
+impl System {
+    /// Compiles `eye` under `load`. The half is compiled if the load is symmetric, unless
+    /// `whole` asks for all.
+    pub fn new(eye: &Eye, pulse: Pulse, load: &ArcLoad, whole: bool, portable: bool) -> Self {
+        let mirrored = !whole && load.direction.y == 0.0 && load.arc.0 == -load.arc.1;
+        let side = eye.side;
+        let stride = side.next_multiple_of(LANES);
+        let rows = Rows::new(side, stride, mirrored);
+
+        let mut system = Self {
+            side,
+            stride,
+            first_row: rows.first,
+            mirror_row: rows.mirror,
+            groups: vec![EMPTY_GROUP; side * stride / LANES],
+            survey: vec![EMPTY_SURVEY; side * stride / LANES],
+            ring: Ring {
+                gather: Vec::new(),
+                ghosts: 0,
+                owned: 0,
+                filaments: Vec::new(),
+            },
+            shortest_squared: shortest_squared(eye),
+            rest_x: Aligned::zeros(side * stride + LANES),
+            rest_y: Aligned::zeros(side * stride + LANES),
+            decay: decay_rates(eye),
+            portable,
+            places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
+            load: NodeLoad {
+                pulse,
+                shares: Vec::new(),
+                work: Vec::new(),
+            },
+            omega_bound: omega_bound(eye),
+            springs_per_evaluation: 0,
+        };
+        system.put_nodes(eye, &rows);
+        system.put_springs(eye, &rows);
+        system.put_quads(eye, &rows);
+        system.ring = ring(eye, &rows);
+        system.springs_per_evaluation += system
+            .ring
+            .filaments
+            .iter()
+            .map(|f| f.stiffness.as_flattened().iter().filter(|&&k| k > 0.0).count())
+            .sum::<usize>();
+        for &(node, share) in &load.shares {
+            let place = rows.place(eye.nodes[node].grid);
+            if !place.mirrored {
+                let (fx, fy) = (share * load.direction.x, share * load.direction.y);
+                let weight = rows.weight(eye.nodes[node].grid.1);
+                system.load.shares.push((place.slot, fx, fy));
+                system.load.work.push((place.slot, weight * fx, weight * fy));
+            }
+        }
+        system
+    }
+
+    fn put_nodes(&mut self, eye: &Eye, rows: &Rows) {
+        // Places without a node get distinct positions too, so that no length there is zero.
+        for j in 0..self.side {
+            for i in 0..self.stride {
+                self.rest_x[j * self.stride + i] = i as f64 * 1e-3;
+                self.rest_y[j * self.stride + i] = j as f64 * 1e-3;
+            }
+        }
+        for node in &eye.nodes {
+            let (i, j) = node.grid;
+            let slot = j * self.stride + i;
+            self.rest_x[slot] = node.position.x;
+            self.rest_y[slot] = node.position.y;
+            if node.fixed() || !rows.owns(j) {
+                continue;
+            }
+            let (group, lane) = (&mut self.groups[slot / LANES], slot % LANES);
+            group.inverse_mass[lane] = 1.0 / node.mass;
+            group.half_mass[lane] = 0.5 * node.mass * rows.weight(j);
+            group.fat[lane] = if node.region.in_globe() { 0.0 } else { 1.0 };
+        }
+    }
+
+    fn put_springs(&mut self, eye: &Eye, rows: &Rows) {
+        for spring in &eye.springs {
+            let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
+            if spring.kind == SpringKind::Filament || (a.fixed() && b.fixed()) {
+                continue;
+            }
+            let ((ai, aj), (bi, bj)) = (a.grid, b.grid);
+            let row = aj.min(bj);
+            let direction = match (aj == bj, ai == bi) {
+                (true, _) => 0,
+                (_, true) => 1,
+                _ if (ai < bi) == (aj < bj) => 2,
+                _ => 3,
+            };
+            // The ghost row has no springs of its own, only those that reach up from it.
+            if row < rows.first || (!rows.owns(row) && direction == 0) {
+                continue;
+            }
+            let slot = row * self.stride + ai.min(bi);
+            let weight = 0.5 * (rows.weight(aj) + rows.weight(bj));
+            let (k, l) = (spring.stiffness, spring.rest_length);
+            let (g, lane) = (slot / LANES, slot % LANES);
+            self.groups[g].stiffness[direction][lane] = k;
+            self.groups[g].tension[direction][lane] = k * l;
+            self.survey[g].half_stiffness[direction][lane] = 0.5 * k * weight;
+            self.survey[g].rest[direction][lane] = l;
+            self.survey[g].inverse_rest[direction][lane] = 1.0 / l;
+            self.springs_per_evaluation += 1;
+        }
+    }
+
+    fn put_quads(&mut self, eye: &Eye, rows: &Rows) {
+        for quad in &eye.quads {
+            let p = quad.map(|i| eye.nodes[i].position);
+            let (i, j) = eye.nodes[quad[0]].grid;
+            if j < rows.first {
+                continue;
+            }
+            let slot = j * self.stride + i;
+            let twice_area = (p[2] - p[0]).perp(&(p[3] - p[1]));
+            let group = &mut self.survey[slot / LANES];
+            group.inverse_area[slot % LANES] = 1.0 / twice_area;
+            group.no_quad[slot % LANES] = 0.0;
+        }
+    }
+
+    /// Where node `node` of the eye is found.
+    pub fn place(&self, node: usize) -> Place {
+        self.places[node]
+    }
+
+    /// The load.
+    pub fn load(&self) -> &NodeLoad {
+        &self.load
+    }
+
+    /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
+    /// rad/s; see [`super::stability`].
+    pub fn omega_bound(&self) -> f64 {
+        self.omega_bound
+    }
+
+    /// Springs that one force evaluation computes.
+    pub fn springs_per_evaluation(&self) -> usize {
+        self.springs_per_evaluation
+    }
+
+    /// Whether only the upper half is moved.
+    pub fn mirrored(&self) -> bool {
+        self.mirror_row.is_some()
+    }
+}
+
+const EMPTY_GROUP: Group = Group {
+    stiffness: [[0.0; LANES]; DIRECTIONS],
+    tension: [[0.0; LANES]; DIRECTIONS],
+    inverse_mass: [0.0; LANES],
+    fat: [0.0; LANES],
+    half_mass: [0.0; LANES],
+};
+
+const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
+    half_stiffness: [[0.0; LANES]; DIRECTIONS],
+    rest: [[0.0; LANES]; DIRECTIONS],
+    inverse_rest: [[0.0; LANES]; DIRECTIONS],
+    inverse_area: [0.0; LANES],
+    no_quad: [1.0; LANES],
+};
+
+/// Which rows are moved, and what each stands for.
+struct Rows {
+    side: usize,
+    stride: usize,
+    first: usize,
+    mirror: Option<usize>,
+}
+
+impl Rows {
+    fn new(side: usize, stride: usize, mirrored: bool) -> Self {
+        // An even side has the axis between two rows, an odd one has a row on the axis.
+        let (first, mirror) = if mirrored {
+            let ghost = side.div_ceil(2) - 1 - side % 2;
+            (ghost, Some(side - 1 - ghost))
+        } else {
+            (0, None)
+        };
+        Self {
+            side,
+            stride,
+            first,
+            mirror,
+        }
+    }
+
+    fn owns(&self, row: usize) -> bool {
+        self.mirror.is_none() || row > self.first
+    }
+
+    /// How many rows of the whole eye row `row` stands for.
+    fn weight(&self, row: usize) -> f64 {
+        if self.mirror.is_none() {
+            1.0
+        } else if !self.owns(row) {
+            0.0
+        } else if 2 * row + 1 == self.side {
+            1.0
+        } else {
+            2.0
+        }
+    }
+
+    fn place(&self, (i, j): (usize, usize)) -> Place {
+        let mirrored = !self.owns(j);
+        let row = if mirrored { self.side - 1 - j } else { j };
+        Place {
+            slot: row * self.stride + i,
+            mirrored,
+        }
+    }
+}
+
+fn shortest_squared(eye: &Eye) -> f64 {
+    let shortest = eye
+        .springs
+        .iter()
+        .map(|s| s.rest_length)
+        .fold(f64::INFINITY, f64::min);
+    (SHORTEST_SHARE * shortest).powi(2)
+}
+
+fn decay_rates(eye: &Eye) -> [f64; 2] {
+    [true, false].map(|globe| {
+        eye.nodes
+            .iter()
+            .find(|n| n.region.in_globe() == globe && !n.fixed())
+            .map_or(0.0, |n| n.drag / n.mass)
+    })
+}
+
+fn omega_bound(eye: &Eye) -> f64 {
+    let mut sums = vec![0.0; eye.nodes.len()];
+    for spring in &eye.springs {
+        sums[spring.a] += spring.stiffness;
+        sums[spring.b] += spring.stiffness;
+    }
+    let worst = eye
+        .nodes
+        .iter()
+        .zip(&sums)
+        .filter(|(n, _)| !n.fixed())
+        .map(|(n, sum)| sum / n.mass)
+        .fold(0.0, f64::max);
+    (2.0 * worst).sqrt()
+}
+
+fn ring(eye: &Eye, rows: &Rows) -> Ring {
+    let shell = &eye.landmarks.shell;
+    let count = shell.len();
+    // The upper half starts just above the posterior pole, or on it.
+    let owned = shell
+        .iter()
+        .take_while(|&&i| rows.owns(eye.nodes[i].grid.1))
+        .count();
+    let mut by_hop: Vec<(usize, HashMap<usize, usize>)> = Vec::new();
+    let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
+    for (index, spring) in eye.springs.iter().enumerate() {
+        if spring.kind != SpringKind::Filament {
+            continue;
+        }
+        let start = order[&spring.a];
+        let hop = (order[&spring.b] + count - start) % count;
+        match by_hop.iter_mut().find(|(h, _)| *h == hop) {
+            Some((_, starts)) => {
+                starts.insert(start, index);
+            }
+            None => by_hop.push((hop, HashMap::from([(start, index)]))),
+        }
+    }
+    let ghosts = by_hop.iter().map(|(h, _)| *h).max().unwrap_or(0);
+    let at = |offset: usize| (offset + count * 2 - ghosts) % count;
+    let gather: Vec<(u32, f64)> = (0..owned + 2 * ghosts)
+        .map(|g| {
+            let place = rows.place(eye.nodes[shell[at(g)]].grid);
+            (place.slot as u32, place.sign())
+        })
+        .collect();
+    let weight = |g: usize| {
+        if g < ghosts || g >= ghosts + owned {
+            0.0
+        } else {
+            rows.weight(eye.nodes[shell[at(g)]].grid.1)
+        }
+    };
+    let filaments = by_hop
+        .iter()
+        .map(|(hop, starts)| {
+            let first = ghosts - hop;
+            let groups = (owned + hop).div_ceil(LANES);
+            let mut f = Filaments {
+                hop: *hop,
+                first,
+                stiffness: vec![[0.0; LANES]; groups],
+                tension: vec![[0.0; LANES]; groups],
+                half_stiffness: vec![[0.0; LANES]; groups],
+                rest: vec![[0.0; LANES]; groups],
+                inverse_rest: vec![[0.0; LANES]; groups],
+            };
+            for n in 0..owned + hop {
+                let spring = &eye.springs[starts[&at(first + n)]];
+                // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
+                let share = 0.5 * (weight(first + n) + weight(first + n + hop));
+                let (g, lane) = (n / LANES, n % LANES);
+                f.stiffness[g][lane] = spring.stiffness;
+                f.tension[g][lane] = spring.stiffness * spring.rest_length;
+                f.half_stiffness[g][lane] = 0.5 * spring.stiffness * share;
+                f.rest[g][lane] = spring.rest_length;
+                f.inverse_rest[g][lane] = 1.0 / spring.rest_length;
+            }
+            f
+        })
+        .collect();
+    Ring {
+        gather,
+        ghosts,
+        owned,
+        filaments,
+    }
+}

@@ -1,0 +1,77 @@
+//! Recordings as CSV, units in the header.
+
+use super::{Frame, Traces};
+use crate::eye::{Eye, Monitor};
+use std::io::Write;
+
+/// Writes one row a node a frame, and calls `progress` with the number of frames written.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write_frames(
+    eye: &Eye,
+    frames: &[Frame],
+    out: impl Write,
+    mut progress: impl FnMut(usize),
+) -> csv::Result<()> {
+    let mut csv = csv::Writer::from_writer(out);
+    csv.write_record(["frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n"])?;
+    for (number, frame) in frames.iter().enumerate() {
+        for (node, place) in frame.positions.iter().enumerate() {
+            csv.write_record(&[
+                number.to_string(),
+                format!("{:.6}", frame.time * 1e3),
+                node.to_string(),
+                eye.nodes[node].region.name().to_owned(),
+                format!("{:.7}", place.x * 1e3),
+                format!("{:.7}", place.y * 1e3),
+                format!("{:.6e}", frame.forces[node]),
+            ])?;
+        }
+        progress(number + 1);
+    }
+    csv.flush()?;
+    Ok(())
+}
+
+/// Writes one row a step.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
+    let mut csv = csv::Writer::from_writer(out);
+    let forces = Monitor::ALL.map(|m| format!("force_{}_n", m.name()));
+    let mut header = vec!["time_ms", "load_n"];
+    header.extend(forces.iter().map(String::as_str));
+    header.extend([
+        "apex_mm",
+        "scleral_growth_percent",
+        "meridian_growth_percent",
+        "kinetic_j",
+        "elastic_j",
+        "dissipated_j",
+        "work_j",
+    ]);
+    csv.write_record(&header)?;
+    for i in 0..traces.time.len() {
+        let mut row = vec![
+            format!("{:.9}", traces.time[i] * 1e3),
+            format!("{:.6e}", traces.load[i]),
+        ];
+        row.extend(traces.force.iter().map(|f| format!("{:.9e}", f[i])));
+        row.push(format!("{:.9e}", traces.apex[i] * 1e3));
+        row.push(format!("{:.9e}", traces.shell_growth[i] * 1e2));
+        row.push(format!("{:.9e}", traces.meridian_growth[i] * 1e2));
+        for energy in [
+            &traces.kinetic,
+            &traces.elastic,
+            &traces.dissipated,
+            &traces.work,
+        ] {
+            row.push(format!("{:.9e}", energy[i]));
+        }
+        csv.write_record(&row)?;
+    }
+    csv.flush()?;
+    Ok(())
+}

@@ -1,0 +1,75 @@
+//! What a march leaves behind: extremes over every step, traces, frames.
+//!
+//! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
+
+mod dense;
+mod export;
+mod frames;
+mod lengths;
+mod recorder;
+
+pub use dense::Peak;
+pub use export::{write_frames, write_traces};
+pub use frames::Frame;
+pub use recorder::{Keep, Recorder};
+
+/// Largest values over every step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremes {
+    /// |m a| at the monitored nodes, in N.
+    pub force: [Peak; 4],
+    /// Corneal apex displacement, in m.
+    pub apex: Peak,
+    /// Growth of the closed shell's length, as a share of its length.
+    pub shell_growth: Peak,
+    /// Growth of the vertical diameter, as a share of it.
+    pub meridian_growth: Peak,
+    /// Work done by the load, in J.
+    pub work: f64,
+    /// |l/l0 - 1| over all springs.
+    pub strain: Peak,
+    /// Smallest ratio of a quad's signed area to its area at rest.
+    pub least_quad_ratio: f64,
+    /// When a quad's signed area first reached zero, in s.
+    pub folded_at: Option<f64>,
+    /// Largest |work in - kinetic - elastic - dissipated| as a share of the work in.
+    pub energy_residual: f64,
+    /// Whether a growth was largest at the very end of the window.
+    pub still_rising: bool,
+}
+
+/// Values at step ends, each of the same length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Traces {
+    /// s.
+    pub time: Vec<f64>,
+    /// Total load, N.
+    pub load: Vec<f64>,
+    /// |m a| at the monitored nodes, N.
+    pub force: [Vec<f64>; 4],
+    /// Corneal apex displacement, m.
+    pub apex: Vec<f64>,
+    /// Growth of the shell's length as a share of it.
+    pub shell_growth: Vec<f64>,
+    /// Growth of the vertical diameter as a share of it.
+    pub meridian_growth: Vec<f64>,
+    /// J.
+    pub kinetic: Vec<f64>,
+    /// J.
+    pub elastic: Vec<f64>,
+    /// Energy lost to drag so far, J.
+    pub dissipated: Vec<f64>,
+    /// Work done by the load so far, J.
+    pub work: Vec<f64>,
+}
+
+/// Everything kept of one march.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// Largest values over every step.
+    pub extremes: Extremes,
+    /// Values at step ends, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+}

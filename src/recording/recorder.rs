@@ -1,0 +1,169 @@
+//! The observer that turns a march into a recording.
+
+use super::dense::{NodeForce, Peak};
+use super::frames::FrameTaker;
+use super::lengths::{Growth, Measure};
+use super::{Extremes, Recording, Traces};
+use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
+use crate::eye::Eye;
+use nalgebra::Vector2;
+
+/// Points tried within a step for the peak of a node force.
+const SCAN: usize = 12;
+/// A step is searched if its guessed force comes this close to the largest so far.
+const NEAR: f64 = 0.6;
+/// Steps that traces keep at most; longer runs keep every second, third, ... step.
+const MOST_ROWS: usize = 100_000;
+
+/// What to keep beside the extremes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Keep {
+    /// Traces of every step (thinned beyond 100,000 steps).
+    pub traces: bool,
+    /// Frames, this many seconds apart.
+    pub frames_every: Option<f64>,
+}
+
+/// Watches a march and records it.
+#[derive(Debug)]
+pub struct Recorder {
+    before: State,
+    monitors: [NodeForce; 4],
+    forces: [Peak; 4],
+    shell: Growth,
+    meridian: Growth,
+    apex: Growth,
+    strain: Peak,
+    least_quad: f64,
+    folded_at: Option<f64>,
+    residual: f64,
+    most_energy: f64,
+    rows: Option<Traces>,
+    every_row: usize,
+    steps: usize,
+    frames: Option<FrameTaker>,
+}
+
+impl Recorder {
+    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps.
+    pub fn new(eye: &Eye, load: &ArcLoad, system: &System, steps: usize, keep: Keep) -> Self {
+        let rest = State::at_rest(system);
+        let marks = &eye.landmarks;
+        let share = |node| {
+            let own = load.shares.iter().find(|(n, _)| *n == node);
+            own.map_or_else(Vector2::zeros, |(_, s)| load.direction * *s)
+        };
+        let ring = marks.shell.iter().zip(marks.shell.iter().cycle().skip(1));
+        let pairs = ring.map(|(&a, &b)| (a, b)).collect();
+        let growth = |measure| Growth::new(measure, system, &rest);
+        Self {
+            monitors: marks.monitors.map(|n| NodeForce::new(eye, n, share(n))),
+            forces: [Peak::floor(0.0); 4],
+            shell: growth(Measure::Length(pairs)),
+            meridian: growth(Measure::Length(vec![marks.meridian.into()])),
+            apex: growth(Measure::MeanX(marks.apex.to_vec())),
+            strain: Peak::floor(0.0),
+            least_quad: 1.0,
+            folded_at: None,
+            residual: 0.0,
+            most_energy: 0.0,
+            rows: keep.traces.then(Traces::default),
+            every_row: steps.div_ceil(MOST_ROWS).max(1),
+            steps: 0,
+            frames: keep.frames_every.map(|dt| FrameTaker::new(dt, eye, system)),
+            before: rest,
+        }
+    }
+
+    fn look(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+        let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
+        for (peak, force) in self.forces.iter_mut().zip(forces) {
+            peak.offer(force, state.time);
+        }
+        self.strain.offer(survey.strain, state.time);
+        self.least_quad = self.least_quad.min(survey.quad_ratio);
+        if survey.quad_ratio <= 0.0 && self.folded_at.is_none() {
+            self.folded_at = Some(state.time);
+        }
+        let stored = survey.kinetic + survey.elastic;
+        let residual = state.work - stored - state.dissipated;
+        self.residual = self.residual.max(residual.abs());
+        self.most_energy = self.most_energy.max(stored);
+        if self.steps % self.every_row == 0
+            && let Some(rows) = &mut self.rows
+        {
+            rows.time.push(state.time);
+            rows.load.push(system.load().pulse.force(piece, state.time));
+            for (trace, force) in rows.force.iter_mut().zip(forces) {
+                trace.push(force);
+            }
+            rows.apex.push(self.apex.last());
+            rows.shell_growth.push(self.shell.last() / self.shell.rest());
+            rows.meridian_growth
+                .push(self.meridian.last() / self.meridian.rest());
+            rows.kinetic.push(survey.kinetic);
+            rows.elastic.push(survey.elastic);
+            rows.dissipated.push(state.dissipated);
+            rows.work.push(state.work);
+        }
+    }
+
+    /// The recording, once the march has ended at `state`.
+    pub fn finish(self, state: &State) -> Recording {
+        let relative = |growth: &Growth| Peak {
+            value: growth.peak.value / growth.rest(),
+            time: growth.peak.time,
+        };
+        let late = [&self.shell, &self.meridian, &self.apex]
+            .iter()
+            .any(|g| g.still_rising());
+        let scale = state.work.abs().max(self.most_energy);
+        Recording {
+            extremes: Extremes {
+                force: self.forces,
+                apex: self.apex.peak,
+                shell_growth: relative(&self.shell),
+                meridian_growth: relative(&self.meridian),
+                work: state.work,
+                strain: self.strain,
+                least_quad_ratio: self.least_quad,
+                folded_at: self.folded_at,
+                energy_residual: if scale > 0.0 { self.residual / scale } else { 0.0 },
+                still_rising: late,
+            },
+            traces: self.rows,
+            frames: self.frames.map_or_else(Vec::new, |f| f.frames),
+        }
+    }
+}
+
+impl Observer for Recorder {
+    fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+        self.look(system, state, piece, survey);
+        self.before.copy_motion(state);
+        if let Some(frames) = &mut self.frames {
+            frames.begin(system, state);
+        }
+    }
+
+    fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+        self.steps += 1;
+        for growth in [&mut self.shell, &mut self.meridian, &mut self.apex] {
+            growth.step(system, &self.before, state);
+        }
+        self.look(system, state, piece, survey);
+        for (monitor, peak) in self.monitors.iter().zip(&mut self.forces) {
+            let guess = monitor
+                .guess(system, &self.before, state)
+                .max(monitor.at(system, state));
+            if guess > NEAR * peak.value && guess > 0.0 {
+                let found = monitor.largest(system, (&self.before, state), piece, SCAN);
+                peak.offer(found.value, found.time);
+            }
+        }
+        if let Some(frames) = &mut self.frames {
+            frames.step(system, (&self.before, state), piece);
+        }
+        self.before.copy_motion(state);
+    }
+}
