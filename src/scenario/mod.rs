@@ -6,6 +6,14 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
+pub mod check;
+pub mod fields;
+pub mod load;
+pub mod locate;
+pub mod problem;
+mod ron_text;
+pub mod set;
+
 use serde::{Deserialize, Serialize};
 
 /// One blow to one eye: everything that a run depends on.
