@@ -8,6 +8,7 @@
 
 pub mod check;
 pub mod fields;
+pub mod library;
 pub mod load;
 pub mod locate;
 pub mod problem;
