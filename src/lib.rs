@@ -1,4 +1,17 @@
+//! What a blow does to a human eye, and how far to trust the answer.
+//!
+//! Data flows one way. [`scenario`] is what a person asks for, in their units; [`eye`] turns anatomy
+//! into a mesh; [`dynamics`] moves it; [`recording`] keeps extremes, traces and frames; [`injury`]
+//! scores them; [`study`] runs one case or many and estimates errors; [`report`] prints; [`cli`] is
+//! the command line. A lower room never imports a higher one.
+//!
+//! Research and education, not diagnosis.
+
+pub mod cli;
 pub mod dynamics;
 pub mod eye;
+pub mod injury;
 pub mod recording;
+pub mod report;
 pub mod scenario;
+pub mod study;

@@ -9,6 +9,11 @@
 //! |---|---|---|---|
 //! | semi-implicit Euler, drag explicit (the paper) | 1 | 1 | 2 (less with drag) |
 //! | velocity Verlet | 1 | 2 | 2 |
+//! | SRKN6b (Blanes and Moan 2002) | 6 | 4 | 5.03 |
+//! | SRKN11b (Blanes and Moan 2002) | 11 | 6 | 9.07 |
+//!
+//! S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330. Their Runge-Kutta-Nystrom
+//! conditions hold with linear drag in the drift, because the kick depends on positions alone.
 //!
 //! The paper prints v = (a - `a_previous`) dt, which gives zero under constant acceleration; its
 //! scheme is read as v += a dt, x += v dt.
@@ -25,6 +30,10 @@ pub enum Integrator {
     SemiImplicitEuler,
     /// Half kick, drift with exact drag, half kick.
     VelocityVerlet,
+    /// Six-stage composition of order four.
+    Srkn6b,
+    /// Eleven-stage composition of order six.
+    Srkn11b,
 }
 
 /// Coefficients of a symmetric composition; the kicks are one more than the drifts.
@@ -38,15 +47,60 @@ const VERLET: Coefficients = Coefficients {
     drifts: &[1.0],
 };
 
+const SRKN6B: Coefficients = {
+    const B: [f64; 3] = [0.082_984_406_417_405_2, 0.396_309_801_498_368, -0.039_056_304_922_348_6];
+    const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
+    const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
+    const A3: f64 = 0.5 - A[0] - A[1];
+    Coefficients {
+        kicks: &[B[0], B[1], B[2], B4, B[2], B[1], B[0]],
+        drifts: &[A[0], A[1], A3, A3, A[1], A[0]],
+    }
+};
+
+const SRKN11B: Coefficients = {
+    const B: [f64; 5] = [
+        0.041_464_998_518_262_4,
+        0.198_128_671_918_067,
+        -0.040_006_192_104_153_3,
+        0.075_253_984_301_580_7,
+        -0.011_511_387_420_687_9,
+    ];
+    const A: [f64; 5] = [
+        0.123_229_775_946_271,
+        0.290_553_797_799_558,
+        -0.127_049_212_625_417,
+        -0.246_331_761_062_075,
+        0.357_208_872_795_928,
+    ];
+    const B6: f64 = 0.5 - (B[0] + B[1] + B[2] + B[3] + B[4]);
+    const A6: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2] + A[3] + A[4]);
+    Coefficients {
+        kicks: &[
+            B[0], B[1], B[2], B[3], B[4], B6, B6, B[4], B[3], B[2], B[1], B[0],
+        ],
+        drifts: &[
+            A[0], A[1], A[2], A[3], A[4], A6, A[4], A[3], A[2], A[1], A[0],
+        ],
+    }
+};
+
 impl Integrator {
     /// All integrators.
-    pub const ALL: [Self; 2] = [Self::SemiImplicitEuler, Self::VelocityVerlet];
+    pub const ALL: [Self; 4] = [
+        Self::SemiImplicitEuler,
+        Self::VelocityVerlet,
+        Self::Srkn6b,
+        Self::Srkn11b,
+    ];
 
     /// Name as typed on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::SemiImplicitEuler => "semi-implicit-euler",
             Self::VelocityVerlet => "velocity-verlet",
+            Self::Srkn6b => "srkn6b",
+            Self::Srkn11b => "srkn11b",
         }
     }
 
@@ -55,6 +109,8 @@ impl Integrator {
         match self {
             Self::SemiImplicitEuler => 1,
             Self::VelocityVerlet => 2,
+            Self::Srkn6b => 4,
+            Self::Srkn11b => 6,
         }
     }
 
@@ -62,6 +118,8 @@ impl Integrator {
     pub fn evaluations_per_step(self) -> usize {
         match self {
             Self::SemiImplicitEuler | Self::VelocityVerlet => 1,
+            Self::Srkn6b => 6,
+            Self::Srkn11b => 11,
         }
     }
 
@@ -69,6 +127,8 @@ impl Integrator {
     pub fn stability_limit(self) -> f64 {
         match self {
             Self::SemiImplicitEuler | Self::VelocityVerlet => 2.0,
+            Self::Srkn6b => 5.03,
+            Self::Srkn11b => 9.07,
         }
     }
 }
@@ -176,5 +236,7 @@ pub fn stepper(integrator: Integrator, system: &System, h: f64) -> Box<dyn Stepp
             Box::new(Composition::semi_implicit_euler(system.decay, h))
         }
         Integrator::VelocityVerlet => Box::new(Composition::new(&VERLET, system.decay, h)),
+        Integrator::Srkn6b => Box::new(Composition::new(&SRKN6B, system.decay, h)),
+        Integrator::Srkn11b => Box::new(Composition::new(&SRKN11B, system.decay, h)),
     }
 }

@@ -14,7 +14,7 @@
 //! baseline vectors; `multiversion` picks at run time.
 
 use super::state::State;
-use super::system::{DIRECTIONS, Filaments, LANES, Lane, System};
+use super::system::{DIRECTIONS, Filaments, Group, LANES, Lane, System};
 use multiversion::{multiversion, target::target_cfg_f};
 
 /// One kick and one drift of a composition: v += kick a; x += r(v); v *= decay.
@@ -121,6 +121,24 @@ fn springs<const QUICK: bool>(
         }
     }
     (fx, fy, length)
+}
+
+/// The springs of one direction.
+#[inline(always)]
+fn grid_springs<const QUICK: bool>(
+    group: &Group,
+    direction: usize,
+    a: (Lane, Lane),
+    b: (Lane, Lane),
+    shortest_squared: f64,
+) -> (Lane, Lane, Lane) {
+    springs::<QUICK>(
+        a,
+        b,
+        &group.stiffness[direction],
+        &group.tension[direction],
+        shortest_squared,
+    )
 }
 
 #[inline(always)]
@@ -239,7 +257,7 @@ fn sweep<const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
     system: &System,
     state: &mut State,
     sums: &mut Sums,
-    mut update: impl FnMut(usize, Motion, Lane, Lane) -> (Lane, Lane),
+    update: &mut impl Update,
 ) {
     let stride = system.stride;
     let groups = stride / LANES;
@@ -272,19 +290,11 @@ fn sweep<const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
                 load_lane(x, o + stride + 1),
                 load_lane(y, o + stride + 1),
             );
-            let spring = |a, b, d: usize| {
-                springs::<QUICK>(
-                    a,
-                    b,
-                    &group.stiffness[d],
-                    &group.tension[d],
-                    system.shortest_squared,
-                )
-            };
-            let (ex, ey, el) = spring(here, right, 0);
-            let (nx, ny, nl) = spring(here, above, 1);
-            let (dx, dy, dl) = spring(here, above_right, 2);
-            let (fx, fy, fl) = spring(above, right, 3);
+            let least = system.shortest_squared;
+            let (ex, ey, el) = grid_springs::<QUICK>(group, 0, here, right, least);
+            let (nx, ny, nl) = grid_springs::<QUICK>(group, 1, here, above, least);
+            let (dx, dy, dl) = grid_springs::<QUICK>(group, 2, here, above_right, least);
+            let (fx, fy, fl) = grid_springs::<QUICK>(group, 3, above, right, least);
             if SURVEY {
                 let survey = &system.survey[base / LANES + g];
                 for (d, length) in [el, nl, dl, fl].into_iter().enumerate().take(DIRECTIONS) {
@@ -331,7 +341,7 @@ fn sweep<const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
                 ax,
                 ay,
             };
-            let moved = update(base + o, motion, force_x, force_y);
+            let moved = update.nodes(&system.groups[base / LANES + g], base + o, motion, (force_x, force_y));
             if MOVE {
                 store_lane(x, o, moved.0);
                 store_lane(y, o, moved.1);
@@ -348,6 +358,13 @@ struct Motion<'a> {
     vy: &'a mut [f64],
     ax: &'a mut [f64],
     ay: &'a mut [f64],
+}
+
+/// What a sweep does with the force on eight nodes; returns their new positions. A trait and not a
+/// closure, because only a function can be told to be inlined, and so compiled for the vector unit
+/// in use.
+trait Update {
+    fn nodes(&mut self, group: &Group, slot: usize, m: Motion, force: (Lane, Lane)) -> (Lane, Lane);
 }
 
 impl Sums {
@@ -370,25 +387,44 @@ fn kick_drift_as<const QUICK: bool>(
     let mut sums = Sums::new();
     fill_ghosts(system, state);
     ring_forces::<QUICK, false>(system, state, force, &mut sums);
-    let mut loss = [0.0; LANES];
-    sweep::<QUICK, false, true>(system, state, &mut sums, |slot, m, fx, fy| {
-        let group = &system.groups[slot / LANES];
+    let mut update = KickDrift::<QUICK> {
+        stage,
+        loss: [0.0; LANES],
+    };
+    sweep::<QUICK, false, true>(system, state, &mut sums, &mut update);
+    update.loss.iter().sum()
+}
+
+struct KickDrift<const QUICK: bool> {
+    stage: Stage,
+    loss: Lane,
+}
+
+impl<const QUICK: bool> Update for KickDrift<QUICK> {
+    #[inline(always)]
+    fn nodes(
+        &mut self,
+        group: &Group,
+        slot: usize,
+        m: Motion,
+        (fx, fy): (Lane, Lane),
+    ) -> (Lane, Lane) {
         let (mut vx, mut vy) = (load_lane(m.vx, slot), load_lane(m.vy, slot));
         for i in 0..LANES {
-            let w = stage.kick * group.inverse_mass[i];
+            let w = self.stage.kick * group.inverse_mass[i];
             vx[i] = fused::<QUICK>(fx[i], w, vx[i]);
             vy[i] = fused::<QUICK>(fy[i], w, vy[i]);
         }
-        drift::<QUICK>(stage, group, (m.x, m.y), (m.vx, m.vy), slot, (vx, vy), &mut loss)
-    });
-    loss.iter().sum()
+        let velocity = (m.vx, m.vy);
+        drift::<QUICK>(self.stage, group, (m.x, m.y), velocity, slot, (vx, vy), &mut self.loss)
+    }
 }
 
 /// The drift of eight nodes: new positions are returned, new velocities stored.
 #[inline(always)]
 fn drift<const QUICK: bool>(
     stage: Stage,
-    group: &super::system::Group,
+    group: &Group,
     (mut x, mut y): (Lane, Lane),
     (store_vx, store_vy): (&mut [f64], &mut [f64]),
     slot: usize,
@@ -463,32 +499,55 @@ fn evaluate_as<const QUICK: bool>(
     let mut sums = Sums::new();
     fill_ghosts(system, state);
     ring_forces::<QUICK, true>(system, state, force, &mut sums);
-    let mut kinetic = [0.0; LANES];
-    sweep::<QUICK, true, false>(system, state, &mut sums, |slot, m, fx, fy| {
-        let group = &system.groups[slot / LANES];
+    let mut update = Store::<QUICK> {
+        kick,
+        kinetic: [0.0; LANES],
+    };
+    sweep::<QUICK, true, false>(system, state, &mut sums, &mut update);
+    let strain_squared = sums.strain_squared.into_iter().fold(0.0, f64::max);
+    Survey {
+        elastic: sums.elastic.iter().sum(),
+        kinetic: update.kinetic.iter().sum(),
+        strain: strain_squared.sqrt(),
+        quad_ratio: smallest_quad(system, state),
+    }
+}
+
+struct Store<const QUICK: bool> {
+    kick: f64,
+    kinetic: Lane,
+}
+
+impl<const QUICK: bool> Update for Store<QUICK> {
+    #[inline(always)]
+    fn nodes(
+        &mut self,
+        group: &Group,
+        slot: usize,
+        m: Motion,
+        (fx, fy): (Lane, Lane),
+    ) -> (Lane, Lane) {
         let (mut vx, mut vy) = (load_lane(m.vx, slot), load_lane(m.vy, slot));
         let (mut ax, mut ay) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             ax[i] = fx[i] * group.inverse_mass[i];
             ay[i] = fy[i] * group.inverse_mass[i];
-            vx[i] = fused::<QUICK>(ax[i], kick, vx[i]);
-            vy[i] = fused::<QUICK>(ay[i], kick, vy[i]);
+            vx[i] = fused::<QUICK>(ax[i], self.kick, vx[i]);
+            vy[i] = fused::<QUICK>(ay[i], self.kick, vy[i]);
             let speed_squared = fused::<QUICK>(vx[i], vx[i], vy[i] * vy[i]);
-            kinetic[i] = fused::<QUICK>(speed_squared, group.half_mass[i], kinetic[i]);
+            self.kinetic[i] = fused::<QUICK>(speed_squared, group.half_mass[i], self.kinetic[i]);
         }
         store_lane(m.ax, slot, ax);
         store_lane(m.ay, slot, ay);
         store_lane(m.vx, slot, vx);
         store_lane(m.vy, slot, vy);
         (m.x, m.y)
-    });
-    let strain_squared = sums.strain_squared.into_iter().fold(0.0, f64::max);
-    Survey {
-        elastic: sums.elastic.iter().sum(),
-        kinetic: kinetic.iter().sum(),
-        strain: strain_squared.sqrt(),
-        quad_ratio: smallest_quad(system, state),
     }
+}
+
+#[inline(always)]
+fn corner(state: &State, at: usize) -> (Lane, Lane) {
+    (load_lane(&state.x, at), load_lane(&state.y, at))
 }
 
 /// Smallest ratio of a quad's signed area, half the cross product of its diagonals, to its area
@@ -502,8 +561,8 @@ fn smallest_quad(system: &System, state: &State) -> f64 {
     for g in first..last {
         let o = g * LANES;
         let survey = &system.survey[g];
-        let at = |offset| (load_lane(&state.x, o + offset), load_lane(&state.y, o + offset));
-        let (p, r, u, q) = (at(0), at(1), at(stride), at(stride + 1));
+        let (p, r) = (corner(state, o), corner(state, o + 1));
+        let (u, q) = (corner(state, o + stride), corner(state, o + stride + 1));
         for i in 0..LANES {
             let cross = (q.0[i] - p.0[i]) * (u.1[i] - r.1[i]) - (q.1[i] - p.1[i]) * (u.0[i] - r.0[i]);
             let ratio = cross * survey.inverse_area[i] + survey.no_quad[i];

@@ -6,6 +6,15 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
+pub mod check;
+pub mod fields;
+pub mod library;
+pub mod load;
+pub mod locate;
+pub mod problem;
+mod ron_text;
+pub mod set;
+
 use serde::{Deserialize, Serialize};
 
 /// One blow to one eye: everything that a run depends on.
@@ -196,4 +205,8 @@ pub enum IntegratorChoice {
     SemiImplicitEuler,
     /// Second order, drag solved exactly.
     VelocityVerlet,
+    /// Fourth order, six force evaluations a step.
+    Srkn6b,
+    /// Sixth order, eleven force evaluations a step.
+    Srkn11b,
 }

@@ -1,0 +1,160 @@
+//! The arguments that say what to simulate, shared by the commands that simulate.
+//!
+//! Values stay text here. The registry of fields reads them, so a flag, `--set` and a file refuse
+//! the same values with the same words.
+
+use std::str::FromStr;
+
+use clap::Args;
+
+use super::CliError;
+use crate::scenario::Scenario;
+use crate::scenario::check::check;
+use crate::scenario::library::resolve;
+use crate::scenario::problem::{ScenarioError, printable, quoted};
+use crate::scenario::set::set;
+
+/// What to simulate: a preset or a file, and changes to it.
+#[derive(Debug, Args)]
+pub struct ScenarioArgs {
+    /// A preset's name, or a file if it ends in .ron or holds a path separator
+    #[arg(value_name = "PRESET|FILE.ron")]
+    pub source: String,
+    /// Change one field, as in `impact.force_n=450`; may be repeated, the last one wins
+    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    pub assignments: Vec<Assignment>,
+    /// Mesh level, 1 to 8; short for `--set eye.level=K`
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub level: Option<String>,
+    /// Integrator, as in velocity-verlet; short for `--set numerics.integrator=NAME`
+    #[arg(long, value_name = "NAME")]
+    pub integrator: Option<String>,
+    /// Time step in microseconds; short for `--set numerics.step_us=X`
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub step_us: Option<String>,
+}
+
+/// One `FIELD=VALUE`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assignment {
+    /// Dotted path of the field.
+    pub path: String,
+    /// The value, as typed.
+    pub text: String,
+}
+
+impl FromStr for Assignment {
+    type Err = &'static str;
+
+    fn from_str(typed: &str) -> Result<Self, Self::Err> {
+        let (path, text) = typed
+            .split_once('=')
+            .ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
+        Ok(Self {
+            path: path.trim().to_owned(),
+            text: text.to_owned(),
+        })
+    }
+}
+
+impl ScenarioArgs {
+    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags.
+    ///
+    /// # Errors
+    /// Says which file or argument is wrong, and what would be accepted.
+    pub fn scenario(&self) -> Result<Scenario, CliError> {
+        let mut scenario = resolve(&self.source)?;
+        for Assignment { path, text } in &self.assignments {
+            assign(&mut scenario, &format!("--set {path}={text}"), path, text)?;
+        }
+        let short = [
+            ("--level", "eye.level", &self.level),
+            ("--integrator", "numerics.integrator", &self.integrator),
+            ("--step-us", "numerics.step_us", &self.step_us),
+        ];
+        for (flag, path, text) in short {
+            if let Some(text) = text {
+                assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
+            }
+        }
+        // The file by itself was sound, so what is wrong now comes from the flags together.
+        check(&scenario).map_err(|error| complaint("with these flags", "", &error))?;
+        Ok(scenario)
+    }
+}
+
+fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result<(), CliError> {
+    set(scenario, path, text).map_err(|error| complaint(flag, path, &error))
+}
+
+/// One line a problem, led by the flag; the flag names its own field already.
+fn complaint(flag: &str, path: &str, error: &ScenarioError) -> CliError {
+    let line = |problem: &crate::scenario::problem::Problem| {
+        let flag = quoted(flag);
+        let message = printable(&problem.message);
+        if problem.field == path {
+            format!("{flag}: {message}")
+        } else {
+            format!("{flag}: {}: {message}", printable(&problem.field))
+        }
+    };
+    let lines: Vec<String> = error.problems.iter().map(line).collect();
+    CliError::Input(lines.join("\n"))
+}
+
+/// Reads a time that must be more than zero.
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() && number > 0.0 => Ok(number),
+        _ => Err("expected a number of microseconds above 0".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+    use crate::cli::{Cli, Command};
+    use crate::scenario::{Impact, IntegratorChoice};
+
+    fn scenario(flags: &[&str]) -> Result<Scenario, CliError> {
+        let typed = ["contrecoup", "run", "paper-300n"];
+        let cli = Cli::try_parse_from(typed.iter().chain(flags)).unwrap();
+        let Some(Command::Run(args)) = cli.command else {
+            panic!("run was asked for")
+        };
+        args.scenario.scenario()
+    }
+
+    #[test]
+    fn settings_apply_in_order_and_short_flags_last() {
+        let changed = scenario(&[
+            "--level=3",
+            "--set=eye.level=2",
+            "--set=impact.force_n=1",
+            "--set=impact.force_n=450",
+            "--integrator=velocity-verlet",
+            "--step-us=1.5",
+            "--set=name=a = b",
+        ])
+        .unwrap();
+        let Impact::ForcePulse(pulse) = &changed.impact;
+        assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
+        assert_eq!(
+            changed.numerics.integrator,
+            IntegratorChoice::VelocityVerlet
+        );
+        assert_eq!(changed.numerics.step_us, Some(1.5));
+        assert_eq!(changed.name, "a = b");
+    }
+
+    #[test]
+    fn two_settings_that_need_each_other_may_come_in_any_order() {
+        let angle = "--set=impact.angle_deg=60";
+        let opening = "--set=eye.opening_deg=70";
+        assert!(scenario(&[angle, opening]).is_ok());
+        assert!(scenario(&[opening, angle]).is_ok());
+        assert!(scenario(&[angle]).is_err());
+    }
+}

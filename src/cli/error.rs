@@ -1,0 +1,38 @@
+//! Why a command did not do what was asked, and the exit code that says so.
+
+use std::io;
+
+use crate::scenario::problem::ScenarioError;
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// The input was sound, but something went wrong.
+    #[error("error: {0}")]
+    Failed(String),
+    /// What was asked for makes no sense.
+    #[error("{0}")]
+    Input(String),
+    /// The scenario makes no sense. Its lines begin with a place, as editors expect.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// The answer could not be written to standard output.
+    #[error("error: cannot write the output: {0}")]
+    Output(#[from] io::Error),
+}
+
+impl CliError {
+    /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            _ if self.is_broken_pipe() => 0,
+            Self::Failed(_) | Self::Output(_) => 1,
+            Self::Input(_) | Self::Scenario(_) => 2,
+        }
+    }
+
+    /// Whether the reader of the output has simply read enough.
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}

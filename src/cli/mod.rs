@@ -1,0 +1,153 @@
+//! The command line: what can be typed, and which function answers it.
+//!
+//! Exit codes: 0 done, 1 failed, 2 bad input. A reader that closes the pipe early is no failure.
+//!
+//! Left out: the answers themselves, one module each, and the meaning of a field's value, which
+//! the registry of fields decides for files, flags and forms alike.
+
+mod arguments;
+mod error;
+mod export;
+mod generate;
+mod presets;
+mod run;
+
+pub use arguments::{Assignment, ScenarioArgs};
+pub use error::CliError;
+
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
+
+/// Simulate a blow to a human eye.
+#[derive(Debug, Parser)]
+#[command(version, after_help = "Research and education, not diagnosis.")]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Simulate one blow and print the results
+    Run(RunArgs),
+    /// List the presets, or show one
+    Presets(PresetsArgs),
+    /// Simulate one blow and write its frames and traces to files
+    Export(ExportArgs),
+    /// Print a script that completes commands in a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page, of the program or of one command
+    Man {
+        /// The command
+        command: Option<String>,
+    },
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `export`.
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("files").required(true).multiple(true))]
+pub struct ExportArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// Write the positions of all nodes over time to this file, replacing it
+    #[arg(long, value_name = "FILE", group = "files")]
+    pub frames: Option<PathBuf>,
+    /// Write the monitored quantities over time to this file, replacing it
+    #[arg(long, value_name = "FILE", group = "files")]
+    pub traces: Option<PathBuf>,
+    /// Time between two rows, in microseconds
+    #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
+    pub every_us: Option<f64>,
+}
+
+/// Arguments of `presets`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct PresetsArgs {
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+    /// What to do instead of listing.
+    #[command(subcommand)]
+    pub command: Option<PresetsCommand>,
+}
+
+/// What to do with presets.
+#[derive(Debug, Subcommand)]
+pub enum PresetsCommand {
+    /// Print the file of one preset as it stands
+    Show {
+        /// Its name
+        name: String,
+    },
+}
+
+/// Reads the arguments, answers, and says how it went.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Nobody is left to hear about a closed pipe.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let mut out = BufWriter::new(io::stdout().lock());
+    let done = dispatch(&cli, &mut out).and_then(|()| Ok(out.flush()?));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            if !error.is_broken_pipe() {
+                let _ = writeln!(io::stderr(), "{error}");
+            }
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
+    match &cli.command {
+        Some(Command::Run(args)) => run::run(args, out),
+        Some(Command::Export(args)) => export::run(args, out),
+        Some(Command::Presets(args)) => presets::run(args, out),
+        Some(Command::Completions { shell }) => generate::completions(*shell, out),
+        Some(Command::Man { command }) => generate::man(command.as_deref(), out),
+        None => Err(CliError::Input(
+            "The terminal app is not there yet. Try `contrecoup run paper-300n`,\n\
+             or `contrecoup --help` for everything else."
+                .to_owned(),
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Cli::command().debug_assert();
+    }
+}

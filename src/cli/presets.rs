@@ -1,0 +1,74 @@
+//! `contrecoup presets`: what there is to run.
+
+use std::io::Write;
+
+use serde::Serialize;
+
+use super::{CliError, PresetsArgs, PresetsCommand};
+use crate::scenario::library::{self, Origin};
+use crate::scenario::problem::printable;
+
+/// One preset as JSON and as a line of the list.
+#[derive(Serialize)]
+struct Row {
+    name: String,
+    /// `built-in` or `user`.
+    origin: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+}
+
+/// Lists the presets, or prints the text of one.
+///
+/// # Errors
+/// Where a preset does not exist or cannot be read, or the output cannot be written.
+pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    if let Some(PresetsCommand::Show { name }) = &args.command {
+        out.write_all(library::find(name)?.text?.as_bytes())?;
+        return Ok(());
+    }
+    let rows = rows()?;
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &rows).map_err(std::io::Error::from)?;
+        writeln!(out)?;
+        return Ok(());
+    }
+    let width = rows.iter().map(|row| row.name.chars().count()).max();
+    let width = width.unwrap_or_default();
+    for row in rows {
+        let mark = if row.file.is_some() { "  (yours)" } else { "" };
+        let said = row.title.or(row.error).unwrap_or_default();
+        let said = said.lines().next().unwrap_or_default();
+        writeln!(
+            out,
+            "{:width$}  {}{mark}",
+            printable(&row.name),
+            printable(said)
+        )?;
+    }
+    Ok(())
+}
+
+fn rows() -> Result<Vec<Row>, CliError> {
+    let row = |preset: library::Preset| {
+        let title = preset.title();
+        Row {
+            origin: match preset.origin {
+                Origin::BuiltIn => "built-in",
+                Origin::User(_) => "user",
+            },
+            file: match &preset.origin {
+                Origin::BuiltIn => None,
+                Origin::User(path) => Some(path.display().to_string()),
+            },
+            error: title.as_ref().err().map(ToString::to_string),
+            title: title.ok(),
+            name: preset.name,
+        }
+    };
+    Ok(library::list()?.into_iter().map(row).collect())
+}

@@ -1,0 +1,149 @@
+//! Whether the values of a scenario are allowed.
+//!
+//! Every problem is found, not only the first. Ranges come from the registry of fields; only rules
+//! that join two fields are written out here.
+
+use super::fields::{Bounds, FIELDS, Field, Kind};
+use super::problem::{Problem, ScenarioError, is_unprintable, plain};
+use super::{Impact, Scenario};
+
+/// Everything that is wrong with the values, in the order of the fields.
+///
+/// # Errors
+/// Names each field that is out of range.
+pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
+    let ranges = FIELDS
+        .iter()
+        .filter_map(|field| check_field(field, scenario));
+    outcome(ranges.chain(behind_bone(scenario)).collect())
+}
+
+/// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
+/// of two values set one after the other, the first may need the second.
+pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), ScenarioError> {
+    let inside = |field: &&Field| {
+        field
+            .path
+            .strip_prefix(path)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    let ranges = FIELDS.iter().filter(inside);
+    outcome(
+        ranges
+            .filter_map(|field| check_field(field, scenario))
+            .collect(),
+    )
+}
+
+fn outcome(problems: Vec<Problem>) -> Result<(), ScenarioError> {
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(ScenarioError { problems })
+    }
+}
+
+fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
+    let complaint = match &field.kind {
+        Kind::Number(bounds, place) => outside(*bounds, *(place.get)(scenario)?),
+        Kind::OptionalNumber(bounds, place) => outside(*bounds, (*(place.get)(scenario)?)?),
+        Kind::Integer(min, max, place) => {
+            (!(min..=max).contains(&(place.get)(scenario)?)).then_some("is out of range")
+        }
+        Kind::Integers(min, max, most, place) => {
+            let list = (place.get)(scenario)?;
+            let repeated = |(index, hop)| list[..index].contains(hop);
+            if list.len() > *most {
+                Some("is too long a list")
+            } else if !list.iter().all(|hop| (min..=max).contains(&hop)) {
+                Some("is out of range")
+            } else {
+                list.iter()
+                    .enumerate()
+                    .any(repeated)
+                    .then_some("repeats a number")
+            }
+        }
+        Kind::Text(most, place) => {
+            let text = (place.get)(scenario)?;
+            match text.trim().chars().count() {
+                0 => Some("is empty"),
+                length if length > *most => Some("is too long"),
+                _ => text
+                    .contains(is_unprintable)
+                    .then_some("holds a control character"),
+            }
+        }
+        Kind::Toggle(_) | Kind::Choice(_) => None,
+    }?;
+    let value = match &field.kind {
+        Kind::Text(..) => format!("{:?}", field.text(scenario)?),
+        _ => field.text(scenario)?,
+    };
+    Some(Problem::refused(
+        field.path,
+        &value,
+        complaint,
+        field.allowed(),
+    ))
+}
+
+fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
+    if !number.is_finite() {
+        Some("is not a finite number")
+    } else if (min..=max).contains(&number) {
+        None
+    } else {
+        Some("is out of range")
+    }
+}
+
+/// A blow whose middle lies beyond the opening of the orbit would land on bone.
+fn behind_bone(scenario: &Scenario) -> Option<Problem> {
+    let Impact::ForcePulse(pulse) = &scenario.impact;
+    let opening = scenario.eye.opening_deg;
+    (pulse.angle_deg.abs() > opening).then(|| {
+        let allowed = format!(
+            "{} to {} deg, the opening of the orbit (eye.opening_deg)",
+            plain(-opening),
+            plain(opening)
+        );
+        Problem::refused(
+            "impact.angle_deg",
+            &plain(pulse.angle_deg),
+            "is out of range, since bone shields the eye there",
+            allowed,
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_scenario_is_sound() {
+        assert_eq!(check(&Scenario::default()), Ok(()));
+    }
+
+    #[test]
+    fn every_problem_is_reported_in_the_order_of_the_fields() {
+        let mut scenario = Scenario {
+            window_ms: f64::NAN,
+            ..Scenario::default()
+        };
+        scenario.eye.filament_hops = vec![2, 2];
+        scenario.eye.opening_deg = 10.0;
+        scenario.name = "\u{1b}[31m".to_owned();
+        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        pulse.angle_deg = -10.5;
+        let error = check(&scenario).unwrap_err();
+        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        assert_eq!(
+            fields,
+            ["name", "window_ms", "eye.filament_hops", "impact.angle_deg"]
+        );
+        assert!(error.problems[3].message.contains("-10 to 10 deg"));
+        assert!(!error.to_string().contains('\u{1b}'));
+    }
+}

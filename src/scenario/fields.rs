@@ -1,0 +1,318 @@
+//! The one registry of everything in a scenario that can be set.
+//!
+//! Ranges, units, labels and steps stand here and nowhere else; the checks of a file, the command
+//! line's `--set`, forms and sweeps all read this table. A new field is one line in [`FIELDS`]; a
+//! new variant is one line in the table of its enum.
+//!
+//! Left out: rules that join two fields (see `check`) and the reading of typed text (see `set`).
+
+use std::mem::discriminant;
+
+use super::problem::plain;
+use super::{ForcePulse, Impact, IntegratorChoice, Model, PulseShape, Scenario};
+
+/// A field of a scenario.
+pub struct Field {
+    /// Dotted path, as in `impact.force_n`.
+    pub path: &'static str,
+    /// A few words for a form or a heading.
+    pub label: &'static str,
+    /// Unit for display; empty where there is none.
+    pub unit: &'static str,
+    /// What kind of value it holds, what it may be, and how to reach it.
+    pub kind: Kind,
+}
+
+/// What a field holds, with its bounds (inclusive) and its place in a scenario.
+pub enum Kind {
+    /// A finite number.
+    Number(Bounds, Place<f64>),
+    /// A finite number, or none.
+    OptionalNumber(Bounds, Place<Option<f64>>),
+    /// A whole number.
+    Integer(u32, u32, Place<u32>),
+    /// Yes or no.
+    Toggle(Place<bool>),
+    /// One variant of an enum, by name.
+    Choice(&'static (dyn Choices + Sync)),
+    /// A set of whole numbers between the first two, at most as many as the third.
+    Integers(u32, u32, usize, Place<Vec<u32>>),
+    /// Text of 1 to so many characters.
+    Text(usize, Place<String>),
+}
+
+/// The bounds of a number and how far one key press moves it.
+#[derive(Debug, Clone, Copy)]
+pub struct Bounds {
+    /// Least value allowed.
+    pub min: f64,
+    /// Greatest value allowed.
+    pub max: f64,
+    /// A small step.
+    pub fine: f64,
+    /// A large step.
+    pub coarse: f64,
+}
+
+/// How to reach a value; `None` where the present variant has no such field.
+pub struct Place<T: 'static> {
+    /// Reads it.
+    pub get: fn(&Scenario) -> Option<&T>,
+    /// Lends it for a change.
+    pub get_mut: fn(&mut Scenario) -> Option<&mut T>,
+}
+
+/// A field that holds one of several variants.
+pub trait Choices {
+    /// The names of the variants as RON has them.
+    fn names(&self) -> Vec<&'static str>;
+    /// The present variant; `None` where the scenario has no such field.
+    fn get(&self, scenario: &Scenario) -> Option<&'static str>;
+    /// Takes the named variant with its default content, or keeps the present content where it is
+    /// that variant already. `false` if there is no such variant or no such field.
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool;
+}
+
+type Variants<T> = &'static [(&'static str, fn() -> T)];
+
+const MODELS: Variants<Model> = &[("Paper", || Model::Paper)];
+const IMPACTS: Variants<Impact> = &[("ForcePulse", || Impact::ForcePulse(ForcePulse::default()))];
+const SHAPES: Variants<PulseShape> = &[
+    ("SmoothRectangle", PulseShape::default),
+    ("Triangle", || PulseShape::Triangle),
+    ("HalfSine", || PulseShape::HalfSine),
+];
+const INTEGRATORS: Variants<IntegratorChoice> = &[
+    ("Auto", || IntegratorChoice::Auto),
+    ("SemiImplicitEuler", || IntegratorChoice::SemiImplicitEuler),
+    ("VelocityVerlet", || IntegratorChoice::VelocityVerlet),
+    ("Srkn6b", || IntegratorChoice::Srkn6b),
+    ("Srkn11b", || IntegratorChoice::Srkn11b),
+];
+
+struct OneOf<T: 'static>(Variants<T>, Place<T>);
+
+impl<T> Choices for OneOf<T> {
+    fn names(&self) -> Vec<&'static str> {
+        self.0.iter().map(|(name, _)| *name).collect()
+    }
+
+    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
+        let present = discriminant((self.1.get)(scenario)?);
+        let same = |(_, make): &&(&str, fn() -> T)| discriminant(&make()) == present;
+        self.0.iter().find(same).map(|(name, _)| *name)
+    }
+
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
+        let wanted = self.0.iter().find(|(known, _)| *known == name);
+        let (Some((_, make)), Some(value)) = (wanted, (self.1.get_mut)(scenario)) else {
+            return false;
+        };
+        let fresh = make();
+        if discriminant(&fresh) != discriminant(value) {
+            *value = fresh;
+        }
+        true
+    }
+}
+
+/// Both accessors of a field that is always there.
+macro_rules! at {
+    ($($part:ident).+) => {
+        Place { get: |s| Some(&s.$($part).+), get_mut: |s| Some(&mut s.$($part).+) }
+    };
+}
+
+/// Both accessors of a field of one variant, given the variant's own accessors.
+macro_rules! within {
+    ($get:ident, $get_mut:ident, $part:ident) => {
+        Place {
+            get: |s| Some(&$get(s)?.$part),
+            get_mut: |s| Some(&mut $get_mut(s)?.$part),
+        }
+    };
+}
+
+// The compiler asks for a decision here when a second impact joins the first.
+#[expect(clippy::unnecessary_wraps, reason = "other impacts have no pulse")]
+fn pulse(scenario: &Scenario) -> Option<&ForcePulse> {
+    match &scenario.impact {
+        Impact::ForcePulse(pulse) => Some(pulse),
+    }
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "other impacts have no pulse")]
+pub(super) fn pulse_mut(scenario: &mut Scenario) -> Option<&mut ForcePulse> {
+    match &mut scenario.impact {
+        Impact::ForcePulse(pulse) => Some(pulse),
+    }
+}
+
+fn edge(scenario: &Scenario) -> Option<&f64> {
+    match &pulse(scenario)?.shape {
+        PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
+        PulseShape::Triangle | PulseShape::HalfSine => None,
+    }
+}
+
+fn edge_mut(scenario: &mut Scenario) -> Option<&mut f64> {
+    match &mut pulse_mut(scenario)?.shape {
+        PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
+        PulseShape::Triangle | PulseShape::HalfSine => None,
+    }
+}
+
+const fn field(path: &'static str, label: &'static str, unit: &'static str, kind: Kind) -> Field {
+    Field {
+        path,
+        label,
+        unit,
+        kind,
+    }
+}
+
+const fn within_bounds(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
+    Bounds {
+        min,
+        max,
+        fine,
+        coarse,
+    }
+}
+
+use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text, Toggle};
+use within_bounds as b;
+
+/// Every field, in the order in which a form shows them.
+#[rustfmt::skip]
+pub static FIELDS: &[Field] = &[
+    field("name", "Name", "", Text(80, at!(name))),
+    field("model", "Model", "", Choice(&OneOf(MODELS, at!(model)))),
+    field("impact", "Impact", "", Choice(&OneOf(IMPACTS, at!(impact)))),
+    field("impact.force_n", "Peak force", "N", Number(b(0.0, 1e5, 10.0, 100.0), within!(pulse, pulse_mut, force_n))),
+    field("impact.duration_ms", "Duration", "ms", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
+    field("impact.angle_deg", "Angle", "deg", Number(b(-120.0, 120.0, 1.0, 10.0), within!(pulse, pulse_mut, angle_deg))),
+    field("impact.half_width_deg", "Half width", "deg", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
+    field("impact.shape", "Pulse shape", "", Choice(&OneOf(SHAPES, within!(pulse, pulse_mut, shape)))),
+    field("impact.shape.edge_fraction", "Edge, of duration", "", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
+    field("window_ms", "Simulated time", "ms", Number(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
+    field("eye.level", "Mesh level", "", Integer(1, 8, at!(eye.level))),
+    field("eye.opening_deg", "Orbit opening", "deg", Number(b(1.0, 120.0, 1.0, 10.0), at!(eye.opening_deg))),
+    field("eye.lens", "Stiff lens", "", Toggle(at!(eye.lens))),
+    field("eye.filament_hops", "Filament hops", "", Integers(1, 17, 8, at!(eye.filament_hops))),
+    field("eye.filament_factor", "Filament stiffness", "x", Number(b(0.0, 1e3, 0.1, 1.0), at!(eye.filament_factor))),
+    field("eye.retina_deg", "Retina half-angle", "deg", Number(b(0.0, 180.0, 1.0, 10.0), at!(eye.retina_deg))),
+    field("eye.sclera_kpa", "Sclera modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), at!(eye.sclera_kpa))),
+    field("eye.fat_kpa", "Fat modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), at!(eye.fat_kpa))),
+    field("eye.lens_kpa", "Lens modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), at!(eye.lens_kpa))),
+    field("eye.rest_kpa", "Rest modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), at!(eye.rest_kpa))),
+    field("eye.globe_mass_g", "Globe mass", "g", Number(b(0.1, 100.0, 0.1, 1.0), at!(eye.globe_mass_g))),
+    field("eye.globe_drag_ns_m", "Globe drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.globe_drag_ns_m))),
+    field("eye.fat_drag_ns_m", "Fat drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.fat_drag_ns_m))),
+    field("numerics.integrator", "Integrator", "", Choice(&OneOf(INTEGRATORS, at!(numerics.integrator)))),
+    field("numerics.step_us", "Time step", "µs", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
+];
+
+/// The field at a dotted path.
+pub fn find(path: &str) -> Option<&'static Field> {
+    FIELDS.iter().find(|field| field.path == path)
+}
+
+impl Field {
+    /// The present value as text that [`super::set::set`] accepts, or `None` where the present
+    /// variant has no such field.
+    pub fn text(&self, scenario: &Scenario) -> Option<String> {
+        match &self.kind {
+            Number(_, place) => (place.get)(scenario).map(|number| plain(*number)),
+            OptionalNumber(_, place) => {
+                (place.get)(scenario).map(|number| number.map_or("None".to_owned(), plain))
+            }
+            Integer(_, _, place) => (place.get)(scenario).map(u32::to_string),
+            Toggle(place) => (place.get)(scenario).map(bool::to_string),
+            Choice(choices) => choices.get(scenario).map(str::to_owned),
+            Integers(_, _, _, place) => (place.get)(scenario).map(|list| format!("{list:?}")),
+            Text(_, place) => (place.get)(scenario).cloned(),
+        }
+    }
+
+    /// What the field accepts, in words.
+    pub fn allowed(&self) -> String {
+        let unit = if self.unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", self.unit)
+        };
+        match &self.kind {
+            Number(Bounds { min, max, .. }, _) => {
+                format!("{} to {}{unit}", plain(*min), plain(*max))
+            }
+            OptionalNumber(Bounds { min, max, .. }, _) => {
+                format!("None, or {} to {}{unit}", plain(*min), plain(*max))
+            }
+            Integer(min, max, _) => format!("whole numbers {min} to {max}"),
+            Toggle(_) => "true or false".to_owned(),
+            Choice(choices) => choices.names().join(", "),
+            Integers(min, max, most, _) => {
+                format!("a list of at most {most} different whole numbers, each {min} to {max}")
+            }
+            Text(most, _) => format!("1 to {most} characters, none of them a control character"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_path_is_there_once_and_readable_in_the_default_scenario() {
+        for (index, field) in FIELDS.iter().enumerate() {
+            assert!(field.text(&Scenario::default()).is_some(), "{}", field.path);
+            assert!(!FIELDS[..index].iter().any(|other| other.path == field.path));
+        }
+    }
+
+    #[test]
+    fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default() {
+        let mut scenario = Scenario::default();
+        let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else {
+            panic!()
+        };
+        *edge_mut(&mut scenario).unwrap() = 0.3;
+        assert!(shape.set(&mut scenario, "SmoothRectangle"));
+        assert_eq!(edge(&scenario), Some(&0.3));
+        assert!(shape.set(&mut scenario, "Triangle"));
+        assert_eq!(shape.get(&scenario), Some("Triangle"));
+        assert_eq!(edge(&scenario), None);
+        assert!(!shape.set(&mut scenario, "Square"));
+    }
+
+    #[test]
+    fn the_registry_names_every_field_of_the_types() {
+        let mut held = Vec::new();
+        let whole = serde_json::to_value(Scenario::default()).unwrap();
+        collect(&whole, "", &mut held);
+        held.retain(|path| path != "eye" && path != "numerics");
+        held.sort();
+        let mut listed: Vec<_> = FIELDS.iter().map(|field| field.path.to_owned()).collect();
+        listed.sort();
+        assert_eq!(listed, held);
+    }
+
+    /// Dotted paths of all fields, passing through the names of variants.
+    fn collect(value: &serde_json::Value, under: &str, paths: &mut Vec<String>) {
+        for (key, inner) in value.as_object().into_iter().flatten() {
+            if key.starts_with(char::is_uppercase) {
+                collect(inner, under, paths);
+            } else {
+                let path = if under.is_empty() {
+                    key.clone()
+                } else {
+                    format!("{under}.{key}")
+                };
+                collect(inner, &path, paths);
+                paths.push(path);
+            }
+        }
+    }
+}

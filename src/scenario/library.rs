@@ -1,0 +1,257 @@
+//! The presets: those built into the program, and a person's own.
+//!
+//! A person's presets are the `.ron` files in `contrecoup/presets` under `$XDG_CONFIG_HOME` (or
+//! `~/.config`), on every system. One with the name of a built-in preset takes its place, even if
+//! it is broken: running another blow than the one asked for would be worse than an error.
+//!
+//! Nothing is read before it is asked for; finding one preset does not touch the others.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use etcetera::BaseStrategy;
+use etcetera::base_strategy::Xdg;
+
+use super::Scenario;
+use super::load::{load, parse, read_text};
+use super::problem::{Problem, ScenarioError, suggestion};
+
+/// Names and texts of the listed files in `presets/`.
+macro_rules! built_in {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../presets/", $name, ".ron")))),*]
+    };
+}
+
+static BUILT_IN: &[(&str, &str)] = built_in![
+    "fine-mesh",
+    "half-sine-below",
+    "narrow-blow",
+    "no-filaments",
+    "off-axis-triangle",
+    "paper-100n",
+    "paper-300n",
+    "paper-600n",
+    "sharp-edges",
+    "small-area",
+    "soft-triangle",
+    "wide-area",
+];
+
+/// Where a preset comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// Part of the program.
+    BuiltIn,
+    /// A file of the person's own.
+    User(PathBuf),
+}
+
+/// A scenario with a name to call it by.
+#[derive(Debug, Clone)]
+pub struct Preset {
+    /// The file's name without `.ron`.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The RON text as it stands, comments included, or why it cannot be read.
+    pub text: Result<String, ScenarioError>,
+}
+
+impl Preset {
+    fn built_in((name, text): &(&str, &str)) -> Self {
+        Self {
+            name: (*name).to_owned(),
+            origin: Origin::BuiltIn,
+            text: Ok((*text).to_owned()),
+        }
+    }
+
+    fn user(name: String, path: PathBuf) -> Self {
+        Self {
+            name,
+            text: read_text(&path),
+            origin: Origin::User(path),
+        }
+    }
+
+    /// Reads and checks the text.
+    ///
+    /// # Errors
+    /// Says what is wrong with it, and where.
+    pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
+        let origin = match &self.origin {
+            Origin::BuiltIn => format!("preset {}", self.name),
+            Origin::User(path) => path.display().to_string(),
+        };
+        parse(self.text.as_ref().map_err(Clone::clone)?, &origin)
+    }
+
+    /// The name that the scenario gives itself.
+    ///
+    /// # Errors
+    /// As [`Self::scenario`].
+    pub fn title(&self) -> Result<String, ScenarioError> {
+        Ok(self.scenario()?.name)
+    }
+}
+
+/// All presets, sorted by name. A broken one is among them and says so when it is read.
+///
+/// # Errors
+/// Where the person's folder exists but cannot be listed.
+pub fn list() -> Result<Vec<Preset>, ScenarioError> {
+    let mut presets: Vec<Preset> = BUILT_IN.iter().map(Preset::built_in).collect();
+    for path in user_files()? {
+        let Some(stem) = path.file_stem() else {
+            continue;
+        };
+        let own = Preset::user(stem.to_string_lossy().into_owned(), path);
+        presets.retain(|preset| preset.name != own.name);
+        presets.push(own);
+    }
+    presets.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(presets)
+}
+
+/// The preset of that name.
+///
+/// # Errors
+/// Where there is none: suggests the nearest names.
+pub fn find(name: &str) -> Result<Preset, ScenarioError> {
+    if !is_plain(name) {
+        return Err(unknown(name, "a preset's name holds no path").into());
+    }
+    if let Some(path) = folder().map(|folder| folder.join(format!("{name}.ron")))
+        && path.symlink_metadata().is_ok()
+    {
+        return Ok(Preset::user(name.to_owned(), path));
+    }
+    let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
+    built_in.map(Preset::built_in).ok_or_else(|| {
+        let names: Vec<String> = list()
+            .unwrap_or_default()
+            .into_iter()
+            .map(|p| p.name)
+            .collect();
+        let near = suggestion(name, names.iter().map(String::as_str));
+        unknown(
+            name,
+            &format!("there is no such preset{near} `contrecoup presets` lists them"),
+        )
+        .into()
+    })
+}
+
+/// The scenario that an argument of the command line means: a file if it ends in `.ron` or holds a
+/// path separator, else a preset.
+///
+/// # Errors
+/// Where it cannot be found, read or accepted.
+pub fn resolve(argument: &str) -> Result<Scenario, ScenarioError> {
+    let extension = Path::new(argument).extension();
+    let is_ron = extension.is_some_and(|extension| extension.eq_ignore_ascii_case("ron"));
+    if is_ron || argument.contains(std::path::is_separator) {
+        load(Path::new(argument))
+    } else {
+        find(argument)?.scenario()
+    }
+}
+
+fn unknown(name: &str, message: &str) -> Problem {
+    Problem::new("", message).of(&super::problem::quoted(name))
+}
+
+/// Whether a name stays inside its folder on every system.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
+}
+
+fn folder() -> Option<PathBuf> {
+    Some(
+        Xdg::new()
+            .ok()?
+            .config_dir()
+            .join("contrecoup")
+            .join("presets"),
+    )
+}
+
+fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {
+    let Some(folder) = folder() else {
+        return Ok(Vec::new());
+    };
+    let failed = |error: io::Error| {
+        let message = format!("the folder of presets cannot be listed: {error}");
+        ScenarioError::from(Problem::new("", message).of(&folder.display().to_string()))
+    };
+    let entries = match fs::read_dir(&folder) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => return Err(failed(error)),
+    };
+    let mut files = Vec::new();
+    for entry in entries {
+        let path = entry.map_err(failed)?.path();
+        let stem = path
+            .file_stem()
+            .is_some_and(|stem| is_plain(&stem.to_string_lossy()));
+        if stem && path.extension().is_some_and(|extension| extension == "ron") {
+            files.push(path);
+        }
+    }
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_program_holds_every_preset_of_the_folder() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets");
+        let mut files: Vec<String> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        let held: Vec<String> = BUILT_IN
+            .iter()
+            .map(|(name, _)| format!("{name}.ron"))
+            .collect();
+        assert_eq!(held, files);
+    }
+
+    #[test]
+    fn every_built_in_preset_is_sound_and_says_what_it_is() {
+        let mut titles = Vec::new();
+        for preset in BUILT_IN.iter().map(Preset::built_in) {
+            let title = preset.title().unwrap_or_else(|error| panic!("{error}"));
+            assert!(!titles.contains(&title), "{title} is used twice");
+            titles.push(title);
+            assert!(preset.text.unwrap().starts_with("// "), "{}", preset.name);
+        }
+    }
+
+    #[test]
+    fn the_paper_preset_is_the_default_scenario() {
+        let preset = BUILT_IN
+            .iter()
+            .find(|(name, _)| *name == "paper-300n")
+            .unwrap();
+        assert_eq!(
+            Preset::built_in(preset).scenario().unwrap(),
+            Scenario::default()
+        );
+    }
+
+    #[test]
+    fn names_stay_inside_the_folder() {
+        for name in [
+            "", "..", ".", "../x", "a/b", "a\\b", "c:x", ".hidden", "a\0",
+        ] {
+            assert!(find(name).is_err(), "{name:?}");
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! What is wrong with a scenario, and where.
+//!
+//! A [`Problem`] carries its parts in separate fields, so that a form can put the message beside
+//! the right input while the command line prints one line that an editor can jump to.
+//!
+//! Text that a person or a file supplied is escaped here, once, on the way into a message: a
+//! terminal never receives its control characters.
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// The longest piece of somebody else's text that a message repeats, in characters.
+const LONGEST_QUOTE: usize = 60;
+
+/// One thing that is wrong with a scenario.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Problem {
+    /// The file or preset, as named by the person; empty when there is none.
+    pub origin: String,
+    /// Line in that file, from 1.
+    pub line: Option<usize>,
+    /// Column in that line, from 1, in characters.
+    pub column: Option<usize>,
+    /// Dotted path of the field; empty when the whole file is meant.
+    pub field: String,
+    /// The offending value, escaped for display.
+    pub value: Option<String>,
+    /// What would be accepted, as in "0 to 100000 N".
+    pub allowed: Option<String>,
+    /// The whole complaint in one line; it repeats the value and what is allowed.
+    pub message: String,
+}
+
+impl Problem {
+    /// A complaint about a field, without a place yet.
+    pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
+        Self {
+            field: field.into(),
+            message: message.into(),
+            ..Self::default()
+        }
+    }
+
+    /// A complaint about one value of a field: "-5 is out of range: allowed 0 to 100000 N".
+    pub fn refused(field: &str, value: &str, complaint: &str, allowed: String) -> Self {
+        let value = quoted(value);
+        Self {
+            message: format!("{value} {complaint}: allowed {allowed}"),
+            value: Some(value),
+            allowed: Some(allowed),
+            ..Self::new(field, "")
+        }
+    }
+
+    /// The same problem, said of the given file or preset.
+    #[must_use]
+    pub fn of(mut self, origin: &str) -> Self {
+        origin.clone_into(&mut self.origin);
+        self
+    }
+
+    /// The same problem at a line and column.
+    #[must_use]
+    pub fn at(mut self, (line, column): (usize, usize)) -> Self {
+        self.line = Some(line);
+        self.column = Some(column);
+        self
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut gap = "";
+        if !self.origin.is_empty() {
+            f.write_str(&printable(&self.origin))?;
+            gap = ": ";
+        }
+        if let (Some(line), Some(column)) = (self.line, self.column) {
+            let colon = if gap.is_empty() { "" } else { ":" };
+            write!(f, "{colon}{line}:{column}")?;
+            gap = ": ";
+        }
+        if !self.field.is_empty() {
+            write!(f, "{gap}{}", printable(&self.field))?;
+            gap = ": ";
+        }
+        write!(f, "{gap}{}", printable(&self.message))
+    }
+}
+
+impl std::error::Error for Problem {}
+
+/// Everything that is wrong with a scenario; displayed one problem a line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", lines(.problems))]
+pub struct ScenarioError {
+    /// At least one problem, in the order of the fields.
+    pub problems: Vec<Problem>,
+}
+
+impl ScenarioError {
+    /// The same problems, said of the given file or preset.
+    #[must_use]
+    pub fn of(mut self, origin: &str) -> Self {
+        for problem in &mut self.problems {
+            origin.clone_into(&mut problem.origin);
+        }
+        self
+    }
+}
+
+impl From<Problem> for ScenarioError {
+    fn from(problem: Problem) -> Self {
+        Self {
+            problems: vec![problem],
+        }
+    }
+}
+
+fn lines(problems: &[Problem]) -> String {
+    let lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
+    lines.join("\n")
+}
+
+/// Whether a character would do something to a terminal rather than be seen: control characters,
+/// line separators, and marks that reorder the text around them.
+pub fn is_unprintable(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// The text with every unprintable character escaped.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_unprintable) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    for c in text.chars() {
+        match c {
+            '\n' | '\r' | '\t' => shown.extend(c.escape_debug()),
+            c if is_unprintable(c) => shown.extend(c.escape_unicode()),
+            c => shown.push(c),
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// The text escaped, and cut where it would swamp a message.
+pub fn quoted(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        Some((cut, _)) => format!("{}...", printable(&text[..cut])),
+        None => printable(text).into_owned(),
+    }
+}
+
+/// A number as short as it can be written without loss, with an exponent only where digits
+/// would become hard to count.
+pub fn plain(number: f64) -> String {
+    let size = number.abs();
+    if size != 0.0 && size.is_finite() && !(1e-7..1e15).contains(&size) {
+        format!("{number:e}")
+    } else {
+        format!("{number}")
+    }
+}
+
+/// Up to three candidates that resemble a mistyped name, the nearest first.
+pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    // Long enough to be told apart, short enough that a pasted novel costs nothing.
+    let typed: String = typed.chars().take(LONGEST_QUOTE).collect();
+    let mut scored: Vec<(f64, &str)> = candidates
+        .map(|candidate| (likeness(&typed, candidate), candidate))
+        .filter(|(score, _)| *score > 0.8)
+        .collect();
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+    scored.truncate(3);
+    scored.into_iter().map(|(_, candidate)| candidate).collect()
+}
+
+/// A path is recognised by its whole or by its last part: `force_n` means `impact.force_n`.
+fn likeness(typed: &str, candidate: &str) -> f64 {
+    let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
+    strsim::jaro_winkler(typed, candidate).max(strsim::jaro_winkler(&last(typed), &last(candidate)))
+}
+
+/// "; did you mean a or b?", or nothing.
+pub fn suggestion<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> String {
+    match nearest(typed, candidates).join(" or ") {
+        names if names.is_empty() => String::new(),
+        names => format!("; did you mean {names}?"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_problem_reads_as_one_line_that_an_editor_can_follow() {
+        let problem =
+            Problem::refused("impact.force_n", "-5", "is out of range", "0 to 9 N".into())
+                .of("presets/x.ron")
+                .at((4, 27));
+        assert_eq!(
+            problem.to_string(),
+            "presets/x.ron:4:27: impact.force_n: -5 is out of range: allowed 0 to 9 N"
+        );
+    }
+
+    #[test]
+    fn control_characters_are_escaped_and_long_text_is_cut() {
+        assert_eq!(printable("a\u{1b}[31m\n"), "a\\u{1b}[31m\\n");
+        assert_eq!(printable("\u{202e}x"), "\\u{202e}x");
+        assert_eq!(quoted(&"é".repeat(500)).chars().count(), LONGEST_QUOTE + 3);
+    }
+
+    #[test]
+    fn the_nearest_names_come_first() {
+        let paths = ["impact.force_n", "eye.level", "window_ms"];
+        assert_eq!(nearest("force_n", paths.into_iter()), ["impact.force_n"]);
+        assert_eq!(nearest("eye.levle", paths.into_iter())[0], "eye.level");
+        assert!(nearest("zzzz", paths.into_iter()).is_empty());
+    }
+}

@@ -1,0 +1,318 @@
+//! Setting one field of a scenario from text that a person typed.
+//!
+//! Every field of the registry can be reached, and so can the groups that hold several fields,
+//! which are written as in a file. What is typed here is read a little more kindly than a file:
+//! names in any case, with or without dashes, and text without quotes.
+
+use serde::de::DeserializeOwned;
+
+use super::Scenario;
+use super::check::check_inside;
+use super::fields::{self, Choices, FIELDS, Field, Kind};
+use super::problem::{Problem, ScenarioError, suggestion};
+use super::ron_text::{not_a, read};
+
+/// A part of the scenario that a person may replace as a whole, in the syntax of a file.
+struct Group {
+    path: &'static str,
+    replace: fn(&mut Scenario, &str) -> Result<(), ScenarioError>,
+}
+
+/// The groups; a group's fields that the text leaves out take their defaults, as in a file.
+static GROUPS: &[Group] = &[
+    Group {
+        path: "impact",
+        replace: |s, text| put(Some(&mut s.impact), text, "impact"),
+    },
+    Group {
+        path: "impact.shape",
+        replace: |s, text| {
+            let shape = fields::pulse_mut(s).map(|pulse| &mut pulse.shape);
+            put(shape, text, "impact.shape")
+        },
+    },
+    Group {
+        path: "eye",
+        replace: |s, text| put(Some(&mut s.eye), text, "eye"),
+    },
+    Group {
+        path: "numerics",
+        replace: |s, text| put(Some(&mut s.numerics), text, "numerics"),
+    },
+];
+
+fn put<T: DeserializeOwned>(
+    place: Option<&mut T>,
+    text: &str,
+    path: &str,
+) -> Result<(), ScenarioError> {
+    if let Some(value) = place {
+        *value = read(text, path)?;
+    }
+    Ok(())
+}
+
+/// Sets the field or group at a dotted path, as in `impact.force_n`, `450`. On an error the
+/// scenario is left as it was. Rules that join two fields are not applied: see
+/// [`super::check::check`].
+///
+/// # Errors
+/// Says what is wrong with the path, or with the value and what would be accepted.
+pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), ScenarioError> {
+    let path = path.trim();
+    let text = text.trim();
+    let mut changed = scenario.clone();
+    let field = fields::find(path);
+    let group = GROUPS.iter().find(|group| group.path == path);
+    match (field, group) {
+        (Some(field), _) if field.text(scenario).is_none() => {
+            return Err(absent(field, scenario).into());
+        }
+        (_, Some(group)) if field.is_none() || !is_name(text) => {
+            (group.replace)(&mut changed, text)?;
+        }
+        (Some(field), _) => set_field(&mut changed, field, text)?,
+        (None, _) => return Err(unknown(path).into()),
+    }
+    check_inside(&changed, path)?;
+    *scenario = changed;
+    Ok(())
+}
+
+fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
+    let done = match &field.kind {
+        Kind::Number(_, place) => store((place.get_mut)(scenario), number(text)),
+        Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), optional(text).ok()),
+        Kind::Integer(_, _, place) => store((place.get_mut)(scenario), text.parse().ok()),
+        Kind::Toggle(place) => store((place.get_mut)(scenario), toggle(text)),
+        Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
+        Kind::Text(_, place) => store((place.get_mut)(scenario), words(text, field.path)?),
+        Kind::Choice(choices) => {
+            named(*choices, text).is_some_and(|name| choices.set(scenario, name))
+        }
+    };
+    if done {
+        return Ok(());
+    }
+    let complaint = not_a(&field.kind);
+    Err(Problem::refused(field.path, text, complaint, field.allowed()).into())
+}
+
+fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {
+    match (place, value) {
+        (Some(place), Some(value)) => {
+            *place = value;
+            true
+        }
+        _ => false,
+    }
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().or_else(|| read(text, "").ok())
+}
+
+fn optional(text: &str) -> Result<Option<f64>, ScenarioError> {
+    match number(text) {
+        _ if text.eq_ignore_ascii_case("none") => Ok(None),
+        Some(number) => Ok(Some(number)),
+        None => read(text, ""),
+    }
+}
+
+fn toggle(text: &str) -> Option<bool> {
+    match text.to_ascii_lowercase().as_str() {
+        "true" | "yes" | "on" => Some(true),
+        "false" | "no" | "off" => Some(false),
+        _ => None,
+    }
+}
+
+fn list(text: &str) -> Option<Vec<u32>> {
+    read(text, "")
+        .or_else(|_| read(&format!("[{text}]"), ""))
+        .ok()
+}
+
+/// Text as it stands, or the content of a RON string where it begins like one.
+fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
+    let is_quoted = ["\"", "r\"", "r#"]
+        .iter()
+        .any(|start| text.starts_with(start));
+    if is_quoted {
+        read(text, path).map(Some)
+    } else {
+        Ok(Some(text.to_owned()))
+    }
+}
+
+/// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`.
+fn named(choices: &dyn Choices, text: &str) -> Option<&'static str> {
+    let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
+    choices
+        .names()
+        .into_iter()
+        .find(|name| bare(name) == bare(text))
+}
+
+fn is_name(text: &str) -> bool {
+    text.chars()
+        .all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
+}
+
+/// The field exists, but not in the variant that its parent holds now.
+fn absent(field: &Field, scenario: &Scenario) -> Problem {
+    let mut path = field.path;
+    while let Some((parent, _)) = path.rsplit_once('.') {
+        let part = &field.path[parent.len() + 1..];
+        if let Some(variant) = fields::find(parent).and_then(|parent| parent.text(scenario)) {
+            return Problem::new(
+                field.path,
+                format!("{parent} is {variant}, which has no {part}"),
+            );
+        }
+        path = parent;
+    }
+    Problem::new(field.path, "there is no such field in this scenario")
+}
+
+fn unknown(path: &str) -> Problem {
+    let groups = GROUPS.iter().map(|group| group.path);
+    let paths = FIELDS
+        .iter()
+        .map(|field| field.path)
+        .chain(groups.filter(|path| fields::find(path).is_none()));
+    let near = suggestion(path, paths);
+    Problem::new(path, format!("there is no such field{near}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::{EyeInput, ForcePulse, Impact, IntegratorChoice, PulseShape};
+
+    fn after(path: &str, text: &str) -> Scenario {
+        let mut scenario = Scenario::default();
+        set(&mut scenario, path, text).unwrap_or_else(|error| panic!("{path}={text}: {error}"));
+        scenario
+    }
+
+    fn refusal(path: &str, text: &str) -> String {
+        let mut scenario = Scenario::default();
+        let error = set(&mut scenario, path, text).unwrap_err();
+        assert_eq!(scenario, Scenario::default());
+        error.to_string()
+    }
+
+    fn pulse(scenario: &Scenario) -> &ForcePulse {
+        let Impact::ForcePulse(pulse) = &scenario.impact;
+        pulse
+    }
+
+    #[test]
+    fn every_field_takes_back_its_own_text() {
+        for field in FIELDS {
+            let text = field.text(&Scenario::default()).unwrap();
+            assert_eq!(
+                after(field.path, &text),
+                Scenario::default(),
+                "{}",
+                field.path
+            );
+        }
+    }
+
+    #[test]
+    fn scalars_are_set_by_their_path() {
+        assert_eq!(pulse(&after("impact.force_n", " 4.5e2 ")).force_n, 450.0);
+        assert_eq!(pulse(&after("impact.force_n", "1_000")).force_n, 1000.0);
+        assert!(!after("eye.lens", "false").eye.lens);
+        assert_eq!(after("numerics.step_us", "1.5").numerics.step_us, Some(1.5));
+        assert_eq!(
+            after("numerics.step_us", "Some(2)").numerics.step_us,
+            Some(2.0)
+        );
+        assert_eq!(after("numerics.step_us", "None").numerics.step_us, None);
+        assert_eq!(
+            after("name", "any text, even (this)").name,
+            "any text, even (this)"
+        );
+        assert_eq!(after("name", "\"in \\\"quotes\\\"\"").name, "in \"quotes\"");
+        for text in ["[2,3]", "2, 3"] {
+            assert_eq!(after("eye.filament_hops", text).eye.filament_hops, [2, 3]);
+        }
+        assert!(
+            after("eye.filament_hops", "[]")
+                .eye
+                .filament_hops
+                .is_empty()
+        );
+    }
+
+    #[test]
+    fn names_are_taken_in_any_spelling() {
+        for text in ["VelocityVerlet", "velocity-verlet", "VELOCITY_VERLET"] {
+            let scenario = after("numerics.integrator", text);
+            assert_eq!(
+                scenario.numerics.integrator,
+                IntegratorChoice::VelocityVerlet
+            );
+        }
+        assert_eq!(
+            pulse(&after("impact.shape", "half-sine")).shape,
+            PulseShape::HalfSine
+        );
+    }
+
+    #[test]
+    fn groups_are_replaced_as_in_a_file() {
+        let eye = after("eye", "(level: 2)").eye;
+        assert_eq!(
+            eye,
+            EyeInput {
+                level: 2,
+                ..EyeInput::default()
+            }
+        );
+        let scenario = after("impact", "ForcePulse(force_n: 10, shape: Triangle)");
+        assert_eq!(pulse(&scenario).force_n, 10.0);
+        assert_eq!(pulse(&scenario).shape, PulseShape::Triangle);
+        let shape = pulse(&after(
+            "impact.shape",
+            "SmoothRectangle(edge_fraction: 0.2)",
+        ))
+        .shape;
+        assert_eq!(shape, PulseShape::SmoothRectangle { edge_fraction: 0.2 });
+        assert_eq!(
+            after("numerics", "(step_us: 1)").numerics.step_us,
+            Some(1.0)
+        );
+    }
+
+    #[test]
+    fn refusals_name_the_value_and_what_is_allowed() {
+        assert_eq!(
+            refusal("impact.force_n", "abc"),
+            "impact.force_n: abc is not a number: allowed 0 to 100000 N"
+        );
+        assert!(refusal("impact.force_n", "1e6").contains("1000000 is out of range"));
+        assert!(refusal("impact.force_n", "nan").contains("is not a finite number"));
+        assert!(refusal("eye", "(level: 9)").starts_with("eye.level: 9 is out of range"));
+        assert!(refusal("eye", "(levle: 1)").contains("did you mean level?"));
+        assert!(refusal("impact.shape", "Square").contains("Triangle, HalfSine"));
+        assert!(refusal("eye.filament_hops", "2,2").contains("repeats"));
+        assert!(refusal("name", "  ").contains("is empty"));
+    }
+
+    #[test]
+    fn refusals_of_a_path_lead_to_the_right_one() {
+        assert!(refusal("force_n", "1").contains("did you mean impact.force_n?"));
+        assert!(refusal("", "1").contains("there is no such field"));
+        let mut scenario = after("impact.shape", "Triangle");
+        let error = set(&mut scenario, "impact.shape.edge_fraction", "0.1").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "impact.shape.edge_fraction: impact.shape is Triangle, which has no edge_fraction"
+        );
+    }
+}

@@ -1,0 +1,130 @@
+//! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
+
+use crate::dynamics::{
+    ArcLoad, Cost, Diverged, Integrator, Plan, Pulse, State, System, march, stability,
+};
+use crate::eye::Eye;
+use crate::recording::{Keep, Recorder, Recording};
+use crate::scenario::{Impact, IntegratorChoice, Scenario};
+
+/// The integrator that `Auto` takes.
+const AUTO: Integrator = Integrator::Srkn6b;
+/// The share of its stability limit that the automatic step takes. A second run at
+/// [`stability::SAFETY`] of the limit then gives the error.
+const AUTO_SHARE: f64 = 0.6;
+
+/// Why a scenario cannot be run.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Refusal {
+    /// The asked step could blow up.
+    #[error(
+        "numerics.step_us: {step_us} is above the stability limit of {integrator} on this mesh: \
+         allowed up to {limit_us:.6}"
+    )]
+    StepAboveLimit {
+        /// What was asked, in us.
+        step_us: f64,
+        /// Name of the integrator.
+        integrator: &'static str,
+        /// The largest step allowed, in us.
+        limit_us: f64,
+    },
+    /// The motion left the finite numbers.
+    #[error(transparent)]
+    Diverged(#[from] Diverged),
+}
+
+/// A scenario ready to be moved.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The eye.
+    pub eye: Eye,
+    /// The loaded arc.
+    pub load: ArcLoad,
+    /// What the kernel moves.
+    pub system: System,
+    /// Simulated time, in s.
+    pub window: f64,
+}
+
+/// What one march gave and cost.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// Extremes, traces, frames.
+    pub recording: Recording,
+    /// Steps and force evaluations.
+    pub cost: Cost,
+}
+
+impl Case {
+    /// Compiles a validated scenario.
+    pub fn new(scenario: &Scenario) -> Self {
+        Self::with(scenario, false, false)
+    }
+
+    /// Compiles a validated scenario; `whole` leaves symmetry unused, `portable` asks for the
+    /// kernel that rounds alike everywhere.
+    pub fn with(scenario: &Scenario, whole: bool, portable: bool) -> Self {
+        let Impact::ForcePulse(pulse) = &scenario.impact;
+        let eye = Eye::build(&scenario.eye);
+        let load = ArcLoad::new(pulse, &eye);
+        let system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
+        Self {
+            eye,
+            load,
+            system,
+            window: scenario.window_ms * 1e-3,
+        }
+    }
+
+    /// Largest stable step of `integrator`, in s.
+    pub fn step_limit(&self, integrator: Integrator) -> f64 {
+        stability::step_limit(integrator, &self.system)
+    }
+
+    /// The integrator and step that a scenario asks for, or the automatic ones.
+    ///
+    /// # Errors
+    /// Refuses a step above the stability limit.
+    pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        let integrator = match scenario.numerics.integrator {
+            IntegratorChoice::Auto => AUTO,
+            IntegratorChoice::SemiImplicitEuler => Integrator::SemiImplicitEuler,
+            IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
+            IntegratorChoice::Srkn6b => Integrator::Srkn6b,
+            IntegratorChoice::Srkn11b => Integrator::Srkn11b,
+        };
+        let limit = self.step_limit(integrator);
+        let step = match scenario.numerics.step_us {
+            Some(step_us) if step_us * 1e-6 > limit => {
+                return Err(Refusal::StepAboveLimit {
+                    step_us,
+                    integrator: integrator.name(),
+                    limit_us: limit * 1e6,
+                });
+            }
+            Some(step_us) => step_us * 1e-6,
+            None => AUTO_SHARE * limit,
+        };
+        Ok(Plan {
+            integrator,
+            step,
+            window: self.window,
+        })
+    }
+
+    /// Moves the eye by `plan` and records it.
+    ///
+    /// # Errors
+    /// [`Diverged`] if the motion leaves the finite numbers.
+    pub fn run(&self, plan: &Plan, keep: Keep) -> Result<Solution, Diverged> {
+        let steps = (plan.window / plan.step).ceil() as usize;
+        let mut recorder = Recorder::new(&self.eye, &self.load, &self.system, steps, keep);
+        let mut state = State::at_rest(&self.system);
+        let cost = march(&self.system, plan, &mut state, &mut recorder)?;
+        Ok(Solution {
+            recording: recorder.finish(&state),
+            cost,
+        })
+    }
+}

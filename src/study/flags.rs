@@ -1,0 +1,136 @@
+//! What a reader must know before trusting a result, each by name.
+
+use crate::recording::Extremes;
+
+/// Something that limits a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flag {
+    /// What kind.
+    pub kind: FlagKind,
+    /// A sentence for a person.
+    pub message: String,
+    /// When it happened, in s.
+    pub time: Option<f64>,
+}
+
+/// Kinds of flags.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FlagKind {
+    /// A quad of the mesh turned inside out.
+    MeshFolded,
+    /// A quad came close to that.
+    MeshNearlyFolded,
+    /// The energies do not add up.
+    EnergyImbalance,
+    /// The step error is large.
+    Unconverged,
+    /// The window ended while a result still grew.
+    WindowShort,
+    /// The window ended before the pulse.
+    PulseCut,
+    /// Part of the arc lies behind bone.
+    BoneShields,
+}
+
+impl FlagKind {
+    /// Name as used in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MeshFolded => "mesh_folded",
+            Self::MeshNearlyFolded => "mesh_nearly_folded",
+            Self::EnergyImbalance => "energy_imbalance",
+            Self::Unconverged => "unconverged",
+            Self::WindowShort => "window_short",
+            Self::PulseCut => "pulse_cut",
+            Self::BoneShields => "bone_shields",
+        }
+    }
+}
+
+/// Quads smaller than this share of their rest area are worth a warning.
+const NEARLY_FOLDED: f64 = 0.2;
+/// An energy residual above this share of the work in is an alarm.
+const ENERGY_ALARM: f64 = 0.01;
+/// A step error above this many percent is called unconverged.
+const UNCONVERGED_PERCENT: f64 = 10.0;
+
+/// Flags of a result.
+pub(super) fn raise(
+    extremes: &Extremes,
+    step_error_percent: f64,
+    window: f64,
+    pulse: f64,
+    shielded: f64,
+) -> Vec<Flag> {
+    let mut flags = Vec::new();
+    let mut raise = |kind, message: String, time| {
+        flags.push(Flag {
+            kind,
+            message,
+            time,
+        });
+    };
+    if let Some(time) = extremes.folded_at {
+        raise(
+            FlagKind::MeshFolded,
+            format!(
+                "mesh folded at {:.3} ms: beyond the model's validity",
+                time * 1e3
+            ),
+            Some(time),
+        );
+    } else if extremes.least_quad_ratio < NEARLY_FOLDED {
+        raise(
+            FlagKind::MeshNearlyFolded,
+            format!(
+                "a quad shrank to {:.0} % of its area: near the end of the model's validity",
+                100.0 * extremes.least_quad_ratio
+            ),
+            None,
+        );
+    }
+    if extremes.energy_residual > ENERGY_ALARM {
+        raise(
+            FlagKind::EnergyImbalance,
+            format!(
+                "the energies miss the work in by {:.2} %",
+                100.0 * extremes.energy_residual
+            ),
+            None,
+        );
+    }
+    if step_error_percent > UNCONVERGED_PERCENT || step_error_percent.is_nan() {
+        raise(
+            FlagKind::Unconverged,
+            format!("the step error is {step_error_percent:.1} %: take a smaller step"),
+            None,
+        );
+    }
+    if window < pulse {
+        raise(
+            FlagKind::PulseCut,
+            format!(
+                "the window ends before the pulse, which lasts {} ms",
+                pulse * 1e3
+            ),
+            Some(window),
+        );
+    } else if extremes.still_rising {
+        raise(
+            FlagKind::WindowShort,
+            "a result still grew when the window ended".to_owned(),
+            Some(window),
+        );
+    }
+    if shielded > 0.0 {
+        raise(
+            FlagKind::BoneShields,
+            format!(
+                "bone shields {:.1} % of the arc: the whole force acts on the rest",
+                100.0 * shielded
+            ),
+            None,
+        );
+    }
+    flags
+}

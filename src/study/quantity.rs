@@ -1,0 +1,93 @@
+//! The results that errors are stated for, as one list.
+
+use crate::eye::Monitor;
+use crate::injury::DamageIndex;
+use crate::recording::Extremes;
+
+/// One scalar result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// The damage index, %.
+    Damage,
+    /// Corneal apex displacement, mm.
+    Apex,
+    /// Peak force at a monitored node, N.
+    Force(Monitor),
+    /// S, %.
+    ShellGrowth,
+    /// M, %.
+    MeridianGrowth,
+    /// E, J.
+    Energy,
+}
+
+impl Quantity {
+    /// All of them; the first [`Self::HEADLINE`] are those that the stated error covers.
+    pub const ALL: [Self; 9] = [
+        Self::Damage,
+        Self::Apex,
+        Self::Force(Monitor::Centre),
+        Self::Force(Monitor::Front),
+        Self::Force(Monitor::Right),
+        Self::Force(Monitor::Top),
+        Self::ShellGrowth,
+        Self::MeridianGrowth,
+        Self::Energy,
+    ];
+
+    /// How many lead: damage, apex displacement and the four peak forces.
+    pub const HEADLINE: usize = 6;
+
+    /// Name with its unit, as used in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Damage => "damage_percent",
+            Self::Apex => "apex_displacement_mm",
+            Self::Force(Monitor::Centre) => "peak_force_centre_n",
+            Self::Force(Monitor::Front) => "peak_force_front_n",
+            Self::Force(Monitor::Right) => "peak_force_right_n",
+            Self::Force(Monitor::Top) => "peak_force_top_n",
+            Self::ShellGrowth => "scleral_growth_percent",
+            Self::MeridianGrowth => "meridian_growth_percent",
+            Self::Energy => "energy_imparted_j",
+        }
+    }
+
+    /// The value that a march left, in the unit of [`Self::key`].
+    pub fn of(self, extremes: &Extremes) -> f64 {
+        let index = DamageIndex::of(extremes);
+        match self {
+            Self::Damage => index.damage(),
+            Self::Apex => extremes.apex.value * 1e3,
+            Self::Force(monitor) => extremes.force[monitor as usize].value,
+            Self::ShellGrowth => index.shell_growth,
+            Self::MeridianGrowth => index.meridian_growth,
+            Self::Energy => index.energy,
+        }
+    }
+}
+
+/// One number for each of [`Quantity::ALL`].
+pub type PerQuantity = [f64; Quantity::ALL.len()];
+
+/// All results of a march.
+pub fn values(extremes: &Extremes) -> PerQuantity {
+    Quantity::ALL.map(|q| q.of(extremes))
+}
+
+/// |a - b| in % of b for each result; 0 where both vanish.
+pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
+    std::array::from_fn(|i| {
+        let difference = (a[i] - b[i]).abs();
+        if difference == 0.0 {
+            0.0
+        } else {
+            100.0 * difference / b[i].abs()
+        }
+    })
+}
+
+/// The largest of the leading results' numbers.
+pub fn headline(errors: &PerQuantity) -> f64 {
+    errors[..Quantity::HEADLINE].iter().copied().fold(0.0, f64::max)
+}

@@ -1,0 +1,271 @@
+//! The program as a shell sees it: what it prints, where, and how it ends.
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::Stdio;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use predicates::str::{contains, is_empty, starts_with};
+use tempfile::TempDir;
+
+const OWN: &str = "// Mine.\n(name: \"My own blow\", impact: ForcePulse(force_n: 42))\n";
+
+/// The program with a configuration folder of its own, so that no test sees a person's presets.
+fn program(config: &Path) -> Command {
+    let mut command = Command::cargo_bin("contrecoup").unwrap();
+    command.env("XDG_CONFIG_HOME", config).env("HOME", config);
+    command
+}
+
+fn config_with(presets: &[(&str, &str)]) -> TempDir {
+    let config = tempfile::tempdir().unwrap();
+    let folder = config.path().join("contrecoup/presets");
+    fs::create_dir_all(&folder).unwrap();
+    for (name, text) in presets {
+        fs::write(folder.join(name), text).unwrap();
+    }
+    config
+}
+
+/// Runs the program with no presets of one's own.
+fn run(arguments: &[&str]) -> assert_cmd::assert::Assert {
+    program(config_with(&[]).path()).args(arguments).assert()
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    run(&["--help"])
+        .success()
+        .stdout(contains("Research and education, not diagnosis.").count(1));
+    run(&["--version"])
+        .success()
+        .stdout(starts_with("contrecoup "));
+}
+
+#[test]
+fn without_a_command_it_says_what_to_run() {
+    run(&[])
+        .code(2)
+        .stdout(is_empty())
+        .stderr(contains("contrecoup run paper-300n"));
+}
+
+#[test]
+fn wrong_usage_ends_with_2() {
+    for arguments in [
+        &["jump"][..],
+        &["run"],
+        &["run", "paper-300n", "--set", "level"],
+        &["export", "paper-300n"],
+    ] {
+        run(arguments).code(2).stdout(is_empty());
+    }
+    run(&["export", "paper-300n", "--traces", "x", "--every-us", "0"])
+        .code(2)
+        .stderr(contains("above 0"));
+}
+
+#[test]
+fn presets_are_listed_with_their_titles() {
+    run(&["presets"]).success().stdout(
+        contains("paper-300n ")
+            .and(contains("300 N for 0.2 ms"))
+            .and(contains("yours").not()),
+    );
+    let json = run(&["presets", "--json"])
+        .success()
+        .get_output()
+        .stdout
+        .clone();
+    let rows: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    let names: Vec<_> = rows
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| row["name"].as_str().unwrap())
+        .collect();
+    assert!(names.len() >= 10 && names.is_sorted(), "{names:?}");
+}
+
+#[test]
+fn a_preset_is_shown_as_it_stands() {
+    run(&["presets", "show", "paper-300n"])
+        .success()
+        .stdout(include_str!("../presets/paper-300n.ron"));
+}
+
+#[test]
+fn an_unknown_preset_leads_to_the_nearest() {
+    for arguments in [
+        &["presets", "show", "paper-30n"],
+        &["run", "paper-30n", "--json"],
+    ] {
+        run(arguments)
+            .code(2)
+            .stderr(contains("did you mean").and(contains("paper-300n")));
+    }
+    run(&["presets", "show", "../../etc/passwd"])
+        .code(2)
+        .stderr(contains("holds no path"));
+    run(&["run", ".."]).code(2);
+    run(&["run", "\u{1b}[31m"])
+        .code(2)
+        .stderr(contains("\u{1b}").not());
+}
+
+#[test]
+fn a_preset_of_ones_own_takes_the_place_of_a_built_in_one() {
+    let config = config_with(&[
+        ("paper-300n.ron", OWN),
+        ("own.ron", OWN),
+        ("notes.txt", "no preset"),
+    ]);
+    let listed = program(config.path()).arg("presets").assert().success();
+    listed.stdout(
+        contains("My own blow  (yours)")
+            .count(2)
+            .and(contains("300 N for 0.2 ms\n").not())
+            .and(contains("notes").not()),
+    );
+    program(config.path())
+        .args(["presets", "show", "paper-300n"])
+        .assert()
+        .success()
+        .stdout(OWN);
+}
+
+#[test]
+fn a_broken_preset_is_listed_with_its_error_and_leaves_the_others_alone() {
+    let config = config_with(&[("broken.ron", "(name: 3)"), ("paper-300n.ron", "(")]);
+    fs::create_dir(config.path().join("contrecoup/presets/folder.ron")).unwrap();
+    program(config.path())
+        .arg("presets")
+        .assert()
+        .success()
+        .stdout(
+            contains("broken.ron:1:8: name: 3 is not text")
+                .and(contains("paper-100n"))
+                .and(contains("is a directory")),
+        );
+    program(config.path())
+        .args(["run", "paper-300n"])
+        .assert()
+        .code(2)
+        .stderr(contains("paper-300n.ron:1:2"));
+    program(config.path())
+        .args(["presets", "show", "broken"])
+        .assert()
+        .success()
+        .stdout("(name: 3)");
+}
+
+#[test]
+fn files_and_presets_are_told_apart() {
+    let config = config_with(&[]);
+    let file = config.path().join("blow.ron");
+    fs::write(&file, "(name: \"x\", impact: ForcePulse(force_n: -5))").unwrap();
+    program(config.path())
+        .current_dir(config.path())
+        .args(["run", "blow.ron"])
+        .assert()
+        .code(2)
+        .stderr("blow.ron:1:41: impact.force_n: -5 is out of range: allowed 0 to 100000 N\n");
+    run(&["run", "none.ron"])
+        .code(2)
+        .stderr("none.ron: there is no such file\n");
+    run(&["run", "./paper-300n"])
+        .code(2)
+        .stderr(contains("there is no such file"));
+}
+
+#[test]
+fn flags_are_refused_in_the_words_of_the_registry() {
+    let refused = |flags: &[&str], words: &str| {
+        let arguments = [&["run", "paper-300n"], flags].concat();
+        run(&arguments)
+            .code(2)
+            .stdout(is_empty())
+            .stderr(starts_with(words.to_owned()));
+    };
+    refused(
+        &["--set", "impact.force_n=abc"],
+        "--set impact.force_n=abc: abc is not a number: allowed 0 to 100000 N\n",
+    );
+    refused(
+        &["--set", "impact.force_n=-1"],
+        "--set impact.force_n=-1: -1 is out of range: allowed 0 to",
+    );
+    refused(
+        &["--set", "eye=(level: 9)"],
+        "--set eye=(level: 9): eye.level: 9 is out of range",
+    );
+    refused(
+        &["--set", "force_n=1"],
+        "--set force_n=1: there is no such field; did you mean impact.force_n?",
+    );
+    refused(
+        &["--level", "9"],
+        "--level 9: 9 is out of range: allowed whole numbers 1 to 8",
+    );
+    refused(&["--level", "-1"], "--level -1: -1 is not a whole number");
+    refused(
+        &["--integrator", "leapfrog"],
+        "--integrator leapfrog: leapfrog is not known here: allowed Auto",
+    );
+    refused(
+        &["--step-us", "0"],
+        "--step-us 0: 0 is out of range: allowed None, or",
+    );
+    refused(
+        &["--set", "impact.angle_deg=60"],
+        "with these flags: impact.angle_deg: 60 is out of range, since bone",
+    );
+}
+
+#[test]
+fn completions_and_manual_pages_are_printed() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        run(&["completions", shell])
+            .success()
+            .stdout(contains("contrecoup"));
+    }
+    run(&["completions", "cmd"]).code(2);
+    run(&["man"]).success().stdout(contains(".TH contrecoup 1"));
+    run(&["man", "run"])
+        .success()
+        .stdout(contains("contrecoup\\-run").and(contains("\\-\\-set")));
+    run(&["man", "jump"])
+        .code(2)
+        .stderr(contains("there is no such command"));
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_failure() {
+    for arguments in [
+        &["completions", "zsh"][..],
+        &["presets", "--json"],
+        &["man"],
+        &["--help"],
+    ] {
+        let config = config_with(&[]);
+        let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin!("contrecoup"))
+            .args(arguments)
+            .env("XDG_CONFIG_HOME", config.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let mut said = String::new();
+        child
+            .stderr
+            .take()
+            .unwrap()
+            .read_to_string(&mut said)
+            .unwrap();
+        assert!(child.wait().unwrap().success(), "{arguments:?}");
+        assert_eq!(said, "", "{arguments:?}");
+    }
+}
