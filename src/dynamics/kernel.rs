@@ -1,23 +1,28 @@
 //! The force kernel: springs, filaments and load, fused with the update of each node.
 //!
 //! The force of a spring with ends a and b is k (1 - l0/l) (b - a) on a. One sweep goes through the
-//! rows from below. For eight nodes at a time it computes the four springs that each owns, adds what
-//! the row below left, hands the next row its part, and at once kicks and drifts the eight nodes:
-//! nothing above needs their old positions any more.
+//! rows from below. For a vector of neighbouring nodes it computes the four springs that each owns,
+//! adds what the row below left, hands the next row its part, and at once kicks and drifts the
+//! nodes: nothing above needs their old positions any more.
 //!
-//! Two forms of 1/l are compiled. The portable one is sqrt and division, which IEEE 754 rounds
-//! alike on every machine. Where there is FMA, the quick one takes 1/sqrt in f32 (24 bits, two fast
-//! instructions) and one third-order Newton step to full f64; it is as accurate, but its last bits
-//! differ from the portable form's.
+//! Two forms of 1/l are compiled. The portable one is square root and division without fused
+//! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
+//! one takes 1/sqrt in f32, two directions at a time, and one third-order Newton step to full f64;
+//! it is as accurate, but its last bits depend on whether the machine fuses multiply and add.
 //!
-//! Everything is safe code in fixed-size arrays, which the compiler turns into AVX-512, AVX2 or
-//! baseline vectors; `multiversion` picks at run time.
+//! The vectors are `fearless_simd`'s, so the code is safe, and AVX-512, AVX2, SSE2 or NEON is
+//! picked at run time.
 
-use super::state::State;
-use super::system::{DIRECTIONS, Filaments, Group, LANES, Lane, System};
-use multiversion::{multiversion, target::target_cfg_f};
+use super::state::{Scratch, State};
+use super::system::{Filaments, Group, LANES, System};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdNarrow, SimdWiden, dispatch};
 
-/// One kick and one drift of a composition: v += kick a; x += r(v); v *= decay.
+/// As many f64 as the machine handles at once.
+type V<S> = <S as Simd>::f64s;
+/// x and y of as many nodes.
+type Pair<S> = (V<S>, V<S>);
+
+/// One kick and one drift of a composition: v += kick a; x += r(v); v *= keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stage {
     /// Multiplies acceleration, s.
@@ -42,136 +47,121 @@ pub struct Survey {
 }
 
 #[inline(always)]
-fn load_lane(run: &[f64], at: usize) -> Lane {
-    let mut lane = [0.0; LANES];
-    lane.copy_from_slice(&run[at..at + LANES]);
-    lane
+fn load<S: Simd>(simd: S, run: &[f64], at: usize) -> V<S> {
+    V::<S>::from_slice(simd, &run[at..at + V::<S>::LEN])
 }
 
 #[inline(always)]
-fn store_lane(run: &mut [f64], at: usize, lane: Lane) {
-    run[at..at + LANES].copy_from_slice(&lane);
+fn store<S: Simd>(run: &mut [f64], at: usize, value: V<S>) {
+    value.store_slice(&mut run[at..at + V::<S>::LEN]);
+}
+
+#[inline(always)]
+fn load_pair<S: Simd>(simd: S, x: &[f64], y: &[f64], at: usize) -> Pair<S> {
+    (load(simd, x, at), load(simd, y, at))
+}
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, value: f64) -> V<S> {
+    V::<S>::splat(simd, value)
+}
+
+#[inline(always)]
+fn zeros<S: Simd>(simd: S) -> Pair<S> {
+    (splat(simd, 0.0), splat(simd, 0.0))
+}
+
+/// a b + c, fused where the quick form may.
+#[inline(always)]
+fn fused<S: Simd, const QUICK: bool>(a: V<S>, b: V<S>, c: V<S>) -> V<S> {
+    if QUICK { a.mul_add(b, c) } else { a * b + c }
 }
 
 /// `current` moved up one lane, the last of `before` first.
 #[inline(always)]
-fn shifted(before: Lane, current: Lane) -> Lane {
-    let mut out = current;
-    let mut i = 1;
-    while i < LANES {
-        out[i] = current[i - 1];
-        i += 1;
+fn shifted<S: Simd>(before: V<S>, current: V<S>) -> V<S> {
+    match V::<S>::LEN {
+        8 => before.slide::<7>(current),
+        4 => before.slide::<3>(current),
+        _ => before.slide::<1>(current),
     }
-    out[0] = before[LANES - 1];
-    out
 }
 
-/// Force on end a of eight springs, and their lengths.
-#[inline(always)]
-fn springs<const QUICK: bool>(
-    (ax, ay): (Lane, Lane),
-    (bx, by): (Lane, Lane),
-    stiffness: &Lane,
-    tension: &Lane,
-    shortest_squared: f64,
-) -> (Lane, Lane, Lane) {
-    let (mut dx, mut dy) = ([0.0; LANES], [0.0; LANES]);
-    let (mut fx, mut fy) = ([0.0; LANES], [0.0; LANES]);
-    let (mut square, mut length) = ([0.0; LANES], [0.0; LANES]);
-    for i in 0..LANES {
-        dx[i] = bx[i] - ax[i];
-        dy[i] = by[i] - ay[i];
-    }
-    if QUICK {
-        let mut inverse = [0.0; LANES];
-        let mut seed = [0.0f32; LANES];
-        for i in 0..LANES {
-            let q = dx[i].mul_add(dx[i], dy[i] * dy[i]);
-            square[i] = if q < shortest_squared { shortest_squared } else { q };
-        }
-        for i in 0..LANES {
-            seed[i] = square[i] as f32;
-        }
-        for i in 0..LANES {
-            seed[i] = 1.0 / seed[i].sqrt();
-        }
-        for i in 0..LANES {
-            inverse[i] = f64::from(seed[i]);
-        }
-        for i in 0..LANES {
-            let r = (-(square[i] * inverse[i])).mul_add(inverse[i], 1.0);
-            inverse[i] = (inverse[i] * r).mul_add(r.mul_add(0.375, 0.5), inverse[i]);
-        }
-        for i in 0..LANES {
-            length[i] = square[i] * inverse[i];
-            let g = (-tension[i]).mul_add(inverse[i], stiffness[i]);
-            fx[i] = g * dx[i];
-            fy[i] = g * dy[i];
-        }
-    } else {
-        for i in 0..LANES {
-            let q = dx[i] * dx[i] + dy[i] * dy[i];
-            square[i] = if q < shortest_squared { shortest_squared } else { q };
-        }
-        for i in 0..LANES {
-            length[i] = square[i].sqrt();
-            let g = stiffness[i] - tension[i] / length[i];
-            fx[i] = g * dx[i];
-            fy[i] = g * dy[i];
-        }
-    }
-    (fx, fy, length)
+/// Some springs of one direction: from end a to end b, and their length squared.
+struct Springs<S: Simd> {
+    dx: V<S>,
+    dy: V<S>,
+    square: V<S>,
 }
 
-/// The springs of one direction.
-#[inline(always)]
-fn grid_springs<const QUICK: bool>(
-    group: &Group,
-    direction: usize,
-    a: (Lane, Lane),
-    b: (Lane, Lane),
-    shortest_squared: f64,
-) -> (Lane, Lane, Lane) {
-    springs::<QUICK>(
-        a,
-        b,
-        &group.stiffness[direction],
-        &group.tension[direction],
-        shortest_squared,
-    )
+impl<S: Simd> Springs<S> {
+    #[inline(always)]
+    fn new<const QUICK: bool>(a: Pair<S>, b: Pair<S>, shortest_squared: V<S>) -> Self {
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        let square = fused::<S, QUICK>(dx, dx, dy * dy).max(shortest_squared);
+        Self { dx, dy, square }
+    }
+
+    /// Force on end a.
+    #[inline(always)]
+    fn force<const QUICK: bool>(
+        &self,
+        inverse_length: V<S>,
+        stiffness: V<S>,
+        tension: V<S>,
+    ) -> Pair<S> {
+        let g = fused::<S, QUICK>(-tension, inverse_length, stiffness);
+        (g * self.dx, g * self.dy)
+    }
 }
 
+/// 1/sqrt of two vectors.
 #[inline(always)]
-fn fused<const QUICK: bool>(a: f64, b: f64, c: f64) -> f64 {
-    if QUICK { a.mul_add(b, c) } else { a * b + c }
+fn inverse_roots<S: Simd, const QUICK: bool>(simd: S, a: V<S>, b: V<S>) -> Pair<S> {
+    let one = splat(simd, 1.0);
+    if !QUICK {
+        return (one / a.sqrt(), one / b.sqrt());
+    }
+    let seed = S::f32s::splat(simd, 1.0) / a.narrow(b).sqrt();
+    let (seed_a, seed_b) = seed.widen();
+    (polished(simd, a, seed_a), polished(simd, b, seed_b))
+}
+
+/// A third-order Newton step: from 24 right bits of 1/sqrt(square) to all 53.
+#[inline(always)]
+fn polished<S: Simd>(simd: S, square: V<S>, seed: V<S>) -> V<S> {
+    let excess = (square * seed).mul_sub(seed, splat(simd, 1.0));
+    let bend = excess.mul_add(splat(simd, -0.375), splat(simd, 0.5));
+    (-(seed * excess)).mul_add(bend, seed)
 }
 
 /// Sums over the springs of a sweep, lane by lane.
-struct Sums {
-    elastic: Lane,
-    strain_squared: Lane,
+struct Sums<S: Simd> {
+    elastic: V<S>,
+    strain_squared: V<S>,
 }
 
-impl Sums {
+impl<S: Simd> Sums<S> {
+    #[inline(always)]
+    fn new(simd: S) -> Self {
+        Self {
+            elastic: splat(simd, 0.0),
+            strain_squared: splat(simd, 0.0),
+        }
+    }
+
     #[inline(always)]
     fn add<const QUICK: bool>(
         &mut self,
-        length: Lane,
-        half_stiffness: &Lane,
-        rest: &Lane,
-        inverse_rest: &Lane,
+        length: V<S>,
+        half_stiffness: V<S>,
+        rest: V<S>,
+        inverse_rest: V<S>,
     ) {
-        for i in 0..LANES {
-            let stretch = length[i] - rest[i];
-            let strain = stretch * inverse_rest[i];
-            self.elastic[i] = fused::<QUICK>(stretch * stretch, half_stiffness[i], self.elastic[i]);
-            let squared = strain * strain;
-            self.strain_squared[i] = if squared > self.strain_squared[i] {
-                squared
-            } else {
-                self.strain_squared[i]
-            };
-        }
+        let stretch = length - rest;
+        let strain = stretch * inverse_rest;
+        self.elastic = fused::<S, QUICK>(stretch * stretch, half_stiffness, self.elastic);
+        self.strain_squared = self.strain_squared.max(strain * strain);
     }
 }
 
@@ -190,77 +180,130 @@ fn fill_ghosts(system: &System, state: &mut State) {
 
 /// Forces of filaments and load on the shell, into the extra forces.
 #[inline(always)]
-fn ring_forces<const QUICK: bool, const SURVEY: bool>(
+fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
+    simd: S,
     system: &System,
     state: &mut State,
     force: f64,
-    sums: &mut Sums,
+    sums: &mut Sums<S>,
 ) {
     let ring = &system.ring;
     let s = &mut state.scratch;
-    for (g, &(slot, sign)) in ring.gather.iter().enumerate() {
-        s.ring_x[g] = state.x[slot as usize];
-        s.ring_y[g] = sign * state.y[slot as usize];
+    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
+    let len = ring.gather.len();
+    let (ring_x, ring_y) = (&mut s.ring_x[..len], &mut s.ring_y[..len]);
+    for ((to_x, to_y), &(slot, sign)) in ring_x.iter_mut().zip(ring_y).zip(&ring.gather) {
+        *to_x = x[slot as usize];
+        *to_y = sign * y[slot as usize];
     }
-    s.ring_fx.fill(0.0);
-    s.ring_fy.fill(0.0);
-    for f in &ring.filaments {
-        filament_forces::<QUICK, SURVEY>(system, f, s, sums);
+    let run = ring.padded_len();
+    for (n, filaments) in ring.filaments.iter().enumerate() {
+        filament_forces::<S, QUICK, SURVEY>(simd, system, filaments, n * run, s, sums);
     }
-    for n in 0..ring.owned {
-        let g = ring.ghosts + n;
-        let slot = ring.gather[g].0 as usize;
-        s.extra_x[slot] = s.ring_fx[g];
-        s.extra_y[slot] = s.ring_fy[g];
+    // Each run of forces is complete before any is read: reading what has just been written at
+    // another alignment would wait for it.
+    for o in (0..ring.owned).step_by(V::<S>::LEN) {
+        let mut sum = zeros(simd);
+        for (n, filaments) in ring.filaments.iter().enumerate() {
+            let on_a = n * run + ring.ghosts + o;
+            let pulled = load_pair(simd, &s.hop_fx, &s.hop_fy, on_a);
+            let pulling = load_pair(simd, &s.hop_fx, &s.hop_fy, on_a - filaments.hop);
+            sum = (
+                sum.0 + (pulled.0 - pulling.0),
+                sum.1 + (pulled.1 - pulling.1),
+            );
+        }
+        store::<S>(&mut s.ring_fx, o, sum.0);
+        store::<S>(&mut s.ring_fy, o, sum.1);
+    }
+    let owned = &ring.gather[ring.ghosts..ring.ghosts + ring.owned];
+    let (extra_x, extra_y): (&mut [f64], &mut [f64]) = (&mut s.extra_x, &mut s.extra_y);
+    let (ring_fx, ring_fy) = (&s.ring_fx[..ring.owned], &s.ring_fy[..ring.owned]);
+    for ((&(slot, _), fx), fy) in owned.iter().zip(ring_fx).zip(ring_fy) {
+        extra_x[slot as usize] = *fx;
+        extra_y[slot as usize] = *fy;
     }
     for &(slot, px, py) in &system.load().shares {
-        s.extra_x[slot] += px * force;
-        s.extra_y[slot] += py * force;
+        extra_x[slot] += px * force;
+        extra_y[slot] += py * force;
     }
 }
 
+/// Forces of the filaments of one hop count on their first ends, into the run that starts at `into`.
 #[inline(always)]
-fn filament_forces<const QUICK: bool, const SURVEY: bool>(
+fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
+    simd: S,
     system: &System,
     f: &Filaments,
-    s: &mut super::state::Scratch,
-    sums: &mut Sums,
+    into: usize,
+    s: &mut Scratch,
+    sums: &mut Sums<S>,
 ) {
-    for g in 0..f.stiffness.len() {
-        let a = f.first + g * LANES;
-        let b = a + f.hop;
-        let (fx, fy, length) = springs::<QUICK>(
-            (load_lane(&s.ring_x, a), load_lane(&s.ring_y, a)),
-            (load_lane(&s.ring_x, b), load_lane(&s.ring_y, b)),
-            &f.stiffness[g],
-            &f.tension[g],
-            system.shortest_squared,
-        );
-        if SURVEY {
-            sums.add::<QUICK>(length, &f.half_stiffness[g], &f.rest[g], &f.inverse_rest[g]);
-        }
-        for i in 0..LANES {
-            s.ring_fx[a + i] += fx[i];
-            s.ring_fy[a + i] += fy[i];
-        }
-        for i in 0..LANES {
-            s.ring_fx[b + i] -= fx[i];
-            s.ring_fy[b + i] -= fy[i];
+    let shortest = splat(simd, system.shortest_squared);
+    let width = V::<S>::LEN;
+    let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
+    let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
+    // Two vectors at a time, as the inverse roots come in pairs; the runs are padded to suit.
+    for o in (0..f.stiffness.len()).step_by(2 * width) {
+        let springs = [o, o + width].map(|o| {
+            let a = f.first + o;
+            Springs::<S>::new::<QUICK>(
+                load_pair(simd, ring_x, ring_y, a),
+                load_pair(simd, ring_x, ring_y, a + f.hop),
+                shortest,
+            )
+        });
+        let inverse = inverse_roots::<S, QUICK>(simd, springs[0].square, springs[1].square);
+        for (n, inverse) in [inverse.0, inverse.1].into_iter().enumerate() {
+            let o = o + n * width;
+            let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
+            let (fx, fy) = springs[n].force::<QUICK>(inverse, stiffness, tension);
+            if SURVEY {
+                sums.add::<QUICK>(
+                    springs[n].square * inverse,
+                    load(simd, &f.half_stiffness, o),
+                    load(simd, &f.rest, o),
+                    load(simd, &f.inverse_rest, o),
+                );
+            }
+            store::<S>(hop_fx, into + f.first + o, fx);
+            store::<S>(hop_fy, into + f.first + o, fy);
         }
     }
 }
 
-/// Goes through all springs and gives `update` the force on each group of nodes. When `MOVE`, what
-/// `update` returns becomes the group's position.
+/// What an update may read and write of the nodes that start at `slot`.
+struct Nodes<'a, S: Simd> {
+    simd: S,
+    slot: usize,
+    /// Place of the first node in its group.
+    lane: usize,
+    group: &'a Group,
+    position: Pair<S>,
+    vx: &'a mut [f64],
+    vy: &'a mut [f64],
+    ax: &'a mut [f64],
+    ay: &'a mut [f64],
+}
+
+/// What a sweep does with the force on some nodes; returns their new positions.
+trait Update<S: Simd> {
+    fn nodes(&mut self, nodes: Nodes<'_, S>, force: Pair<S>) -> Pair<S>;
+}
+
+/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`, what
+/// `update` returns becomes their position.
 #[inline(always)]
-fn sweep<const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
+fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
+    simd: S,
     system: &System,
     state: &mut State,
-    sums: &mut Sums,
-    update: &mut impl Update,
+    sums: &mut Sums<S>,
+    update: &mut impl Update<S>,
 ) {
     let stride = system.stride;
-    let groups = stride / LANES;
+    let width = V::<S>::LEN;
+    let shortest = splat(simd, system.shortest_squared);
     let State {
         x,
         y,
@@ -274,358 +317,330 @@ fn sweep<const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
     let (up_x, up_y) = (&mut scratch.up_x[..stride], &mut scratch.up_y[..stride]);
     up_x.fill(0.0);
     up_y.fill(0.0);
+    // Borrowed once: reached through the state, each would be looked up anew for every vector.
+    let (x, y): (&mut [f64], &mut [f64]) = (x, y);
+    let (vx, vy): (&mut [f64], &mut [f64]) = (vx, vy);
+    let (ax, ay): (&mut [f64], &mut [f64]) = (ax, ay);
+    let (extra_x, extra_y): (&[f64], &[f64]) = (&scratch.extra_x, &scratch.extra_y);
     for row in system.first_row..system.side - 1 {
         let base = row * stride;
-        let row_groups = &system.groups[base / LANES..base / LANES + groups];
+        let groups = &system.groups[base / LANES..(base + stride) / LANES];
+        let surveys = &system.survey[base / LANES..(base + stride) / LANES];
         let x = &mut x[base..base + 2 * stride + 1];
         let y = &mut y[base..base + 2 * stride + 1];
-        let (mut across_x, mut across_y) = ([0.0; LANES], [0.0; LANES]);
-        let (mut rising_x, mut rising_y) = ([0.0; LANES], [0.0; LANES]);
-        for (g, group) in row_groups.iter().enumerate() {
-            let o = g * LANES;
-            let here = (load_lane(x, o), load_lane(y, o));
-            let above = (load_lane(x, o + stride), load_lane(y, o + stride));
-            let right = (load_lane(x, o + 1), load_lane(y, o + 1));
-            let above_right = (
-                load_lane(x, o + stride + 1),
-                load_lane(y, o + stride + 1),
-            );
-            let least = system.shortest_squared;
-            let (ex, ey, el) = grid_springs::<QUICK>(group, 0, here, right, least);
-            let (nx, ny, nl) = grid_springs::<QUICK>(group, 1, here, above, least);
-            let (dx, dy, dl) = grid_springs::<QUICK>(group, 2, here, above_right, least);
-            let (fx, fy, fl) = grid_springs::<QUICK>(group, 3, above, right, least);
-            if SURVEY {
-                let survey = &system.survey[base / LANES + g];
-                for (d, length) in [el, nl, dl, fl].into_iter().enumerate().take(DIRECTIONS) {
+        let own = base..base + stride;
+        let (vx, vy) = (&mut vx[own.clone()], &mut vy[own.clone()]);
+        let (ax, ay) = (&mut ax[own.clone()], &mut ay[own.clone()]);
+        let (extra_x, extra_y) = (&extra_x[own.clone()], &extra_y[own]);
+        let mut across = zeros(simd);
+        let mut rising = zeros(simd);
+        for o in (0..stride).step_by(width) {
+            let (group, survey, lane) = (&groups[o / LANES], &surveys[o / LANES], o % LANES);
+            let here = load_pair(simd, x, y, o);
+            let right = load_pair(simd, x, y, o + 1);
+            let above = load_pair(simd, x, y, o + stride);
+            let above_right = load_pair(simd, x, y, o + stride + 1);
+            let springs = [
+                Springs::<S>::new::<QUICK>(here, right, shortest),
+                Springs::<S>::new::<QUICK>(here, above, shortest),
+                Springs::<S>::new::<QUICK>(here, above_right, shortest),
+                Springs::<S>::new::<QUICK>(above, right, shortest),
+            ];
+            let first = inverse_roots::<S, QUICK>(simd, springs[0].square, springs[1].square);
+            let second = inverse_roots::<S, QUICK>(simd, springs[2].square, springs[3].square);
+            let inverse = [first.0, first.1, second.0, second.1];
+            let mut forces = [zeros(simd); 4];
+            for d in 0..4 {
+                let stiffness = load(simd, &group.stiffness[d], lane);
+                let tension = load(simd, &group.tension[d], lane);
+                forces[d] = springs[d].force::<QUICK>(inverse[d], stiffness, tension);
+                if SURVEY {
                     sums.add::<QUICK>(
-                        length,
-                        &survey.half_stiffness[d],
-                        &survey.rest[d],
-                        &survey.inverse_rest[d],
+                        springs[d].square * inverse[d],
+                        load(simd, &survey.half_stiffness[d], lane),
+                        load(simd, &survey.rest[d], lane),
+                        load(simd, &survey.inverse_rest[d], lane),
                     );
                 }
             }
+            let [to_right, to_above, to_corner, from_above] = forces;
             // Springs whose far end is one node to the right of here, and of above.
-            let (mut to_right_x, mut to_right_y) = ([0.0; LANES], [0.0; LANES]);
-            for i in 0..LANES {
-                to_right_x[i] = ex[i] + fx[i];
-                to_right_y[i] = ey[i] + fy[i];
-            }
-            let (from_left_x, from_left_y) =
-                (shifted(across_x, to_right_x), shifted(across_y, to_right_y));
-            let (from_below_x, from_below_y) = (shifted(rising_x, dx), shifted(rising_y, dy));
-            (across_x, across_y, rising_x, rising_y) = (to_right_x, to_right_y, dx, dy);
-
-            let (ux, uy) = (load_lane(up_x, o), load_lane(up_y, o));
-            let (qx, qy) = (
-                load_lane(&scratch.extra_x, base + o),
-                load_lane(&scratch.extra_y, base + o),
+            let onto_right = (to_right.0 + from_above.0, to_right.1 + from_above.1);
+            let from_left = (
+                shifted::<S>(across.0, onto_right.0),
+                shifted::<S>(across.1, onto_right.1),
             );
-            let (mut force_x, mut force_y) = ([0.0; LANES], [0.0; LANES]);
-            let (mut next_x, mut next_y) = ([0.0; LANES], [0.0; LANES]);
-            for i in 0..LANES {
-                force_x[i] = ((ex[i] + nx[i]) + (dx[i] - from_left_x[i])) + (ux[i] + qx[i]);
-                force_y[i] = ((ey[i] + ny[i]) + (dy[i] - from_left_y[i])) + (uy[i] + qy[i]);
-                next_x[i] = (fx[i] - nx[i]) - from_below_x[i];
-                next_y[i] = (fy[i] - ny[i]) - from_below_y[i];
-            }
-            store_lane(up_x, o, next_x);
-            store_lane(up_y, o, next_y);
+            let from_corner = (
+                shifted::<S>(rising.0, to_corner.0),
+                shifted::<S>(rising.1, to_corner.1),
+            );
+            (across, rising) = (onto_right, to_corner);
 
-            let motion = Motion {
-                x: here.0,
-                y: here.1,
+            let below = load_pair(simd, up_x, up_y, o);
+            let extra = load_pair(simd, extra_x, extra_y, o);
+            let force = (
+                ((to_right.0 + to_above.0) + (to_corner.0 - from_left.0)) + (below.0 + extra.0),
+                ((to_right.1 + to_above.1) + (to_corner.1 - from_left.1)) + (below.1 + extra.1),
+            );
+            store::<S>(up_x, o, (from_above.0 - to_above.0) - from_corner.0);
+            store::<S>(up_y, o, (from_above.1 - to_above.1) - from_corner.1);
+
+            let nodes = Nodes {
+                simd,
+                slot: o,
+                lane,
+                group,
+                position: here,
                 vx,
                 vy,
                 ax,
                 ay,
             };
-            let moved = update.nodes(&system.groups[base / LANES + g], base + o, motion, (force_x, force_y));
+            let moved = update.nodes(nodes, force);
             if MOVE {
-                store_lane(x, o, moved.0);
-                store_lane(y, o, moved.1);
+                store::<S>(x, o, moved.0);
+                store::<S>(y, o, moved.1);
             }
         }
     }
 }
 
-/// What an update may read and write.
-struct Motion<'a> {
-    x: Lane,
-    y: Lane,
-    vx: &'a mut [f64],
-    vy: &'a mut [f64],
-    ax: &'a mut [f64],
-    ay: &'a mut [f64],
+/// Two numbers, for globe and fat, spread over nodes.
+#[inline(always)]
+fn by_tissue<S: Simd, const QUICK: bool>(simd: S, fat: V<S>, of: [f64; 2]) -> V<S> {
+    fused::<S, QUICK>(splat(simd, of[1] - of[0]), fat, splat(simd, of[0]))
 }
 
-/// What a sweep does with the force on eight nodes; returns their new positions. A trait and not a
-/// closure, because only a function can be told to be inlined, and so compiled for the vector unit
-/// in use.
-trait Update {
-    fn nodes(&mut self, group: &Group, slot: usize, m: Motion, force: (Lane, Lane)) -> (Lane, Lane);
+/// The drift of some nodes: new positions are returned, new velocities stored, and the energy that
+/// drag takes is added to `loss`.
+#[inline(always)]
+fn drift<S: Simd, const QUICK: bool>(
+    stage: Stage,
+    nodes: Nodes<'_, S>,
+    velocity: Pair<S>,
+    loss: &mut V<S>,
+) -> Pair<S> {
+    let simd = nodes.simd;
+    let fat = load(simd, &nodes.group.fat, nodes.lane);
+    let half_mass = load(simd, &nodes.group.half_mass, nodes.lane);
+    let reach = by_tissue::<S, QUICK>(simd, fat, stage.drift);
+    let keep = by_tissue::<S, QUICK>(simd, fat, stage.keep);
+    let (vx, vy) = velocity;
+    let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
+    let lost = fused::<S, QUICK>(-keep, keep, splat(simd, 1.0)) * half_mass;
+    *loss = fused::<S, QUICK>(speed_squared, lost, *loss);
+    store::<S>(nodes.vx, nodes.slot, vx * keep);
+    store::<S>(nodes.vy, nodes.slot, vy * keep);
+    (
+        fused::<S, QUICK>(reach, vx, nodes.position.0),
+        fused::<S, QUICK>(reach, vy, nodes.position.1),
+    )
 }
 
-impl Sums {
-    fn new() -> Self {
-        Self {
-            elastic: [0.0; LANES],
-            strain_squared: [0.0; LANES],
-        }
+struct KickDrift<S: Simd, const QUICK: bool> {
+    stage: Stage,
+    loss: V<S>,
+}
+
+impl<S: Simd, const QUICK: bool> Update<S> for KickDrift<S, QUICK> {
+    #[inline(always)]
+    fn nodes(&mut self, nodes: Nodes<'_, S>, force: Pair<S>) -> Pair<S> {
+        let simd = nodes.simd;
+        let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
+        let w = inverse_mass * self.stage.kick;
+        let before = load_pair(simd, nodes.vx, nodes.vy, nodes.slot);
+        let velocity = (
+            fused::<S, QUICK>(force.0, w, before.0),
+            fused::<S, QUICK>(force.1, w, before.1),
+        );
+        drift::<S, QUICK>(self.stage, nodes, velocity, &mut self.loss)
     }
 }
 
-/// Force, kick and drift in one sweep; returns the energy that drag took, in J.
+struct Keep<S: Simd, const QUICK: bool> {
+    kick: f64,
+    kinetic: V<S>,
+}
+
+impl<S: Simd, const QUICK: bool> Update<S> for Keep<S, QUICK> {
+    #[inline(always)]
+    fn nodes(&mut self, nodes: Nodes<'_, S>, force: Pair<S>) -> Pair<S> {
+        let simd = nodes.simd;
+        let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
+        let half_mass = load(simd, &nodes.group.half_mass, nodes.lane);
+        let kick = splat(simd, self.kick);
+        let (ax, ay) = (force.0 * inverse_mass, force.1 * inverse_mass);
+        let before = load_pair(simd, nodes.vx, nodes.vy, nodes.slot);
+        let vx = fused::<S, QUICK>(ax, kick, before.0);
+        let vy = fused::<S, QUICK>(ay, kick, before.1);
+        let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
+        self.kinetic = fused::<S, QUICK>(speed_squared, half_mass, self.kinetic);
+        store::<S>(nodes.ax, nodes.slot, ax);
+        store::<S>(nodes.ay, nodes.slot, ay);
+        store::<S>(nodes.vx, nodes.slot, vx);
+        store::<S>(nodes.vy, nodes.slot, vy);
+        nodes.position
+    }
+}
+
+fn total<S: Simd>(lanes: V<S>) -> f64 {
+    lanes.as_slice().iter().sum()
+}
+
 #[inline(always)]
-fn kick_drift_as<const QUICK: bool>(
+fn kick_drift_as<S: Simd, const QUICK: bool>(
+    simd: S,
     system: &System,
     state: &mut State,
     force: f64,
     stage: Stage,
 ) -> f64 {
-    let mut sums = Sums::new();
+    let mut sums = Sums::new(simd);
     fill_ghosts(system, state);
-    ring_forces::<QUICK, false>(system, state, force, &mut sums);
-    let mut update = KickDrift::<QUICK> {
+    ring_forces::<S, QUICK, false>(simd, system, state, force, &mut sums);
+    let mut update = KickDrift::<S, QUICK> {
         stage,
-        loss: [0.0; LANES],
+        loss: splat(simd, 0.0),
     };
-    sweep::<QUICK, false, true>(system, state, &mut sums, &mut update);
-    update.loss.iter().sum()
+    sweep::<S, QUICK, false, true>(simd, system, state, &mut sums, &mut update);
+    total::<S>(update.loss)
 }
 
-struct KickDrift<const QUICK: bool> {
-    stage: Stage,
-    loss: Lane,
-}
-
-impl<const QUICK: bool> Update for KickDrift<QUICK> {
-    #[inline(always)]
-    fn nodes(
-        &mut self,
-        group: &Group,
-        slot: usize,
-        m: Motion,
-        (fx, fy): (Lane, Lane),
-    ) -> (Lane, Lane) {
-        let (mut vx, mut vy) = (load_lane(m.vx, slot), load_lane(m.vy, slot));
-        for i in 0..LANES {
-            let w = self.stage.kick * group.inverse_mass[i];
-            vx[i] = fused::<QUICK>(fx[i], w, vx[i]);
-            vy[i] = fused::<QUICK>(fy[i], w, vy[i]);
-        }
-        let velocity = (m.vx, m.vy);
-        drift::<QUICK>(self.stage, group, (m.x, m.y), velocity, slot, (vx, vy), &mut self.loss)
-    }
-}
-
-/// The drift of eight nodes: new positions are returned, new velocities stored.
 #[inline(always)]
-fn drift<const QUICK: bool>(
-    stage: Stage,
-    group: &Group,
-    (mut x, mut y): (Lane, Lane),
-    (store_vx, store_vy): (&mut [f64], &mut [f64]),
-    slot: usize,
-    (mut vx, mut vy): (Lane, Lane),
-    loss: &mut Lane,
-) -> (Lane, Lane) {
-    let drift_step = stage.drift[1] - stage.drift[0];
-    let keep_step = stage.keep[1] - stage.keep[0];
-    for i in 0..LANES {
-        let reach = fused::<QUICK>(drift_step, group.fat[i], stage.drift[0]);
-        let keep = fused::<QUICK>(keep_step, group.fat[i], stage.keep[0]);
-        x[i] = fused::<QUICK>(reach, vx[i], x[i]);
-        y[i] = fused::<QUICK>(reach, vy[i], y[i]);
-        let speed_squared = fused::<QUICK>(vx[i], vx[i], vy[i] * vy[i]);
-        let lost = fused::<QUICK>(-keep, keep, 1.0) * group.half_mass[i];
-        loss[i] = fused::<QUICK>(speed_squared, lost, loss[i]);
-        vx[i] *= keep;
-        vy[i] *= keep;
-    }
-    store_lane(store_vx, slot, vx);
-    store_lane(store_vy, slot, vy);
-    (x, y)
-}
-
-/// Kick by the stored acceleration and drift, no force evaluation; returns the energy lost.
-#[inline(always)]
-fn start_as<const QUICK: bool>(
+fn start_as<S: Simd, const QUICK: bool>(
+    simd: S,
     system: &System,
     state: &mut State,
     keep_before: [f64; 2],
     stage: Stage,
 ) -> f64 {
-    let mut loss = [0.0; LANES];
-    let first = (system.first_row * system.stride) / LANES;
-    let last = (system.side - 1) * system.stride / LANES;
-    for g in first..last {
-        let slot = g * LANES;
-        let group = &system.groups[g];
-        let (mut vx, mut vy) = (load_lane(&state.vx, slot), load_lane(&state.vy, slot));
-        let (ax, ay) = (load_lane(&state.ax, slot), load_lane(&state.ay, slot));
-        let step = keep_before[1] - keep_before[0];
-        for i in 0..LANES {
-            let keep = fused::<QUICK>(step, group.fat[i], keep_before[0]);
-            vx[i] = fused::<QUICK>(ax[i], stage.kick, vx[i] * keep);
-            vy[i] = fused::<QUICK>(ay[i], stage.kick, vy[i] * keep);
-        }
-        let here = (load_lane(&state.x, slot), load_lane(&state.y, slot));
-        let (x, y) = drift::<QUICK>(
-            stage,
-            group,
-            here,
-            (&mut state.vx, &mut state.vy),
-            slot,
-            (vx, vy),
-            &mut loss,
+    let mut loss = splat(simd, 0.0);
+    let (first, last) = (
+        system.first_row * system.stride,
+        (system.side - 1) * system.stride,
+    );
+    let (x, y): (&mut [f64], &mut [f64]) = (&mut state.x, &mut state.y);
+    let (vx, vy): (&mut [f64], &mut [f64]) = (&mut state.vx, &mut state.vy);
+    let (ax, ay): (&mut [f64], &mut [f64]) = (&mut state.ax, &mut state.ay);
+    for slot in (first..last).step_by(V::<S>::LEN) {
+        let (group, lane) = (&system.groups[slot / LANES], slot % LANES);
+        let before = load_pair(simd, vx, vy, slot);
+        let a = load_pair(simd, ax, ay, slot);
+        let fat = load(simd, &group.fat, lane);
+        let half_mass = load(simd, &group.half_mass, lane);
+        let kick = splat(simd, stage.kick);
+        let keep = by_tissue::<S, QUICK>(simd, fat, keep_before);
+        let after = (
+            fused::<S, QUICK>(a.0, kick, before.0 * keep),
+            fused::<S, QUICK>(a.1, kick, before.1 * keep),
         );
-        store_lane(&mut state.x, slot, x);
-        store_lane(&mut state.y, slot, y);
+        // An explicit drag acts with the kick: its power goes with the mean of the two speeds.
+        let along = before.0 * (before.0 + after.0) + before.1 * (before.1 + after.1);
+        loss += (splat(simd, 1.0) - keep) * half_mass * along;
+        let nodes = Nodes {
+            simd,
+            slot,
+            lane,
+            group,
+            position: load_pair(simd, x, y, slot),
+            vx,
+            vy,
+            ax,
+            ay,
+        };
+        let moved = drift::<S, QUICK>(stage, nodes, after, &mut loss);
+        store::<S>(x, slot, moved.0);
+        store::<S>(y, slot, moved.1);
     }
-    loss.iter().sum()
+    total::<S>(loss)
 }
 
-/// Force evaluation at the state's positions into its acceleration, then v += kick a, with a
-/// survey of the whole mesh.
 #[inline(always)]
-fn evaluate_as<const QUICK: bool>(
+fn evaluate_as<S: Simd, const QUICK: bool>(
+    simd: S,
     system: &System,
     state: &mut State,
     force: f64,
     kick: f64,
 ) -> Survey {
-    let mut sums = Sums::new();
+    let mut sums = Sums::new(simd);
     fill_ghosts(system, state);
-    ring_forces::<QUICK, true>(system, state, force, &mut sums);
-    let mut update = Store::<QUICK> {
+    ring_forces::<S, QUICK, true>(simd, system, state, force, &mut sums);
+    let mut update = Keep::<S, QUICK> {
         kick,
-        kinetic: [0.0; LANES],
+        kinetic: splat(simd, 0.0),
     };
-    sweep::<QUICK, true, false>(system, state, &mut sums, &mut update);
-    let strain_squared = sums.strain_squared.into_iter().fold(0.0, f64::max);
+    sweep::<S, QUICK, true, false>(simd, system, state, &mut sums, &mut update);
+    let strain_squared = sums.strain_squared.as_slice().iter().copied();
     Survey {
-        elastic: sums.elastic.iter().sum(),
-        kinetic: update.kinetic.iter().sum(),
-        strain: strain_squared.sqrt(),
-        quad_ratio: smallest_quad(system, state),
+        elastic: total::<S>(sums.elastic),
+        kinetic: total::<S>(update.kinetic),
+        strain: strain_squared.fold(0.0, f64::max).sqrt(),
+        quad_ratio: smallest_quad(simd, system, state),
     }
-}
-
-struct Store<const QUICK: bool> {
-    kick: f64,
-    kinetic: Lane,
-}
-
-impl<const QUICK: bool> Update for Store<QUICK> {
-    #[inline(always)]
-    fn nodes(
-        &mut self,
-        group: &Group,
-        slot: usize,
-        m: Motion,
-        (fx, fy): (Lane, Lane),
-    ) -> (Lane, Lane) {
-        let (mut vx, mut vy) = (load_lane(m.vx, slot), load_lane(m.vy, slot));
-        let (mut ax, mut ay) = ([0.0; LANES], [0.0; LANES]);
-        for i in 0..LANES {
-            ax[i] = fx[i] * group.inverse_mass[i];
-            ay[i] = fy[i] * group.inverse_mass[i];
-            vx[i] = fused::<QUICK>(ax[i], self.kick, vx[i]);
-            vy[i] = fused::<QUICK>(ay[i], self.kick, vy[i]);
-            let speed_squared = fused::<QUICK>(vx[i], vx[i], vy[i] * vy[i]);
-            self.kinetic[i] = fused::<QUICK>(speed_squared, group.half_mass[i], self.kinetic[i]);
-        }
-        store_lane(m.ax, slot, ax);
-        store_lane(m.ay, slot, ay);
-        store_lane(m.vx, slot, vx);
-        store_lane(m.vy, slot, vy);
-        (m.x, m.y)
-    }
-}
-
-#[inline(always)]
-fn corner(state: &State, at: usize) -> (Lane, Lane) {
-    (load_lane(&state.x, at), load_lane(&state.y, at))
 }
 
 /// Smallest ratio of a quad's signed area, half the cross product of its diagonals, to its area
 /// at rest.
 #[inline(always)]
-fn smallest_quad(system: &System, state: &State) -> f64 {
+fn smallest_quad<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
     let stride = system.stride;
-    let mut least = [f64::INFINITY; LANES];
-    let first = system.first_row * stride / LANES;
-    let last = (system.side - 1) * stride / LANES;
-    for g in first..last {
-        let o = g * LANES;
-        let survey = &system.survey[g];
-        let (p, r) = (corner(state, o), corner(state, o + 1));
-        let (u, q) = (corner(state, o + stride), corner(state, o + stride + 1));
-        for i in 0..LANES {
-            let cross = (q.0[i] - p.0[i]) * (u.1[i] - r.1[i]) - (q.1[i] - p.1[i]) * (u.0[i] - r.0[i]);
-            let ratio = cross * survey.inverse_area[i] + survey.no_quad[i];
-            least[i] = if ratio < least[i] { ratio } else { least[i] };
-        }
+    let mut least = splat(simd, f64::INFINITY);
+    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
+    let (first, last) = (system.first_row * stride, (system.side - 1) * stride);
+    for o in (first..last).step_by(V::<S>::LEN) {
+        let (survey, lane) = (&system.survey[o / LANES], o % LANES);
+        let p = load_pair(simd, x, y, o);
+        let r = load_pair(simd, x, y, o + 1);
+        let u = load_pair(simd, x, y, o + stride);
+        let q = load_pair(simd, x, y, o + stride + 1);
+        let cross = (q.0 - p.0) * (u.1 - r.1) - (q.1 - p.1) * (u.0 - r.0);
+        let inverse = load(simd, &survey.inverse_area, lane);
+        least = least.min(cross * inverse + load(simd, &survey.no_quad, lane));
     }
-    least.into_iter().fold(f64::INFINITY, f64::min)
+    least.as_slice().iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-const _: () = assert!(LANES == 8, "the vector targets below are chosen for eight lanes");
-
-#[multiversion(targets(
-    "x86_64+avx512f+avx512vl+avx512dq+avx512bw+avx2+fma+bmi2",
-    "x86_64+avx2+fma"
-))]
+/// Force, kick and drift in one sweep; returns the energy that drag took, in J.
 pub(super) fn kick_drift(system: &System, state: &mut State, force: f64, stage: Stage) -> f64 {
-    if target_cfg_f!(target_feature = "fma") && !system.portable {
-        kick_drift_as::<true>(system, state, force, stage)
+    let level = Level::new();
+    if system.portable {
+        dispatch!(level, simd => kick_drift_as::<_, false>(simd, system, state, force, stage))
     } else {
-        kick_drift_as::<false>(system, state, force, stage)
+        dispatch!(level, simd => kick_drift_as::<_, true>(simd, system, state, force, stage))
     }
 }
 
-#[multiversion(targets(
-    "x86_64+avx512f+avx512vl+avx512dq+avx512bw+avx2+fma+bmi2",
-    "x86_64+avx2+fma"
-))]
-pub(super) fn start(system: &System, state: &mut State, keep_before: [f64; 2], stage: Stage) -> f64 {
-    if target_cfg_f!(target_feature = "fma") && !system.portable {
-        start_as::<true>(system, state, keep_before, stage)
+/// Explicit drag, kick by the stored acceleration, and drift; returns the energy lost, in J.
+pub(super) fn start(
+    system: &System,
+    state: &mut State,
+    keep_before: [f64; 2],
+    stage: Stage,
+) -> f64 {
+    let level = Level::new();
+    if system.portable {
+        dispatch!(level, simd => start_as::<_, false>(simd, system, state, keep_before, stage))
     } else {
-        start_as::<false>(system, state, keep_before, stage)
+        dispatch!(level, simd => start_as::<_, true>(simd, system, state, keep_before, stage))
     }
 }
 
-#[multiversion(targets(
-    "x86_64+avx512f+avx512vl+avx512dq+avx512bw+avx2+fma+bmi2",
-    "x86_64+avx2+fma"
-))]
+/// Force evaluation at the state's positions into its acceleration, then v += kick a, with a
+/// survey of the whole mesh.
 pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64) -> Survey {
-    if target_cfg_f!(target_feature = "fma") && !system.portable {
-        evaluate_as::<true>(system, state, force, kick)
+    let level = Level::new();
+    if system.portable {
+        dispatch!(level, simd => evaluate_as::<_, false>(simd, system, state, force, kick))
     } else {
-        evaluate_as::<false>(system, state, force, kick)
-    }
-}
-
-#[multiversion(targets(
-    "x86_64+avx512f+avx512vl+avx512dq+avx512bw+avx2+fma+bmi2",
-    "x86_64+avx2+fma"
-))]
-fn detected() -> &'static str {
-    if target_cfg_f!(target_feature = "avx512f") {
-        "avx512"
-    } else if target_cfg_f!(target_feature = "avx2") {
-        "avx2"
-    } else {
-        "baseline"
+        dispatch!(level, simd => evaluate_as::<_, true>(simd, system, state, force, kick))
     }
 }
 
 /// Name of the kernel that this machine runs.
 pub fn name(portable: bool) -> String {
-    let form = if portable || detected() == "baseline" { "sqrt/div" } else { "f32 seed + Newton" };
-    format!("{} ({form})", detected())
+    let level = format!("{:?}", Level::new());
+    let level = level.split('(').next().unwrap_or(&level).to_lowercase();
+    let form = if portable { "sqrt and division" } else { "f32 seed and Newton" };
+    format!("{level}, {form}")
 }

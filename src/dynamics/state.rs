@@ -39,6 +39,9 @@ pub(super) struct Scratch {
     pub ring_y: Aligned,
     pub ring_fx: Aligned,
     pub ring_fy: Aligned,
+    /// Forces of the filaments on their first ends, a run for each hop count.
+    pub hop_fx: Aligned,
+    pub hop_fy: Aligned,
 }
 
 impl State {
@@ -47,6 +50,7 @@ impl State {
         let len = system.rest_x.len();
         let zeros = || Aligned::zeros(len);
         let ring = || Aligned::zeros(system.ring.padded_len());
+        let hops = || Aligned::zeros(system.ring.padded_len() * system.ring.filaments.len());
         Self {
             time: 0.0,
             x: system.rest_x.clone(),
@@ -66,6 +70,8 @@ impl State {
                 ring_y: ring(),
                 ring_fx: ring(),
                 ring_fy: ring(),
+                hop_fx: hops(),
+                hop_fy: hops(),
             },
         }
     }
@@ -92,6 +98,8 @@ impl State {
                 ring_y: none(),
                 ring_fx: none(),
                 ring_fy: none(),
+                hop_fx: none(),
+                hop_fy: none(),
             },
         }
     }

@@ -67,11 +67,11 @@ pub(super) struct Filaments {
     pub hop: usize,
     /// First gathered place that owns a spring.
     pub first: usize,
-    pub stiffness: Vec<Lane>,
-    pub tension: Vec<Lane>,
-    pub half_stiffness: Vec<Lane>,
-    pub rest: Vec<Lane>,
-    pub inverse_rest: Vec<Lane>,
+    pub stiffness: Vec<f64>,
+    pub tension: Vec<f64>,
+    pub half_stiffness: Vec<f64>,
+    pub rest: Vec<f64>,
+    pub inverse_rest: Vec<f64>,
 }
 
 /// The ring of shell nodes, unrolled, with ghosts at both ends.
@@ -89,7 +89,7 @@ pub(super) struct Ring {
 impl Ring {
     /// Length of a run that every eight-lane access of the ring fits in.
     pub fn padded_len(&self) -> usize {
-        (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
+        (self.gather.len() + self.ghosts).next_multiple_of(2 * LANES) + 4 * LANES
     }
 }
 
@@ -189,7 +189,7 @@ impl System {
             .ring
             .filaments
             .iter()
-            .map(|f| f.stiffness.as_flattened().iter().filter(|&&k| k > 0.0).count())
+            .map(|f| f.stiffness.iter().filter(|&&k| k > 0.0).count())
             .sum::<usize>();
         for &(node, share) in &load.shares {
             let place = rows.place(eye.nodes[node].grid);
@@ -443,26 +443,25 @@ fn ring(eye: &Eye, rows: &Rows) -> Ring {
         .iter()
         .map(|(hop, starts)| {
             let first = ghosts - hop;
-            let groups = (owned + hop).div_ceil(LANES);
+            let len = (owned + hop).next_multiple_of(2 * LANES);
             let mut f = Filaments {
                 hop: *hop,
                 first,
-                stiffness: vec![[0.0; LANES]; groups],
-                tension: vec![[0.0; LANES]; groups],
-                half_stiffness: vec![[0.0; LANES]; groups],
-                rest: vec![[0.0; LANES]; groups],
-                inverse_rest: vec![[0.0; LANES]; groups],
+                stiffness: vec![0.0; len],
+                tension: vec![0.0; len],
+                half_stiffness: vec![0.0; len],
+                rest: vec![0.0; len],
+                inverse_rest: vec![0.0; len],
             };
             for n in 0..owned + hop {
                 let spring = &eye.springs[starts[&at(first + n)]];
                 // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
                 let share = 0.5 * (weight(first + n) + weight(first + n + hop));
-                let (g, lane) = (n / LANES, n % LANES);
-                f.stiffness[g][lane] = spring.stiffness;
-                f.tension[g][lane] = spring.stiffness * spring.rest_length;
-                f.half_stiffness[g][lane] = 0.5 * spring.stiffness * share;
-                f.rest[g][lane] = spring.rest_length;
-                f.inverse_rest[g][lane] = 1.0 / spring.rest_length;
+                f.stiffness[n] = spring.stiffness;
+                f.tension[n] = spring.stiffness * spring.rest_length;
+                f.half_stiffness[n] = 0.5 * spring.stiffness * share;
+                f.rest[n] = spring.rest_length;
+                f.inverse_rest[n] = 1.0 / spring.rest_length;
             }
             f
         })
