@@ -3,6 +3,7 @@
 use std::io;
 
 use crate::scenario::problem::ScenarioError;
+use crate::study::Refusal;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -19,6 +20,15 @@ pub enum CliError {
     /// The answer could not be written to standard output.
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
+}
+
+impl From<Refusal> for CliError {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::StepAboveLimit { .. } => Self::Input(refusal.to_string()),
+            Refusal::Diverged(_) | Refusal::Cancelled => Self::Failed(refusal.to_string()),
+        }
+    }
 }
 
 impl CliError {

@@ -70,13 +70,14 @@ pub struct ExportArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Write the positions of all nodes over time to this file, replacing it
+    /// Write position and force of every node in every frame to this CSV file, replacing it
     #[arg(long, value_name = "FILE", group = "files")]
     pub frames: Option<PathBuf>,
-    /// Write the monitored quantities over time to this file, replacing it
+    /// Write node forces, displacement, growth and energies at every step to this CSV file,
+    /// replacing it
     #[arg(long, value_name = "FILE", group = "files")]
     pub traces: Option<PathBuf>,
-    /// Time between two rows, in microseconds
+    /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
     pub every_us: Option<f64>,
 }

@@ -598,7 +598,11 @@ fn smallest_quad<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
         let inverse = load(simd, &survey.inverse_area, lane);
         least = least.min(cross * inverse + load(simd, &survey.no_quad, lane));
     }
-    least.as_slice().iter().copied().fold(f64::INFINITY, f64::min)
+    least
+        .as_slice()
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// Force, kick and drift in one sweep; returns the energy that drag took, in J.
@@ -641,6 +645,10 @@ pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
 pub fn name(portable: bool) -> String {
     let level = format!("{:?}", Level::new());
     let level = level.split('(').next().unwrap_or(&level).to_lowercase();
-    let form = if portable { "sqrt and division" } else { "f32 seed and Newton" };
+    let form = if portable {
+        "sqrt and division"
+    } else {
+        "f32 seed and Newton"
+    };
     format!("{level}, {form}")
 }

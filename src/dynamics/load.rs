@@ -146,10 +146,7 @@ impl ArcLoad {
         let theta = input.angle_deg.to_radians();
         let width = input.half_width_deg.to_radians();
         let opening = eye.opening_rad;
-        let (low, high) = (
-            (theta - width).max(-opening),
-            (theta + width).min(opening),
-        );
+        let (low, high) = ((theta - width).max(-opening), (theta + width).min(opening));
         let half_arc = PI / eye.landmarks.shell.len() as f64;
         let mut shares: Vec<(usize, f64)> = eye
             .landmarks

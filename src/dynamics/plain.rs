@@ -36,11 +36,21 @@ impl Plain {
         let n = eye.nodes.len();
         let free = |i: usize| !eye.nodes[i].fixed();
         Self {
-            edges: eye.springs.iter().map(|s| (s.a as u32, s.b as u32)).collect(),
+            edges: eye
+                .springs
+                .iter()
+                .map(|s| (s.a as u32, s.b as u32))
+                .collect(),
             stiffness: eye.springs.iter().map(|s| s.stiffness).collect(),
             rest: eye.springs.iter().map(|s| s.rest_length).collect(),
             inverse_mass: (0..n)
-                .map(|i| if free(i) { 1.0 / eye.nodes[i].mass } else { 0.0 })
+                .map(|i| {
+                    if free(i) {
+                        1.0 / eye.nodes[i].mass
+                    } else {
+                        0.0
+                    }
+                })
                 .collect(),
             decay: eye.nodes.iter().map(|node| node.drag / node.mass).collect(),
             loads: load

@@ -163,6 +163,10 @@ impl System {
     /// Decay rate c/m at a slot, in 1/s.
     pub(super) fn decay_at(&self, slot: usize) -> f64 {
         let fat = self.groups[slot / LANES].fat[slot % LANES];
-        if fat > 0.0 { self.decay[1] } else { self.decay[0] }
+        if fat > 0.0 {
+            self.decay[1]
+        } else {
+            self.decay[0]
+        }
     }
 }

@@ -197,7 +197,10 @@ impl System {
                 let (fx, fy) = (share * load.direction.x, share * load.direction.y);
                 let weight = rows.weight(eye.nodes[node].grid.1);
                 system.load.shares.push((place.slot, fx, fy));
-                system.load.work.push((place.slot, weight * fx, weight * fy));
+                system
+                    .load
+                    .work
+                    .push((place.slot, weight * fx, weight * fy));
             }
         }
         system

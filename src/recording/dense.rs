@@ -205,7 +205,8 @@ mod tests {
     #[test]
     fn the_maximum_of_a_smooth_curve_is_found_between_samples() {
         for top in [0.13, 0.5, 0.81] {
-            let (value, share) = maximum(8, |s| 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3));
+            let (value, share) =
+                maximum(8, |s| 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3));
             assert!((share - top).abs() < 1e-4, "{share}");
             assert!((value - 2.0).abs() < 1e-8);
         }

@@ -15,7 +15,9 @@ pub fn write_frames(
     mut progress: impl FnMut(usize),
 ) -> csv::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
-    csv.write_record(["frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n"])?;
+    csv.write_record([
+        "frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n",
+    ])?;
     for (number, frame) in frames.iter().enumerate() {
         for (node, place) in frame.positions.iter().enumerate() {
             csv.write_record(&[

@@ -98,7 +98,8 @@ impl Recorder {
                 trace.push(force);
             }
             rows.apex.push(self.apex.last());
-            rows.shell_growth.push(self.shell.last() / self.shell.rest());
+            rows.shell_growth
+                .push(self.shell.last() / self.shell.rest());
             rows.meridian_growth
                 .push(self.meridian.last() / self.meridian.rest());
             rows.kinetic.push(survey.kinetic);
@@ -128,7 +129,11 @@ impl Recorder {
                 strain: self.strain,
                 least_quad_ratio: self.least_quad,
                 folded_at: self.folded_at,
-                energy_residual: if scale > 0.0 { self.residual / scale } else { 0.0 },
+                energy_residual: if scale > 0.0 {
+                    self.residual / scale
+                } else {
+                    0.0
+                },
                 still_rising: late,
             },
             traces: self.rows,

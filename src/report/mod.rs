@@ -1,1 +1,4 @@
-//! Results for people and programs.
+//! Results for people and for programs. It only prints what it is given.
+
+pub mod json;
+pub mod text;

@@ -1,11 +1,13 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
 use crate::dynamics::{
-    ArcLoad, Cost, Diverged, Integrator, Plan, Pulse, State, System, march, stability,
+    ArcLoad, Cost, Diverged, Integrator, Observer, Piece, Plan, Pulse, State, Survey, System,
+    march, stability,
 };
 use crate::eye::Eye;
 use crate::recording::{Keep, Recorder, Recording};
 use crate::scenario::{Impact, IntegratorChoice, Scenario};
+use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes.
 const AUTO: Integrator = Integrator::Srkn6b;
@@ -32,6 +34,47 @@ pub enum Refusal {
     /// The motion left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Diverged),
+    /// Whoever watched wanted no more of it.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+/// Is told the share of the window that has been simulated, now and then, and may stop the run.
+pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
+
+/// A watch that lets everything run.
+pub fn unwatched(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Steps between two calls of a watch.
+const STEPS_BETWEEN_CALLS: usize = 64;
+
+/// Passes everything on to a recorder and calls the watch now and then.
+struct Watched<'a> {
+    recorder: Recorder,
+    watch: Watch<'a>,
+    window: f64,
+    steps: usize,
+    cancelled: bool,
+}
+
+impl Observer for Watched<'_> {
+    fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+        self.recorder.begin(system, state, piece, survey);
+    }
+
+    fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+        self.recorder.step(system, state, piece, survey);
+        self.steps += 1;
+        if self.steps.is_multiple_of(STEPS_BETWEEN_CALLS) {
+            self.cancelled = (self.watch)(state.time / self.window).is_break();
+        }
+    }
+
+    fn satisfied(&self) -> bool {
+        self.cancelled
+    }
 }
 
 /// A scenario ready to be moved.
@@ -113,17 +156,27 @@ impl Case {
         })
     }
 
-    /// Moves the eye by `plan` and records it.
+    /// Moves the eye by `plan` and records it under the eyes of `watch`.
     ///
     /// # Errors
-    /// [`Diverged`] if the motion leaves the finite numbers.
-    pub fn run(&self, plan: &Plan, keep: Keep) -> Result<Solution, Diverged> {
+    /// [`Refusal::Diverged`] if the motion leaves the finite numbers, [`Refusal::Cancelled`] if
+    /// the watch stopped it.
+    pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Solution, Refusal> {
         let steps = (plan.window / plan.step).ceil() as usize;
-        let mut recorder = Recorder::new(&self.eye, &self.load, &self.system, steps, keep);
+        let mut observer = Watched {
+            recorder: Recorder::new(&self.eye, &self.load, &self.system, steps, keep),
+            watch,
+            window: self.window,
+            steps: 0,
+            cancelled: false,
+        };
         let mut state = State::at_rest(&self.system);
-        let cost = march(&self.system, plan, &mut state, &mut recorder)?;
+        let cost = march(&self.system, plan, &mut state, &mut observer)?;
+        if observer.cancelled {
+            return Err(Refusal::Cancelled);
+        }
         Ok(Solution {
-            recording: recorder.finish(&state),
+            recording: observer.recorder.finish(&state),
             cost,
         })
     }

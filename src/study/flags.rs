@@ -54,6 +54,9 @@ const ENERGY_ALARM: f64 = 0.01;
 /// A step error above this many percent is called unconverged.
 const UNCONVERGED_PERCENT: f64 = 10.0;
 
+/// A shielded share below this is rounding.
+const NEGLIGIBLE: f64 = 1e-9;
+
 /// Flags of a result.
 pub(super) fn raise(
     extremes: &Extremes,
@@ -122,7 +125,7 @@ pub(super) fn raise(
             Some(window),
         );
     }
-    if shielded > 0.0 {
+    if shielded > NEGLIGIBLE {
         raise(
             FlagKind::BoneShields,
             format!(

@@ -89,5 +89,8 @@ pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
 
 /// The largest of the leading results' numbers.
 pub fn headline(errors: &PerQuantity) -> f64 {
-    errors[..Quantity::HEADLINE].iter().copied().fold(0.0, f64::max)
+    errors[..Quantity::HEADLINE]
+        .iter()
+        .copied()
+        .fold(0.0, f64::max)
 }

@@ -5,7 +5,7 @@
 //! finer run, and (1 - r^-p) times that of the coarser. Peaks do not always follow the order, so the
 //! estimate is multiplied by a safety factor.
 
-use super::case::{Case, Refusal, Solution};
+use super::case::{Case, Refusal, Solution, Watch};
 use super::flags::{self, Flag};
 use super::quantity::{PerQuantity, difference_percent, headline, values};
 use crate::dynamics::{Cost, Plan, stability};
@@ -69,21 +69,28 @@ pub struct Answer {
     pub total_time: Duration,
 }
 
-/// Answers `scenario`, which must have been checked.
+/// Answers `scenario`, which must have been checked, under the eyes of `watch`.
 ///
 /// # Errors
-/// Refuses a step above the stability limit, and motion that leaves the finite numbers.
-pub fn solve(scenario: &Scenario, keep: Keep) -> Result<Answer, Refusal> {
+/// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
+/// watch stops.
+pub fn solve(scenario: &Scenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     let begun = Instant::now();
     let case = Case::new(scenario);
     let plan = case.plan(scenario)?;
     let step_limit = case.step_limit(plan.integrator);
 
     let started = Instant::now();
-    let Solution { recording, cost } = case.run(&plan, keep)?;
+    let Solution { recording, cost } = case.run(&plan, keep, watch)?;
     let solve_time = started.elapsed();
 
-    let time_step = step_error(&case, &plan, step_limit, &values(&recording.extremes))?;
+    let time_step = step_error(
+        &case,
+        &plan,
+        step_limit,
+        &values(&recording.extremes),
+        watch,
+    )?;
     let errors = Errors {
         time_step,
         mesh: None,
@@ -116,6 +123,7 @@ fn step_error(
     plan: &Plan,
     limit: f64,
     results: &PerQuantity,
+    watch: Watch,
 ) -> Result<PerQuantity, Refusal> {
     let order = plan.integrator.order();
     let coarser = plan.step * RATIO <= stability::SAFETY * limit * (1.0 + 1e-9);
@@ -124,7 +132,7 @@ fn step_error(
     } else {
         (plan.step / RATIO, 1.0 / (1.0 - RATIO.powi(-order)))
     };
-    let second = case.run(&Plan { step, ..*plan }, Keep::default())?;
+    let second = case.run(&Plan { step, ..*plan }, Keep::default(), watch)?;
     let difference = difference_percent(&values(&second.recording.extremes), results);
     Ok(difference.map(|d| SAFETY * share * d))
 }

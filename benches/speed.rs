@@ -1,0 +1,136 @@
+//! The row kernel against the plain edge list, in one run, interleaved.
+//!
+//! `cargo bench` prints medians of repeated runs and the ratios between them.
+
+use contrecoup::dynamics::plain::Plain;
+use contrecoup::dynamics::{
+    Integrator, Observer, Piece, Plan, State, Survey, System, kernel_name, march, stability,
+};
+use contrecoup::recording::Keep;
+use contrecoup::scenario::Scenario;
+use contrecoup::study::{Case, unwatched};
+use std::hint::black_box;
+use std::time::Instant;
+
+const ROUNDS: usize = 15;
+
+struct Nobody;
+
+impl Observer for Nobody {
+    fn begin(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
+    fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
+}
+
+fn seconds(work: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    work();
+    start.elapsed().as_secs_f64()
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn case(level: u32, whole: bool, portable: bool) -> Case {
+    let mut scenario = Scenario::default();
+    scenario.eye.level = level;
+    Case::with(&scenario, whole, portable)
+}
+
+fn plain(case: &Case) -> Plain {
+    Plain::new(&case.eye, case.system.load().pulse, &case.load)
+}
+
+fn evaluations() {
+    println!("Force evaluation with its share of the update, velocity-stage march, no recording");
+    println!(
+        "{:>5}  {:<22}{:>12}{:>14}{:>10}",
+        "level", "form", "us/eval", "ns/spring", "ratio"
+    );
+    for level in [1, 3, 5] {
+        let forms = [
+            ("rows, whole eye", case(level, true, false)),
+            ("rows, whole, portable", case(level, true, true)),
+            ("rows, mirrored half", case(level, false, false)),
+        ];
+        let mut edges = plain(&forms[0].1);
+        let springs = edges.springs();
+        let window = 2e-4 / f64::from(level);
+        let mut times = vec![Vec::new(); forms.len() + 1];
+        let mut counts = vec![0; forms.len() + 1];
+        for _ in 0..ROUNDS {
+            for (i, (_, case)) in forms.iter().enumerate() {
+                let plan = Plan {
+                    integrator: Integrator::Srkn6b,
+                    step: stability::SAFETY * case.step_limit(Integrator::Srkn6b),
+                    window,
+                };
+                let mut state = State::at_rest(&case.system);
+                times[i].push(seconds(|| {
+                    let cost = march(&case.system, &plan, &mut state, &mut Nobody);
+                    counts[i] = cost.map_or(0, |c| c.evaluations);
+                }));
+            }
+            let step = stability::SAFETY * forms[0].1.step_limit(Integrator::VelocityVerlet);
+            times[forms.len()].push(seconds(|| {
+                counts[forms.len()] = edges.run(window, step, |p, _| {
+                    black_box(&p.x);
+                });
+            }));
+        }
+        let each: Vec<f64> = times
+            .into_iter()
+            .zip(&counts)
+            .map(|(t, &n)| median(t) / n as f64)
+            .collect();
+        let base = each[forms.len()];
+        for (i, (name, case)) in forms.iter().enumerate() {
+            let ns = each[i] * 1e9 / case.system.springs_per_evaluation() as f64;
+            let (us, ratio) = (each[i] * 1e6, base / each[i]);
+            println!("{level:>5}  {name:<22}{us:>12.3}{ns:>14.3}{ratio:>10.2}");
+        }
+        let (us, ns) = (base * 1e6, base * 1e9 / springs as f64);
+        println!(
+            "{level:>5}  {:<22}{us:>12.3}{ns:>14.3}{:>10.2}",
+            "plain edge list", 1.0
+        );
+    }
+}
+
+fn standard_case() {
+    println!("\nStandard case: 300 N, 0.2 ms, window 3 ms, level 1");
+    let quick = case(1, false, false);
+    let mut edges = plain(&quick);
+    let auto = quick.plan(&Scenario::default()).expect("the default runs");
+    let limit = quick.step_limit(Integrator::VelocityVerlet);
+    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        ours.push(seconds(|| {
+            black_box(quick.run(&auto, Keep::default(), &mut unwatched).is_ok());
+        }));
+        theirs.push(seconds(|| {
+            edges.run(quick.window, limit, |p, _| {
+                black_box(&p.x);
+            });
+        }));
+    }
+    let (ours, theirs) = (median(ours), median(theirs));
+    println!(
+        "{:<52}{:>9.3} ms",
+        "automatic integrator and step, recorded",
+        ours * 1e3
+    );
+    println!(
+        "{:<52}{:>9.3} ms",
+        "plain velocity Verlet at its limit, nothing recorded",
+        theirs * 1e3
+    );
+    println!("ratio {:.2}", theirs / ours);
+}
+
+fn main() {
+    println!("kernel: {}\n", kernel_name(false));
+    evaluations();
+    standard_case();
+}

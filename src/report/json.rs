@@ -1,0 +1,80 @@
+//! Results as one JSON object. The names are a contract.
+
+use crate::dynamics::kernel_name;
+use crate::eye::Monitor;
+use crate::scenario::Scenario;
+use crate::study::{Answer, PerQuantity, Quantity};
+use serde_json::{Map, Value, json};
+
+/// A number for each monitored node, by name.
+fn by_monitor(value: impl Fn(usize) -> f64) -> Value {
+    Monitor::ALL
+        .iter()
+        .enumerate()
+        .map(|(i, m)| (m.name().to_owned(), json!(value(i))))
+        .collect::<Map<String, Value>>()
+        .into()
+}
+
+/// A number for each result, by name.
+pub fn by_quantity(values: &PerQuantity) -> Value {
+    Quantity::ALL
+        .iter()
+        .zip(values)
+        .map(|(q, v)| (q.key().to_owned(), json!(v)))
+        .collect::<Map<String, Value>>()
+        .into()
+}
+
+/// An answer as one object.
+pub fn answer(scenario: &Scenario, answer: &Answer) -> Value {
+    let extremes = &answer.recording.extremes;
+    let flags: Vec<Value> = answer
+        .flags
+        .iter()
+        .map(|flag| {
+            json!({
+                "kind": flag.kind.name(),
+                "message": flag.message,
+                "time_ms": flag.time.map(|t| t * 1e3),
+            })
+        })
+        .collect();
+    json!({
+        "scenario": scenario,
+        "results": {
+            "damage_percent": answer.index.damage(),
+            "scleral_growth_percent": answer.index.shell_growth,
+            "meridian_growth_percent": answer.index.meridian_growth,
+            "energy_imparted_j": answer.index.energy,
+            "apex_displacement_mm": extremes.apex.value * 1e3,
+            "apex_time_ms": extremes.apex.time * 1e3,
+            "peak_force_n": by_monitor(|i| extremes.force[i].value),
+            "peak_time_ms": by_monitor(|i| extremes.force[i].time * 1e3),
+            "largest_spring_strain_percent": extremes.strain.value * 1e2,
+            "shielded_percent": answer.case.load.shielded * 1e2,
+        },
+        "error": {
+            "time_step_percent": answer.errors.time_step_percent(),
+            "mesh_percent": answer.errors.mesh_percent(),
+            "energy_balance_percent": answer.errors.energy_balance,
+            "time_step_percent_by_result": by_quantity(&answer.errors.time_step),
+            "mesh_percent_by_result": answer.errors.mesh.as_ref().map(by_quantity),
+        },
+        "numerics": {
+            "level": answer.case.eye.level,
+            "nodes": answer.case.eye.nodes.len(),
+            "springs": answer.case.eye.springs.len(),
+            "integrator": answer.plan.integrator.name(),
+            "step_us": answer.plan.step * 1e6,
+            "step_limit_us": answer.step_limit * 1e6,
+            "steps": answer.cost.steps,
+            "spring_evaluations": answer.spring_evaluations,
+            "solve_ms": answer.solve_time.as_secs_f64() * 1e3,
+            "total_ms": answer.total_time.as_secs_f64() * 1e3,
+            "mirrored": answer.case.system.mirrored(),
+            "kernel": kernel_name(false),
+        },
+        "flags": flags,
+    })
+}

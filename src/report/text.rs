@@ -1,0 +1,149 @@
+//! Results as text for a terminal of 80 columns.
+
+use crate::eye::Monitor;
+use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::scenario::problem::printable;
+use crate::scenario::{Model, Scenario};
+use crate::study::Answer;
+use std::io::{self, Write};
+
+/// A number with four significant digits, in plain notation where that is readable.
+pub fn significant(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&size) {
+        format!("{value:.3e}")
+    } else {
+        let digits = (3 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.digits$}")
+    }
+}
+
+/// An error in percent: two digits are all it can bear.
+pub fn percent(value: f64) -> String {
+    match value {
+        v if v == 0.0 => "0 %".to_owned(),
+        v if v < 1e-4 => "< 0.0001 %".to_owned(),
+        v if v < 10.0 => {
+            let digits = (1 - v.log10().floor() as i32).max(0) as usize;
+            format!("{v:.digits$} %")
+        }
+        v => format!("{v:.0} %"),
+    }
+}
+
+/// Prints an answer.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    let extremes = &answer.recording.extremes;
+    let index = &answer.index;
+    let eye = &answer.case.eye;
+    let model = match scenario.model {
+        Model::Paper => "Paper model, unit depth (1 m)",
+    };
+    writeln!(out, "{}", printable(&scenario.name))?;
+    writeln!(
+        out,
+        "{model}; mesh level {}: {} nodes, {} springs\n",
+        eye.level,
+        eye.nodes.len(),
+        eye.springs.len()
+    )?;
+    writeln!(
+        out,
+        "Damage index      {:>9} %   (an index, not a probability)",
+        significant(index.damage())
+    )?;
+    let mut part = |letter, what, value: f64, unit, term: Term| {
+        writeln!(
+            out,
+            "  {letter} {what:<15}{:>8} {unit}   of {} {unit}: {:.1} of {} points",
+            significant(value),
+            term.threshold,
+            term.points(value),
+            term.weight,
+        )
+    };
+    part("S", "shell growth", index.shell_growth, "%", SHELL)?;
+    part("M", "meridian growth", index.meridian_growth, "%", MERIDIAN)?;
+    part("E", "energy imparted", index.energy, "J", ENERGY)?;
+    writeln!(out)?;
+    writeln!(
+        out,
+        "Corneal apex      {:>9} mm  at {:.4} ms",
+        significant(extremes.apex.value * 1e3),
+        extremes.apex.time * 1e3
+    )?;
+    for (i, monitor) in Monitor::ALL.iter().enumerate() {
+        let label = if i == 0 { "Peak node force" } else { "" };
+        let peak = extremes.force[i];
+        writeln!(
+            out,
+            "{label:<16}{:>11} N   at {:.4} ms  {}",
+            significant(peak.value),
+            peak.time * 1e3,
+            monitor.name()
+        )?;
+    }
+    writeln!(
+        out,
+        "Spring strain     {:>9} %   at {:.4} ms, the largest",
+        significant(extremes.strain.value * 1e2),
+        extremes.strain.time * 1e3
+    )?;
+    if answer.case.load.shielded > 1e-9 {
+        writeln!(
+            out,
+            "Shielded by bone  {:>9} %   of the arc",
+            significant(answer.case.load.shielded * 1e2)
+        )?;
+    }
+    let errors = &answer.errors;
+    writeln!(
+        out,
+        "\nError: time step {}, mesh {}, energy balance {}",
+        percent(errors.time_step_percent()),
+        errors
+            .mesh_percent()
+            .map_or_else(|| "not estimated".to_owned(), percent),
+        percent(errors.energy_balance)
+    )?;
+    writeln!(
+        out,
+        "Solved in {:.2} ms by {}: {} steps of {:.4} us (stable up to {:.4})",
+        answer.solve_time.as_secs_f64() * 1e3,
+        answer.plan.integrator.name(),
+        answer.cost.steps,
+        answer.plan.step * 1e6,
+        answer.step_limit * 1e6,
+    )?;
+    for flag in &answer.flags {
+        writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
+    }
+    writeln!(out, "\nResearch and education, not diagnosis.")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_carry_four_digits() {
+        assert_eq!(significant(26.418_437), "26.42");
+        assert_eq!(significant(0.004_971_1), "0.004971");
+        assert_eq!(significant(1234.5), "1234");
+        assert_eq!(significant(0.0), "0");
+        assert_eq!(significant(-2.5e-9), "-2.500e-9");
+    }
+
+    #[test]
+    fn errors_carry_two_digits() {
+        assert_eq!(percent(0.012_34), "0.012 %");
+        assert_eq!(percent(3.21), "3.2 %");
+        assert_eq!(percent(123.4), "123 %");
+        assert_eq!(percent(1e-7), "< 0.0001 %");
+    }
+}
