@@ -188,8 +188,10 @@ fn end_state(integrator: Integrator, step: f64, case: &Case) -> State {
 
 #[test]
 fn halving_the_step_shows_each_integrators_order() {
-    let mut scenario = Scenario::default();
-    scenario.window_ms = 0.24;
+    let scenario = Scenario {
+        window_ms: 0.24,
+        ..Scenario::default()
+    };
     let case = Case::new(&scenario);
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for integrator in Integrator::ALL {
@@ -331,8 +333,10 @@ proptest! {
 
 #[test]
 fn the_energy_residual_shrinks_with_the_order_of_the_method() {
-    let mut scenario = Scenario::default();
-    scenario.window_ms = 0.3;
+    let scenario = Scenario {
+        window_ms: 0.3,
+        ..Scenario::default()
+    };
     let case = Case::new(&scenario);
     let worst = |integrator, step| {
         let mut state = State::at_rest(&case.system);

@@ -9,8 +9,8 @@
 //! |---|---|---|---|
 //! | semi-implicit Euler, drag explicit (the paper) | 1 | 1 | 2 (less with drag) |
 //! | velocity Verlet | 1 | 2 | 2 |
-//! | SRKN6b (Blanes and Moan 2002) | 6 | 4 | 5.03 |
-//! | SRKN11b (Blanes and Moan 2002) | 11 | 6 | 9.07 |
+//! | `SRKN6b` (Blanes and Moan 2002) | 6 | 4 | 5.03 |
+//! | `SRKN11b` (Blanes and Moan 2002) | 11 | 6 | 9.07 |
 //!
 //! S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330. Their Runge-Kutta-Nystrom
 //! conditions hold with linear drag in the drift, because the kick depends on positions alone.

@@ -89,7 +89,7 @@ impl Recorder {
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
-        if self.steps % self.every_row == 0
+        if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
             rows.time.push(state.time);

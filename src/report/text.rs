@@ -23,7 +23,7 @@ pub fn significant(value: f64) -> String {
 /// An error in percent: two digits are all it can bear.
 pub fn percent(value: f64) -> String {
     match value {
-        v if v == 0.0 => "0 %".to_owned(),
+        0.0 => "0 %".to_owned(),
         v if v < 1e-4 => "< 0.0001 %".to_owned(),
         v if v < 10.0 => {
             let digits = (1 - v.log10().floor() as i32).max(0) as usize;
