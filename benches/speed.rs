@@ -4,7 +4,8 @@
 
 use contrecoup::dynamics::plain::Plain;
 use contrecoup::dynamics::{
-    Integrator, Observer, Piece, Plan, State, Survey, System, kernel_name, march, stability,
+    Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, State, Survey, System, kernel_name, march,
+    stability,
 };
 use contrecoup::recording::Keep;
 use contrecoup::scenario::Scenario;
@@ -65,6 +66,7 @@ fn evaluations() {
                     integrator: Integrator::Srkn6b,
                     step: stability::SAFETY * case.step_limit(Integrator::Srkn6b),
                     window,
+                    local_tolerance: LOCAL_TOLERANCE,
                 };
                 let mut state = State::at_rest(&case.system);
                 times[i].push(seconds(|| {

@@ -33,7 +33,12 @@ pub struct Plan {
     pub step: f64,
     /// Simulated time, in s.
     pub window: f64,
+    /// Local error allowed a step in the energy norm, for integrators that choose their steps.
+    pub local_tolerance: f64,
 }
+
+/// The local tolerance unless another is asked for.
+pub const LOCAL_TOLERANCE: f64 = 1e-5;
 
 /// What a march cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -81,19 +86,32 @@ pub fn march(
         let length = segment.end - segment.start;
         let steps = steps_in(length, plan.step, segment.piece);
         let h = length / steps as f64;
-        let mut stepper = integrator::stepper(plan.integrator, system, h);
+        let mut stepper = integrator::stepper(
+            plan.integrator,
+            system,
+            segment,
+            steps,
+            plan.local_tolerance,
+        );
 
         state.time = segment.start;
         let force = pulse.force(segment.piece, segment.start);
         let survey = kernel::evaluate(system, state, force, 0.0);
         cost.evaluations += 1;
         observer.begin(system, state, segment.piece, &survey);
-        for i in 1..=steps {
+        let mut taken = 0;
+        while state.time < segment.end {
             let survey = stepper.step(system, state, segment.piece);
-            // Computed, not summed, so that rounding does not pile up over many steps.
-            state.time = segment.start + h * i as f64;
+            taken += 1;
             cost.steps += 1;
-            cost.evaluations += plan.integrator.evaluations_per_step();
+            if !plan.integrator.adaptive() {
+                // Computed, not summed, so that rounding does not pile up over many steps.
+                state.time = if taken == steps {
+                    segment.end
+                } else {
+                    segment.start + h * taken as f64
+                };
+            }
             if !(survey.kinetic + survey.elastic).is_finite() {
                 return Err(Diverged {
                     time: state.time,
@@ -102,9 +120,11 @@ pub fn march(
             }
             observer.step(system, state, segment.piece, &survey);
             if observer.satisfied() {
+                cost.evaluations += stepper.evaluations();
                 return Ok(cost);
             }
         }
+        cost.evaluations += stepper.evaluations();
     }
     Ok(cost)
 }

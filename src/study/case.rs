@@ -1,8 +1,8 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
 use crate::dynamics::{
-    ArcLoad, Cost, Diverged, Integrator, Observer, Piece, Plan, Pulse, State, Survey, System,
-    march, stability,
+    ArcLoad, Cost, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse, State,
+    Survey, System, march, stability,
 };
 use crate::eye::Eye;
 use crate::recording::{Keep, Recorder, Recording};
@@ -136,6 +136,8 @@ impl Case {
             IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
             IntegratorChoice::Srkn6b => Integrator::Srkn6b,
             IntegratorChoice::Srkn11b => Integrator::Srkn11b,
+            IntegratorChoice::Rk4 => Integrator::Rk4,
+            IntegratorChoice::Dopri5 => Integrator::Dopri5,
         };
         let limit = self.step_limit(integrator);
         let step = match scenario.numerics.step_us {
@@ -153,6 +155,7 @@ impl Case {
             integrator,
             step,
             window: self.window,
+            local_tolerance: LOCAL_TOLERANCE,
         })
     }
 
