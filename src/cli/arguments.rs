@@ -110,6 +110,14 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Reads a percentage that must be more than zero.
+pub(super) fn percent(text: &str) -> Result<f64, String> {
+    match text.trim_end_matches('%').trim_end().parse::<f64>() {
+        Ok(number) if number.is_finite() && number > 0.0 && number <= 100.0 => Ok(number),
+        _ => Err("expected a percentage above 0, up to 100".to_owned()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use clap::Parser;

@@ -26,7 +26,9 @@ impl From<Refusal> for CliError {
     fn from(refusal: Refusal) -> Self {
         match refusal {
             Refusal::StepAboveLimit { .. } => Self::Input(refusal.to_string()),
-            Refusal::Diverged(_) | Refusal::Cancelled => Self::Failed(refusal.to_string()),
+            Refusal::Diverged(_) | Refusal::ToleranceNotMet { .. } | Refusal::Cancelled => {
+                Self::Failed(refusal.to_string())
+            }
         }
     }
 }

@@ -58,6 +58,14 @@ pub struct RunArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
+    /// Choose the cheapest mesh, integrator and step that give the damage score within P percent,
+    /// step and mesh together
+    #[arg(long, value_name = "P", value_parser = arguments::percent, allow_negative_numbers = true,
+          conflicts_with_all = ["level", "integrator", "step_us"])]
+    pub tolerance: Option<f64>,
+    /// Estimate the mesh error too, from the next finer mesh; text on a terminal always does
+    #[arg(long)]
+    pub mesh_error: bool,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,

@@ -10,7 +10,7 @@ use nalgebra::{Point2, Vector2};
 /// Points tried within a step before parabolas take over.
 const SCAN: usize = 4;
 /// A step is searched if one of its ends comes this close to the largest growth so far.
-const NEAR: f64 = 0.97;
+const NEAR: f64 = 0.9;
 
 /// What is measured.
 #[derive(Debug, Clone)]

@@ -26,8 +26,8 @@ pub fn by_quantity(values: &PerQuantity) -> Value {
         .into()
 }
 
-/// An answer as one object.
-pub fn answer(scenario: &Scenario, answer: &Answer) -> Value {
+/// An answer as one object; `reasons` say how its numerics were chosen.
+pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let extremes = &answer.recording.extremes;
     let flags: Vec<Value> = answer
         .flags
@@ -74,6 +74,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer) -> Value {
             "total_ms": answer.total_time.as_secs_f64() * 1e3,
             "mirrored": answer.case.system.mirrored(),
             "kernel": kernel_name(false),
+            "choice": reasons,
         },
         "flags": flags,
     })

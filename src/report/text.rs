@@ -33,11 +33,11 @@ pub fn percent(value: f64) -> String {
     }
 }
 
-/// Prints an answer.
+/// Prints the results of an answer.
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let extremes = &answer.recording.extremes;
     let index = &answer.index;
     let eye = &answer.case.eye;
@@ -101,6 +101,14 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
             significant(answer.case.load.shielded * 1e2)
         )?;
     }
+    Ok(())
+}
+
+/// Prints how far the results may be trusted, and how they were computed.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
     let errors = &answer.errors;
     writeln!(
         out,
@@ -111,6 +119,14 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
             .map_or_else(|| "not estimated".to_owned(), percent),
         percent(errors.energy_balance)
     )?;
+    if let Some(mesh) = &errors.mesh {
+        writeln!(
+            out,
+            "On the damage index: time step {}, mesh {}",
+            percent(errors.time_step[0]),
+            percent(mesh[0])
+        )?;
+    }
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us (stable up to {:.4})",
@@ -120,6 +136,9 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
         answer.plan.step * 1e6,
         answer.step_limit * 1e6,
     )?;
+    for reason in reasons {
+        writeln!(out, "  {reason}")?;
+    }
     for flag in &answer.flags {
         writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
     }

@@ -11,9 +11,9 @@ use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes.
 const AUTO: Integrator = Integrator::Srkn6b;
-/// The share of its stability limit that the automatic step takes. A second run at
-/// [`stability::SAFETY`] of the limit then gives the error.
-const AUTO_SHARE: f64 = 0.6;
+/// The share of its stability limit that the automatic step takes, which leaves room for a second,
+/// coarser run that gives the error.
+pub(super) const AUTO_SHARE: f64 = 0.8;
 
 /// Why a scenario cannot be run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -34,6 +34,14 @@ pub enum Refusal {
     /// The motion left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Diverged),
+    /// Nothing that was tried is accurate enough.
+    #[error("no result within {percent} %: {reason}")]
+    ToleranceNotMet {
+        /// What was asked, in %.
+        percent: f64,
+        /// Why not.
+        reason: String,
+    },
     /// Whoever watched wanted no more of it.
     #[error("cancelled")]
     Cancelled,

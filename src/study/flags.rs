@@ -20,6 +20,8 @@ pub enum FlagKind {
     MeshFolded,
     /// A quad came close to that.
     MeshNearlyFolded,
+    /// The next finer mesh turns inside out where this one does not.
+    FinerMeshFolds,
     /// The energies do not add up.
     EnergyImbalance,
     /// The step error is large.
@@ -38,6 +40,7 @@ impl FlagKind {
         match self {
             Self::MeshFolded => "mesh_folded",
             Self::MeshNearlyFolded => "mesh_nearly_folded",
+            Self::FinerMeshFolds => "finer_mesh_folds",
             Self::EnergyImbalance => "energy_imbalance",
             Self::Unconverged => "unconverged",
             Self::WindowShort => "window_short",
