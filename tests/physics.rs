@@ -110,6 +110,7 @@ fn free_motion(
         integrator,
         step,
         window,
+        multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };
     march(&system, &plan, &mut state, &mut log).unwrap();
@@ -184,6 +185,7 @@ fn end_state(integrator: Integrator, step: f64, case: &Case) -> State {
         step,
         window: case.window,
         // Equal steps, so that the order shows.
+        multiple: 1.0,
         local_tolerance: f64::INFINITY,
     };
     march(&case.system, &plan, &mut state, &mut Log::default()).unwrap();
@@ -350,6 +352,7 @@ fn the_energy_residual_shrinks_with_the_order_of_the_method() {
             integrator,
             step,
             window: case.window,
+            multiple: 1.0,
             local_tolerance: LOCAL_TOLERANCE,
         };
         march(&case.system, &plan, &mut state, &mut log).unwrap();
@@ -399,6 +402,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
                 integrator,
                 step: share * limit,
                 window: case.window,
+                multiple: 1.0,
                 local_tolerance: LOCAL_TOLERANCE,
             };
             match march(&case.system, &plan, &mut state, &mut log) {

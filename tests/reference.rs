@@ -160,7 +160,6 @@ fn every_integrator_gives_the_stored_figures_with_a_step_small_enough() {
 #[test]
 fn a_mirrored_angle_gives_the_mirrored_result() {
     let at = |angle_deg| {
-        let Row { .. } = head_on(0.0, 0.0);
         answer(&scenario(&Row {
             angle_deg,
             half_width_deg: 7.0,

@@ -11,6 +11,8 @@ use super::CliError;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::library::resolve;
+use crate::scenario::load::read_text;
+use crate::scenario::locate::locate;
 use crate::scenario::problem::{ScenarioError, printable, quoted};
 use crate::scenario::set::set;
 
@@ -80,6 +82,22 @@ impl ScenarioArgs {
         // The file by itself was sound, so what is wrong now comes from the flags together.
         check(&scenario).map_err(|error| complaint("with these flags", "", &error))?;
         Ok(scenario)
+    }
+}
+
+impl ScenarioArgs {
+    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
+    /// flag gives it, or nobody.
+    pub fn place_of(&self, field: &str) -> Option<String> {
+        let by_flag =
+            self.step_us.is_some() || self.assignments.iter().any(|a| field.starts_with(&a.path));
+        let path = std::path::Path::new(&self.source);
+        if by_flag || !path.is_file() {
+            return None;
+        }
+        let text = read_text(path).ok()?;
+        let (line, column) = locate(&text, field);
+        Some(format!("{}:{line}:{column}", printable(&self.source)))
     }
 }
 

@@ -10,6 +10,7 @@ mod error;
 mod export;
 mod generate;
 mod presets;
+mod progress;
 mod run;
 
 pub use arguments::{Assignment, ScenarioArgs};
@@ -117,9 +118,11 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            // Nobody is left to hear about a closed pipe.
-            let _ = error.print();
-            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+            return match error.print() {
+                // Nobody is left to hear about a closed pipe.
+                Err(failed) if failed.kind() != io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
+                _ => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)),
+            };
         }
     };
     let mut out = BufWriter::new(io::stdout().lock());

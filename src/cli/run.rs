@@ -2,10 +2,11 @@
 
 use std::io::{self, IsTerminal, Write};
 
+use super::progress::Progress;
 use super::{CliError, RunArgs};
 use crate::recording::Keep;
 use crate::report::{json, text};
-use crate::study::{add_mesh_error, choose, solve, unwatched};
+use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
 ///
@@ -16,28 +17,49 @@ use crate::study::{add_mesh_error, choose, solve, unwatched};
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
+    let mut progress = Progress::new();
+    let mut watch = |share| progress.simulated(share);
     let mut answer = if let Some(percent) = args.tolerance {
-        let chosen = choose::within(&scenario, percent, Keep::default(), &mut unwatched)?;
+        let chosen = choose::within(&scenario, percent, Keep::default(), &mut watch)?;
         (scenario, reasons) = (chosen.scenario, chosen.reasons);
         chosen.answer
     } else {
-        solve(&scenario, Keep::default(), &mut unwatched)?
+        solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
     let known = answer.errors.mesh.is_some();
     if args.json {
         if args.mesh_error && !known {
-            add_mesh_error(&scenario, &mut answer, &mut unwatched)?;
+            add_mesh_error(&scenario, &mut answer, &mut watch)?;
         }
         let object = json::answer(&scenario, &answer, &reasons);
         serde_json::to_writer_pretty(&mut *out, &object).map_err(io::Error::from)?;
         writeln!(out)?;
         return Ok(());
     }
+    progress.clear();
     text::results(&scenario, &answer, out)?;
     if !known && (args.mesh_error || io::stdout().is_terminal()) {
         out.flush()?;
-        add_mesh_error(&scenario, &mut answer, &mut unwatched)?;
+        let mut progress = Progress::new();
+        add_mesh_error(&scenario, &mut answer, &mut |share| {
+            progress.simulated(share)
+        })?;
+        progress.clear();
     }
     text::trust(&answer, &reasons, out)?;
     Ok(())
+}
+
+/// A refusal with the place in the file that asked for it.
+fn placed(args: &RunArgs, refusal: Refusal) -> CliError {
+    let place = match refusal {
+        Refusal::StepAboveLimit { .. } | Refusal::TooMuchWork { .. } => {
+            args.scenario.place_of("numerics.step_us")
+        }
+        _ => None,
+    };
+    match place {
+        Some(place) => CliError::Input(format!("{place}: {refusal}")),
+        None => refusal.into(),
+    }
 }

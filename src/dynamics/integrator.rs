@@ -14,10 +14,7 @@
 //! | RK4, drag explicit | 4 | 4 | 2.828 |
 //! | Dormand-Prince 5(4), adaptive, drag explicit | 6 | 5 | 0.997 |
 //!
-//! The limits of the compositions and of the Runge-Kutta methods are where the largest eigenvalue
-//! of one step of the undamped oscillator leaves the unit circle. Below them SRKN6b has a gap at
-//! omega h 3.1635-3.1685 that grows by 2.4e-3 a step, and SRKN11b two narrower ones; any drag
-//! covers them, and no undamped run has shown them.
+//! See [`super::stability`] for what the limits mean and for the gaps below them.
 //!
 //! S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330. Their Runge-Kutta-Nystrom
 //! conditions hold with linear drag in the drift, because the kick depends on positions alone.
@@ -150,7 +147,16 @@ impl Integrator {
         }
     }
 
-    /// Largest stable omega times step without drag.
+    /// Omega times step where an undamped oscillator first grows, if that is a gap below the limit.
+    pub fn first_gap(self) -> Option<f64> {
+        match self {
+            Self::Srkn6b => Some(3.163),
+            Self::Srkn11b => Some(3.141),
+            _ => None,
+        }
+    }
+
+    /// Largest stable omega times step with a little drag.
     pub fn stability_limit(self) -> f64 {
         match self {
             Self::SemiImplicitEuler | Self::VelocityVerlet => 2.0,

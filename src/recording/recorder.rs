@@ -5,7 +5,7 @@ use super::frames::FrameTaker;
 use super::lengths::{Growth, Measure};
 use super::{Extremes, Recording, Traces};
 use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
-use crate::eye::Eye;
+use crate::eye::{Eye, SpringKind};
 use nalgebra::Vector2;
 
 /// Points tried within a step for the peak of a node force.
@@ -14,6 +14,38 @@ const SCAN: usize = 12;
 const NEAR: f64 = 0.6;
 /// Steps that traces keep at most; longer runs keep every second, third, ... step.
 const MOST_ROWS: usize = 100_000;
+
+/// Energies below this are rounding: lengths of millimetres are exact to 1e-19 m, springs of the
+/// stiffest tissue hold no more at that stretch.
+const ROUNDING_J: f64 = 1e-13;
+
+/// After the load the energy E only falls, and by Cauchy-Schwarz the springs at a node pull with at
+/// most sqrt(sum k) sqrt(2 E_elastic) and its drag with c sqrt(2 E_kinetic / m): together at most
+/// sqrt(sum k + c^2/m) sqrt(2 E). This is the factor before sqrt(2 E).
+fn force_bound(eye: &Eye, node: usize) -> f64 {
+    let springs = eye.springs.iter().filter(|s| s.a == node || s.b == node);
+    let stiffness: f64 = springs.map(|s| s.stiffness).sum();
+    let node = &eye.nodes[node];
+    (stiffness + node.drag * node.drag / node.mass).sqrt()
+}
+
+/// In the same way the shell grows by at most sqrt(sum 1/k) sqrt(2 E) over the springs along it.
+fn shell_bound(eye: &Eye) -> f64 {
+    let count = eye.landmarks.shell.len();
+    let mut order = vec![usize::MAX; eye.nodes.len()];
+    for (i, &n) in eye.landmarks.shell.iter().enumerate() {
+        order[n] = i;
+    }
+    eye.springs
+        .iter()
+        .filter(|s| {
+            let (a, b) = (order[s.a], order[s.b]);
+            s.kind == SpringKind::Sclera && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
+        })
+        .map(|s| 1.0 / s.stiffness)
+        .sum::<f64>()
+        .sqrt()
+}
 
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,6 +65,11 @@ pub struct Recorder {
     shell: Growth,
     meridian: Growth,
     apex: Growth,
+    /// Largest force that an energy of 1/2 J could still cause, N.
+    force_bounds: [f64; 4],
+    /// Largest growth of the shell that an energy of 1/2 J could still cause, m.
+    shell_bound: f64,
+    energy: f64,
     strain: Peak,
     least_quad: f64,
     folded_at: Option<f64>,
@@ -59,6 +96,9 @@ impl Recorder {
         Self {
             monitors: marks.monitors.map(|n| NodeForce::new(eye, n, share(n))),
             forces: [Peak::floor(0.0); 4],
+            force_bounds: marks.monitors.map(|n| force_bound(eye, n)),
+            shell_bound: shell_bound(eye),
+            energy: 0.0,
             shell: growth(Measure::Length(pairs)),
             meridian: growth(Measure::Length(vec![marks.meridian.into()])),
             apex: growth(Measure::MeanX(marks.apex.to_vec())),
@@ -86,6 +126,7 @@ impl Recorder {
             self.folded_at = Some(state.time);
         }
         let stored = survey.kinetic + survey.elastic;
+        self.energy = stored;
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
@@ -119,6 +160,13 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
+        let reach = (2.0 * self.energy).sqrt();
+        let open = self
+            .forces
+            .iter()
+            .zip(self.force_bounds)
+            .any(|(peak, bound)| bound * reach > peak.value)
+            || self.shell_bound * reach > self.shell.peak.value;
         Recording {
             extremes: Extremes {
                 force: self.forces,
@@ -129,11 +177,12 @@ impl Recorder {
                 strain: self.strain,
                 least_quad_ratio: self.least_quad,
                 folded_at: self.folded_at,
-                energy_residual: if scale > 0.0 {
+                energy_residual: if scale > ROUNDING_J {
                     self.residual / scale
                 } else {
                     0.0
                 },
+                could_rise: open && scale > ROUNDING_J,
                 still_rising: late,
             },
             traces: self.rows,

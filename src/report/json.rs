@@ -66,7 +66,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "nodes": answer.case.eye.nodes.len(),
             "springs": answer.case.eye.springs.len(),
             "integrator": answer.plan.integrator.name(),
-            "step_us": answer.plan.step * 1e6,
+            "step_us": answer.step * 1e6,
             "step_limit_us": answer.step_limit * 1e6,
             "steps": answer.cost.steps,
             "spring_evaluations": answer.spring_evaluations,

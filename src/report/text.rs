@@ -54,13 +54,13 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     )?;
     writeln!(
         out,
-        "Damage index      {:>9} %   (an index, not a probability)",
+        "Damage index       {:>9} %  (an index, not a probability)",
         significant(index.damage())
     )?;
     let mut part = |letter, what, value: f64, unit, term: Term| {
         writeln!(
             out,
-            "  {letter} {what:<15}{:>8} {unit}   of {} {unit}: {:.1} of {} points",
+            "  {letter} {what:<15} {:>9} {unit}  of {} {unit}: {:.1} of {} points",
             significant(value),
             term.threshold,
             term.points(value),
@@ -73,7 +73,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     writeln!(out)?;
     writeln!(
         out,
-        "Corneal apex      {:>9} mm  at {:.4} ms",
+        "Corneal apex       {:>9} mm at {:.4} ms",
         significant(extremes.apex.value * 1e3),
         extremes.apex.time * 1e3
     )?;
@@ -82,7 +82,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         let peak = extremes.force[i];
         writeln!(
             out,
-            "{label:<16}{:>11} N   at {:.4} ms  {}",
+            "{label:<15}{:>13} N  at {:.4} ms  {}",
             significant(peak.value),
             peak.time * 1e3,
             monitor.name()
@@ -90,14 +90,14 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     }
     writeln!(
         out,
-        "Spring strain     {:>9} %   at {:.4} ms, the largest",
+        "Spring strain      {:>9} %  at {:.4} ms, the largest",
         significant(extremes.strain.value * 1e2),
         extremes.strain.time * 1e3
     )?;
     if answer.case.load.shielded > 1e-9 {
         writeln!(
             out,
-            "Shielded by bone  {:>9} %   of the arc",
+            "Shielded by bone   {:>9} %  of the arc",
             significant(answer.case.load.shielded * 1e2)
         )?;
     }
@@ -133,7 +133,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
         answer.cost.steps,
-        answer.plan.step * 1e6,
+        answer.step * 1e6,
         answer.step_limit * 1e6,
     )?;
     for reason in reasons {

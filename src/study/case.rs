@@ -15,6 +15,9 @@ const AUTO: Integrator = Integrator::Srkn6b;
 /// coarser run that gives the error.
 pub(super) const AUTO_SHARE: f64 = 0.8;
 
+/// More than this takes longer than half an hour.
+const MOST_SPRING_EVALUATIONS: f64 = 1e12;
+
 /// Why a scenario cannot be run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Refusal {
@@ -34,6 +37,17 @@ pub enum Refusal {
     /// The motion left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Diverged),
+    /// The run would take hours.
+    #[error(
+        "numerics.step_us: the run would take {steps:.3e} steps: allowed from {least_us:.3e} for this \
+         window and mesh"
+    )]
+    TooMuchWork {
+        /// How many steps.
+        steps: f64,
+        /// The smallest step allowed, in us.
+        least_us: f64,
+    },
     /// Nothing that was tried is accurate enough.
     #[error("no result within {percent} %: {reason}")]
     ToleranceNotMet {
@@ -159,12 +173,22 @@ impl Case {
             Some(step_us) => step_us * 1e-6,
             None => AUTO_SHARE * limit,
         };
-        Ok(Plan {
+        let plan = Plan {
             integrator,
             step,
             window: self.window,
+            multiple: 1.0,
             local_tolerance: LOCAL_TOLERANCE,
-        })
+        };
+        let springs = self.system.springs_per_evaluation() as f64;
+        let work = springs * integrator.evaluations_per_step() as f64 * (self.window / step + 1.0);
+        if work > MOST_SPRING_EVALUATIONS {
+            return Err(Refusal::TooMuchWork {
+                steps: self.window / step,
+                least_us: step * 1e6 * work / MOST_SPRING_EVALUATIONS,
+            });
+        }
+        Ok(plan)
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
@@ -173,7 +197,7 @@ impl Case {
     /// [`Refusal::Diverged`] if the motion leaves the finite numbers, [`Refusal::Cancelled`] if
     /// the watch stopped it.
     pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Solution, Refusal> {
-        let steps = (plan.window / plan.step).ceil() as usize;
+        let steps = plan.steps(&self.system.load().pulse);
         let mut observer = Watched {
             recorder: Recorder::new(&self.eye, &self.load, &self.system, steps, keep),
             watch,

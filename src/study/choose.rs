@@ -7,7 +7,7 @@
 
 use super::case::{AUTO_SHARE, Case, Refusal, Watch};
 use super::mesh_error::{at_level, between};
-use super::quantity::{Quantity, values};
+use super::quantity::Quantity;
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
@@ -121,6 +121,7 @@ fn meet(
         integrator,
         step: AUTO_SHARE * case.step_limit(integrator),
         window: case.window,
+        multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };
     if percent >= VERLET_FROM_PERCENT {

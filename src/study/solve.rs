@@ -8,7 +8,7 @@
 use super::case::{AUTO_SHARE, Case, Refusal, Solution, Watch};
 use super::flags::{self, Flag};
 use super::quantity::{PerQuantity, difference_percent, headline, values};
-use crate::dynamics::{Cost, Plan};
+use crate::dynamics::{Cost, Plan, Pulse};
 use crate::injury::DamageIndex;
 use crate::recording::{Keep, Recording};
 use crate::scenario::Scenario;
@@ -59,6 +59,8 @@ pub struct Answer {
     pub case: Case,
     /// How.
     pub plan: Plan,
+    /// Longest step taken, in s.
+    pub step: f64,
     /// Largest stable step of the integrator, in s.
     pub step_limit: f64,
     /// The paper's index and its parts.
@@ -163,9 +165,11 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
         errors.time_step_percent(),
         case.window,
         case.system.load().pulse.duration(),
-        case.load.shielded,
+        &case.load,
+        std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64,
     );
     Answer {
+        step: plan.longest_step(&case.system.load().pulse),
         step_limit: case.step_limit(plan.integrator),
         index: DamageIndex::of(&recording.extremes),
         errors,
@@ -180,6 +184,15 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
     }
 }
 
+/// The smallest ratio, over all segments, of the steps of `more` to those of `fewer`.
+fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
+    pulse
+        .segments(more.window)
+        .iter()
+        .map(|s| more.steps_in(s) as f64 / fewer.steps_in(s) as f64)
+        .fold(f64::INFINITY, f64::min)
+}
+
 fn step_error(
     case: &Case,
     plan: &Plan,
@@ -188,19 +201,31 @@ fn step_error(
     watch: Watch,
 ) -> Result<PerQuantity, Refusal> {
     let order = plan.integrator.order();
-    let coarser = plan.step * RATIO <= COARSEST_SHARE * limit * (1.0 + 1e-9);
-    let (factor, share) = if plan.integrator.adaptive() {
-        // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
-        (1.0 / RATIO, 1.0)
-    } else if coarser {
-        (RATIO, 1.0 / (RATIO.powi(order) - 1.0))
-    } else {
-        (1.0 / RATIO, 1.0 / (1.0 - RATIO.powi(-order)))
+    let pulse = &case.system.load().pulse;
+    let coarser = Plan {
+        step: plan.step * RATIO,
+        ..*plan
     };
-    let second = Plan {
-        step: plan.step * factor,
+    let finer = Plan {
+        multiple: plan.multiple * RATIO,
         local_tolerance: plan.local_tolerance * 0.1,
         ..*plan
+    };
+    // A coarser run is cheaper, but tells nothing if short segments take the same steps.
+    let coarser_tells = coarser.step <= COARSEST_SHARE * limit * (1.0 + 1e-9)
+        && !pulse
+            .segments(plan.window)
+            .iter()
+            .any(|s| coarser.at_least_steps(s))
+        && plan.steps(pulse) as f64 > 0.5 * (1.0 + RATIO) * coarser.steps(pulse) as f64;
+    let (second, share) = if plan.integrator.adaptive() {
+        // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
+        (finer, 1.0)
+    } else if coarser_tells {
+        (coarser, 1.0 / (RATIO.powi(order) - 1.0))
+    } else {
+        let ratio = least_ratio(&finer, plan, pulse);
+        (finer, 1.0 / (1.0 - ratio.powi(-order)))
     };
     let second = case.run(&second, Keep::default(), watch)?;
     let difference = difference_percent(&values(&second.recording.extremes), results);
