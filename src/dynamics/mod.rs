@@ -8,13 +8,17 @@
 //! The orbit is rigid and never integrated. Left out, as in the paper: pressure, contact, rupture.
 
 mod aligned;
+#[doc(hidden)]
 mod integrator;
 mod kernel;
+mod lanes;
 mod load;
 mod march;
 pub mod plain;
+mod ring;
 pub mod stability;
 mod state;
+mod sweep;
 mod system;
 
 pub use integrator::Integrator;

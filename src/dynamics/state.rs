@@ -37,8 +37,6 @@ pub(super) struct Scratch {
     /// The gathered ring.
     pub ring_x: Aligned,
     pub ring_y: Aligned,
-    pub ring_fx: Aligned,
-    pub ring_fy: Aligned,
     /// Forces of the filaments on their first ends, a run for each hop count.
     pub hop_fx: Aligned,
     pub hop_fy: Aligned,
@@ -62,14 +60,12 @@ impl State {
             work: 0.0,
             dissipated: 0.0,
             scratch: Scratch {
-                up_x: Aligned::zeros(system.stride + LANES),
-                up_y: Aligned::zeros(system.stride + LANES),
+                up_x: zeros(),
+                up_y: zeros(),
                 extra_x: zeros(),
                 extra_y: zeros(),
                 ring_x: ring(),
                 ring_y: ring(),
-                ring_fx: ring(),
-                ring_fy: ring(),
                 hop_fx: hops(),
                 hop_fy: hops(),
             },
@@ -96,8 +92,6 @@ impl State {
                 extra_y: none(),
                 ring_x: none(),
                 ring_y: none(),
-                ring_fx: none(),
-                ring_fy: none(),
                 hop_fx: none(),
                 hop_fy: none(),
             },
@@ -163,6 +157,10 @@ impl System {
     /// Decay rate c/m at a slot, in 1/s.
     pub(super) fn decay_at(&self, slot: usize) -> f64 {
         let fat = self.groups[slot / LANES].fat[slot % LANES];
-        if fat > 0.0 { self.decay[1] } else { self.decay[0] }
+        if fat > 0.0 {
+            self.decay[1]
+        } else {
+            self.decay[0]
+        }
     }
 }
