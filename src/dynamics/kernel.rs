@@ -6,15 +6,15 @@
 //!
 //! Two forms of 1/l are compiled. The portable one is square root and division without fused
 //! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
-//! one takes 1/sqrt in f32, two directions at a time, and one third-order Newton step to full f64;
-//! it is as accurate, but its last bits depend on whether the machine fuses multiply and add.
+//! one fuses and, on vectors of eight, takes 1/sqrt in f32, two directions at a time, and one
+//! third-order Newton step to full f64; it is as accurate, but its last bits depend on the machine.
 
 #![allow(
     clippy::inline_always,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use super::lanes::{Pair, Sums, V, fused, load, load_pair, splat, store, total};
+use super::lanes::{self, Pair, Sums, V, fused, load, load_pair, splat, store, total};
 use super::ring::ring_forces;
 use super::state::State;
 use super::sweep::{Nodes, Update, sweep};
@@ -298,10 +298,11 @@ pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
 pub fn name(portable: bool) -> String {
     let level = format!("{:?}", Level::new());
     let level = level.split('(').next().unwrap_or(&level).to_lowercase();
-    let form = if portable {
-        "sqrt and division"
-    } else {
-        "f32 seed and Newton"
+    let seeds = dispatch!(Level::new(), simd => lanes::seeds_pay(simd));
+    let form = match (portable, seeds) {
+        (true, _) => "sqrt and division",
+        (false, false) => "fused, sqrt and division",
+        (false, true) => "fused, f32 seed and Newton",
     };
     format!("{level}, {form}")
 }

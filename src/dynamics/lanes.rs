@@ -88,12 +88,18 @@ impl<S: Simd> Springs<S> {
 #[inline(always)]
 pub(super) fn inverse_roots<S: Simd, const QUICK: bool>(simd: S, a: V<S>, b: V<S>) -> Pair<S> {
     let one = splat(simd, 1.0);
-    if !QUICK {
+    if !(QUICK && seeds_pay(simd)) {
         return (one / a.sqrt(), one / b.sqrt());
     }
     let seed = S::f32s::splat(simd, 1.0) / a.narrow(b).sqrt();
     let (seed_a, seed_b) = seed.widen();
     (polished(simd, a, seed_a), polished(simd, b, seed_b))
+}
+
+/// Whether f32 seeds are faster than roots and divisions. On narrow vectors the registers do not
+/// suffice for the Newton steps and what else is under way.
+pub(super) fn seeds_pay<S: Simd>(_: S) -> bool {
+    V::<S>::LEN >= 8
 }
 
 /// A third-order Newton step: from 24 right bits of 1/sqrt(square) to all 53.

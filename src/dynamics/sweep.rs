@@ -35,6 +35,10 @@ pub(super) trait Update<S: Simd> {
     fn nodes(&mut self, nodes: Nodes<'_, S>, force: Pair<S>) -> Pair<S>;
 }
 
+/// A cache line.
+#[repr(align(64))]
+struct Line(#[expect(dead_code, reason = "only its place matters")] [u8; 64]);
+
 /// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`, what
 /// `update` returns becomes their position.
 #[inline(always)]
@@ -47,6 +51,8 @@ pub(super) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
 ) {
     // Known to be small, so that sums of it cannot wrap and bounds need checking once.
     let stride = system.stride as u32 as usize;
+    // Makes the compiler align the stack, else vectors kept there may straddle two cache lines.
+    std::hint::black_box(&mut Line([0; 64]));
     let width = V::<S>::LEN;
     let shortest = splat(simd, system.shortest_squared);
     let State {
