@@ -5,7 +5,6 @@
 use contrecoup::dynamics::plain::Plain;
 use contrecoup::dynamics::{
     Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, State, Survey, System, kernel_name, march,
-    stability,
 };
 use contrecoup::recording::Keep;
 use contrecoup::scenario::Scenario;

@@ -151,7 +151,7 @@ impl Integrator {
     pub fn first_gap(self) -> Option<f64> {
         match self {
             Self::Srkn6b => Some(3.163),
-            Self::Srkn11b => Some(3.141),
+            Self::Srkn11b => Some(3.135),
             _ => None,
         }
     }

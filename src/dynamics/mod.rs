@@ -10,12 +10,15 @@
 mod aligned;
 mod integrator;
 mod kernel;
+mod lanes;
 mod load;
 mod march;
 pub mod plain;
+mod ring;
 mod runge_kutta;
 pub mod stability;
 mod state;
+mod sweep;
 mod system;
 
 pub use integrator::Integrator;

@@ -1,8 +1,8 @@
 //! Explicit Runge-Kutta methods on the motion in first-order form, x' = v, v' = F/m - c v/m.
 //!
 //! Classical RK4 takes equal steps. The Dormand-Prince pair 5(4) compares its two solutions and
-//! chooses the step: the error is measured in the energy norm, sqrt(sum m (|e_v|^2 + w^2 |e_x|^2)
-//! / 2E) with w the frequency bound and E the largest energy so far, and kept below the local
+//! chooses the step: the error is measured in the energy norm, `sqrt(sum m (|e_v|^2 +
+//! w^2 |e_x|^2) / 2E)` with w the frequency bound and E the largest energy so far, and kept below the local
 //! tolerance. Both are here to be compared with the compositions, which win on this problem: the
 //! spectrum is nearly imaginary, so stability per evaluation decides.
 //!

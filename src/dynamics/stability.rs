@@ -37,9 +37,6 @@ pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
     match integrator {
         // Root of (omega h)^2 + 2 g h = 4, in the form that does not cancel.
         Integrator::SemiImplicitEuler => 4.0 / (most + (most * most + 4.0 * omega * omega).sqrt()),
-        // Its sub-steps are positive: exact drag only ever takes energy, but a speed must not
-        // vanish within one step, or the work of the load could not be told.
-        Integrator::VelocityVerlet => by_stiffness.min(10.0 * by_drag),
         Integrator::Srkn6b | Integrator::Srkn11b => {
             let open = least * by_stiffness < CLOSING_DRAG;
             let stable = match integrator.first_gap() {
@@ -48,6 +45,9 @@ pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
             };
             stable.min(by_drag)
         }
-        Integrator::Rk4 | Integrator::Dopri5 => by_stiffness.min(by_drag),
+        // Verlet's sub-steps are positive and never amplify, but a speed must not vanish within one.
+        Integrator::VelocityVerlet | Integrator::Rk4 | Integrator::Dopri5 => {
+            by_stiffness.min(by_drag)
+        }
     }
 }

@@ -20,7 +20,7 @@ const MOST_ROWS: usize = 100_000;
 const ROUNDING_J: f64 = 1e-13;
 
 /// After the load the energy E only falls, and by Cauchy-Schwarz the springs at a node pull with at
-/// most sqrt(sum k) sqrt(2 E_elastic) and its drag with c sqrt(2 E_kinetic / m): together at most
+/// most `sqrt(sum k) sqrt(2 E_elastic)` and its drag with `c sqrt(2 E_kinetic / m)`: together at most
 /// sqrt(sum k + c^2/m) sqrt(2 E). This is the factor before sqrt(2 E).
 fn force_bound(eye: &Eye, node: usize) -> f64 {
     let springs = eye.springs.iter().filter(|s| s.a == node || s.b == node);

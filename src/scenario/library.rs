@@ -126,7 +126,12 @@ pub fn list() -> Result<Vec<Preset>, ScenarioError> {
 /// Where there is none: suggests the nearest names.
 pub fn find(name: &str) -> Result<Preset, ScenarioError> {
     if !is_plain(name) {
-        return Err(unknown(name, "expected a preset's name or a file that ends in .ron").into());
+        let message = if name.is_empty() {
+            "expected a preset's name or a file that ends in .ron"
+        } else {
+            "a preset's name holds no path"
+        };
+        return Err(unknown(name, message).into());
     }
     if let Some(path) = folder().map(|folder| folder.join(format!("{name}.ron")))
         && path.symlink_metadata().is_ok()

@@ -24,8 +24,8 @@ const RATIO: f64 = COARSEST_SHARE / AUTO_SHARE;
 const SAFETY: f64 = 5.0;
 /// Step error that an automatic step is shortened for, in %.
 const AUTO_PERCENT: f64 = 1.0;
-/// How often it is shortened at most.
-const MOST_ATTEMPTS: usize = 6;
+/// How often it is shortened, at most to a half each time: a person waits, and what is left is flagged.
+const MOST_ATTEMPTS: usize = 3;
 /// No result is claimed to be better than this, in %: rounding and the search for peaks end here.
 const FLOOR_PERCENT: f64 = 1e-8;
 
@@ -101,7 +101,7 @@ pub fn solve(scenario: &Scenario, keep: Keep, watch: Watch) -> Result<Answer, Re
                 break;
             }
             let order = f64::from(plan.integrator.order());
-            plan.step *= (0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.25, 0.8);
+            plan.step *= (0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8);
             solved = measured(&case, &plan, keep, watch)?;
         }
     }
