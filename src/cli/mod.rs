@@ -5,6 +5,7 @@
 //! Left out: the answers themselves, one module each, and the meaning of a field's value, which
 //! the registry of fields decides for files, flags and forms alike.
 
+mod accuracy;
 mod arguments;
 mod error;
 mod export;
@@ -41,6 +42,8 @@ pub enum Command {
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
     Export(ExportArgs),
+    /// Measure speed against error: every integrator over its steps, and the mesh levels
+    Accuracy(AccuracyArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -67,6 +70,20 @@ pub struct RunArgs {
     /// Estimate the mesh error too, from the next finer mesh; text on a terminal always does
     #[arg(long)]
     pub mesh_error: bool,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `accuracy`.
+#[derive(Debug, Args)]
+pub struct AccuracyArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// Finest mesh level, which the others are compared with
+    #[arg(long, value_name = "K", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=8))]
+    pub finest_level: u32,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,
@@ -143,6 +160,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
+        Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         None => Err(CliError::Input(

@@ -38,6 +38,12 @@ impl Progress {
         ControlFlow::Continue(())
     }
 
+    /// Shows how much has been measured; never stops it.
+    pub fn measured(&mut self, share: f64) -> ControlFlow<()> {
+        self.show("measuring", share);
+        ControlFlow::Continue(())
+    }
+
     pub fn clear(&mut self) {
         if self.shown.take().is_some() {
             let _ = write!(io::stderr(), "\r\x1b[K");

@@ -1,5 +1,6 @@
 //! Runs: one case with its errors, and what is built from many.
 
+pub mod accuracy;
 mod case;
 pub mod choose;
 pub mod coverage;
