@@ -15,7 +15,7 @@
 )]
 
 use super::lanes::{self, Pair, Sums, V, fused, load, load_pair, splat, store, total};
-use super::ring::ring_forces;
+use super::ring::{ring_forces, shell_length};
 use super::state::State;
 use super::sweep::{Nodes, Update, sweep};
 use super::system::{LANES, SHIFT, System};
@@ -43,6 +43,8 @@ pub struct Survey {
     pub strain: f64,
     /// Smallest ratio of a quad's signed area to its area at rest.
     pub quad_ratio: f64,
+    /// Length of the closed shell, m.
+    pub shell_length: f64,
 }
 
 /// Fills the ghost row below a mirrored half.
@@ -230,6 +232,7 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
         kinetic: total::<S>(update.kinetic),
         strain: strain_squared.fold(0.0, f64::max).sqrt(),
         quad_ratio: smallest_quad(simd, system, state),
+        shell_length: shell_length(simd, system, state),
     }
 }
 

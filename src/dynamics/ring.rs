@@ -8,11 +8,11 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store};
+use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store, total};
 use super::state::{Scratch, State};
 use super::system::{LANES, Rows, System};
 use crate::eye::{Eye, SpringKind};
-use fearless_simd::{Simd, SimdBase};
+use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::collections::HashMap;
 
 /// All filaments of one hop count.
@@ -38,6 +38,9 @@ pub(super) struct Ring {
     pub ghosts: usize,
     /// Number of owned places.
     pub owned: usize,
+    /// How many pairs of neighbours on the shell each pair in the run stands for, from the last
+    /// ghost before the owned places on.
+    pub neighbours: Vec<f64>,
     pub filaments: Vec<Filaments>,
 }
 
@@ -72,7 +75,13 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             None => by_hop.push((hop, HashMap::from([(start, index)]))),
         }
     }
-    let ghosts = by_hop.iter().map(|(h, _)| *h).max().unwrap_or(0);
+    // One at least, so that every pair of neighbours is in the run.
+    let ghosts = by_hop
+        .iter()
+        .map(|(h, _)| *h)
+        .max()
+        .unwrap_or(0)
+        .max(count.min(1));
     let at = |offset: usize| (offset + count * 2 - ghosts) % count;
     let gather: Vec<(u32, f64)> = (0..owned + 2 * ghosts)
         .map(|g| {
@@ -114,12 +123,40 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             f
         })
         .collect();
+    // An eye without a shell has no pairs.
+    let pairs = if ghosts == 0 { 0 } else { owned + 1 };
+    let neighbours = (0..pairs.next_multiple_of(LANES))
+        .map(|n| {
+            if n < pairs {
+                let g = ghosts - 1 + n;
+                0.5 * (weight(g) + weight(g + 1))
+            } else {
+                0.0
+            }
+        })
+        .collect();
     Ring {
         gather,
         ghosts,
         owned,
+        neighbours,
         filaments,
     }
+}
+
+/// Length of the closed shell as it was last gathered, in m.
+#[inline(always)]
+pub(super) fn shell_length<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
+    let ring = &system.ring;
+    let (x, y): (&[f64], &[f64]) = (&state.scratch.ring_x, &state.scratch.ring_y);
+    let mut sum = splat(simd, 0.0);
+    for o in (0..ring.neighbours.len()).step_by(V::<S>::LEN) {
+        let g = ring.ghosts - 1 + o;
+        let (a, b) = (load_pair(simd, x, y, g), load_pair(simd, x, y, g + 1));
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        sum += (dx * dx + dy * dy).sqrt() * load(simd, &ring.neighbours, o);
+    }
+    total::<S>(sum)
 }
 
 /// Forces of filaments and load on the shell, into the extra forces.

@@ -141,6 +141,7 @@ impl System {
             ring: Ring {
                 gather: Vec::new(),
                 ghosts: 0,
+                neighbours: Vec::new(),
                 owned: 0,
                 filaments: Vec::new(),
             },

@@ -7,6 +7,7 @@ mod export;
 mod frames;
 mod lengths;
 mod recorder;
+mod settling;
 
 pub use dense::Peak;
 pub use export::{write_frames, write_traces};

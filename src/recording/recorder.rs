@@ -3,49 +3,26 @@
 use super::dense::{NodeForce, Peak};
 use super::frames::FrameTaker;
 use super::lengths::{Growth, Measure};
+use super::settling::Bounds;
 use super::{Extremes, Recording, Traces};
 use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
-use crate::eye::{Eye, SpringKind};
+use crate::eye::Eye;
 use nalgebra::Vector2;
 
 /// Points tried within a step for the peak of a node force.
 const SCAN: usize = 12;
 /// A step is searched if its guessed force comes this close to the largest so far.
 const NEAR: f64 = 0.6;
+/// A step whose ends are both below this share of the largest force is not looked into.
+const FAR: f64 = 0.3;
+/// No quad of springs strained by less than this can turn inside out.
+const UNFOLDED_STRAIN: f64 = 0.1;
 /// Steps that traces keep at most; longer runs keep every second, third, ... step.
 const MOST_ROWS: usize = 100_000;
 
 /// Energies below this are rounding: lengths of millimetres are exact to 1e-19 m, springs of the
 /// stiffest tissue hold no more at that stretch.
 const ROUNDING_J: f64 = 1e-13;
-
-/// After the load the energy E only falls, and by Cauchy-Schwarz the springs at a node pull with at
-/// most `sqrt(sum k) sqrt(2 E_elastic)` and its drag with `c sqrt(2 E_kinetic / m)`: together at most
-/// sqrt(sum k + c^2/m) sqrt(2 E). This is the factor before sqrt(2 E).
-fn force_bound(eye: &Eye, node: usize) -> f64 {
-    let springs = eye.springs.iter().filter(|s| s.a == node || s.b == node);
-    let stiffness: f64 = springs.map(|s| s.stiffness).sum();
-    let node = &eye.nodes[node];
-    (stiffness + node.drag * node.drag / node.mass).sqrt()
-}
-
-/// In the same way the shell grows by at most sqrt(sum 1/k) sqrt(2 E) over the springs along it.
-fn shell_bound(eye: &Eye) -> f64 {
-    let count = eye.landmarks.shell.len();
-    let mut order = vec![usize::MAX; eye.nodes.len()];
-    for (i, &n) in eye.landmarks.shell.iter().enumerate() {
-        order[n] = i;
-    }
-    eye.springs
-        .iter()
-        .filter(|s| {
-            let (a, b) = (order[s.a], order[s.b]);
-            s.kind == SpringKind::Sclera && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
-        })
-        .map(|s| 1.0 / s.stiffness)
-        .sum::<f64>()
-        .sqrt()
-}
 
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -62,14 +39,14 @@ pub struct Recorder {
     before: State,
     monitors: [NodeForce; 4],
     forces: [Peak; 4],
+    last_forces: [f64; 4],
     shell: Growth,
     meridian: Growth,
     apex: Growth,
-    /// Largest force that an energy of 1/2 J could still cause, N.
-    force_bounds: [f64; 4],
-    /// Largest growth of the shell that an energy of 1/2 J could still cause, m.
-    shell_bound: f64,
+    bounds: Bounds,
     energy: f64,
+    loaded: bool,
+    window: f64,
     strain: Peak,
     least_quad: f64,
     folded_at: Option<f64>,
@@ -82,8 +59,15 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps.
-    pub fn new(eye: &Eye, load: &ArcLoad, system: &System, steps: usize, keep: Keep) -> Self {
+    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps over
+    /// `window` seconds.
+    pub fn new(
+        eye: &Eye,
+        load: &ArcLoad,
+        system: &System,
+        (window, steps): (f64, usize),
+        keep: Keep,
+    ) -> Self {
         let rest = State::at_rest(system);
         let marks = &eye.landmarks;
         let share = |node| {
@@ -96,9 +80,11 @@ impl Recorder {
         Self {
             monitors: marks.monitors.map(|n| NodeForce::new(eye, n, share(n))),
             forces: [Peak::floor(0.0); 4],
-            force_bounds: marks.monitors.map(|n| force_bound(eye, n)),
-            shell_bound: shell_bound(eye),
+            last_forces: [0.0; 4],
+            bounds: Bounds::new(eye),
             energy: 0.0,
+            loaded: true,
+            window,
             shell: growth(Measure::Length(pairs)),
             meridian: growth(Measure::Length(vec![marks.meridian.into()])),
             apex: growth(Measure::MeanX(marks.apex.to_vec())),
@@ -117,6 +103,7 @@ impl Recorder {
 
     fn look(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
+        self.last_forces = forces;
         for (peak, force) in self.forces.iter_mut().zip(forces) {
             peak.offer(force, state.time);
         }
@@ -127,6 +114,7 @@ impl Recorder {
         }
         let stored = survey.kinetic + survey.elastic;
         self.energy = stored;
+        self.loaded = piece != Piece::Nothing;
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
@@ -150,6 +138,30 @@ impl Recorder {
         }
     }
 
+    /// Whether the energy that is left can raise no force and no growth of the shell.
+    fn forces_are_final(&self) -> bool {
+        self.forces
+            .iter()
+            .zip(self.bounds.force)
+            .all(|(peak, bound)| bound.reach(self.energy) <= peak.value)
+            && self.bounds.shell.reach(self.energy) <= self.shell.peak.value
+    }
+
+    /// Whether nothing that is recorded can change before the end of the window. Traces and frames
+    /// change to the very end.
+    pub fn settled(&self) -> bool {
+        if self.loaded || self.rows.is_some() || self.frames.is_some() {
+            return false;
+        }
+        let left = self.window - self.before.time;
+        let strain = self.bounds.strain.reach(self.energy);
+        strain <= self.strain.value.min(UNFOLDED_STRAIN)
+            && self.forces_are_final()
+            && self.apex.last() + self.bounds.apex.travel(self.energy, left) <= self.apex.peak.value
+            && self.meridian.last() + self.bounds.meridian.travel(self.energy, left)
+                <= self.meridian.peak.value
+    }
+
     /// The recording, once the march has ended at `state`.
     pub fn finish(self, state: &State) -> Recording {
         let relative = |growth: &Growth| Peak {
@@ -160,13 +172,7 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
-        let reach = (2.0 * self.energy).sqrt();
-        let open = self
-            .forces
-            .iter()
-            .zip(self.force_bounds)
-            .any(|(peak, bound)| bound * reach > peak.value)
-            || self.shell_bound * reach > self.shell.peak.value;
+        let open = self.loaded || !self.forces_are_final();
         Recording {
             extremes: Extremes {
                 force: self.forces,
@@ -202,14 +208,23 @@ impl Observer for Recorder {
 
     fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         self.steps += 1;
-        for growth in [&mut self.shell, &mut self.meridian, &mut self.apex] {
-            growth.step(system, &self.before, state);
-        }
+        let length = Some(survey.shell_length);
+        self.shell.step(system, &self.before, state, length);
+        self.meridian.step(system, &self.before, state, None);
+        self.apex.step(system, &self.before, state, None);
+        let before = self.last_forces;
         self.look(system, state, piece, survey);
-        for (monitor, peak) in self.monitors.iter().zip(&mut self.forces) {
-            let guess = monitor
-                .guess(system, &self.before, state)
-                .max(monitor.at(system, state));
+        for ((monitor, peak), (earlier, now)) in self
+            .monitors
+            .iter()
+            .zip(&mut self.forces)
+            .zip(before.into_iter().zip(self.last_forces))
+        {
+            let ends = f64::max(earlier, now);
+            if ends < FAR * peak.value {
+                continue;
+            }
+            let guess = monitor.guess(system, &self.before, state).max(ends);
             if guess > NEAR * peak.value && guess > 0.0 {
                 let found = monitor.largest(system, (&self.before, state), piece, SCAN);
                 peak.offer(found.value, found.time);

@@ -69,6 +69,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "step_us": answer.step * 1e6,
             "step_limit_us": answer.step_limit * 1e6,
             "steps": answer.cost.steps,
+            "simulated_ms": answer.simulated * 1e3,
             "spring_evaluations": answer.spring_evaluations,
             "solve_ms": answer.solve_time.as_secs_f64() * 1e3,
             "total_ms": answer.total_time.as_secs_f64() * 1e3,

@@ -136,6 +136,14 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.step * 1e6,
         answer.step_limit * 1e6,
     )?;
+    if answer.simulated < 0.999_999 * answer.case.window {
+        writeln!(
+            out,
+            "Stopped at {:.3} of {} ms: nothing can change any more",
+            answer.simulated * 1e3,
+            answer.case.window * 1e3
+        )?;
+    }
     for reason in reasons {
         writeln!(out, "  {reason}")?;
     }

@@ -95,7 +95,7 @@ impl Observer for Watched<'_> {
     }
 
     fn satisfied(&self) -> bool {
-        self.cancelled
+        self.cancelled || self.recorder.settled()
     }
 }
 
@@ -119,6 +119,8 @@ pub struct Solution {
     pub recording: Recording,
     /// Steps and force evaluations.
     pub cost: Cost,
+    /// Time simulated, in s: less than the window if all results were final before.
+    pub simulated: f64,
 }
 
 impl Case {
@@ -199,7 +201,13 @@ impl Case {
     pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Solution, Refusal> {
         let steps = plan.steps(&self.system.load().pulse);
         let mut observer = Watched {
-            recorder: Recorder::new(&self.eye, &self.load, &self.system, steps, keep),
+            recorder: Recorder::new(
+                &self.eye,
+                &self.load,
+                &self.system,
+                (self.window, steps),
+                keep,
+            ),
             watch,
             window: self.window,
             steps: 0,
@@ -213,6 +221,7 @@ impl Case {
         Ok(Solution {
             recording: observer.recorder.finish(&state),
             cost,
+            simulated: state.time,
         })
     }
 }

@@ -73,6 +73,8 @@ pub struct Answer {
     pub flags: Vec<Flag>,
     /// What the run cost.
     pub cost: Cost,
+    /// Time simulated, in s: less than the window if all results were final before.
+    pub simulated: f64,
     /// Springs computed in the run.
     pub spring_evaluations: usize,
     /// Time the run took, the mesh and the second run left out.
@@ -128,6 +130,7 @@ pub(super) fn solve_by(
 struct Measured {
     recording: Recording,
     cost: Cost,
+    simulated: f64,
     errors: Errors,
     time: Duration,
     total_time: Duration,
@@ -135,7 +138,11 @@ struct Measured {
 
 fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
-    let Solution { recording, cost } = case.run(plan, keep, watch)?;
+    let Solution {
+        recording,
+        cost,
+        simulated,
+    } = case.run(plan, keep, watch)?;
     let time = started.elapsed();
     let limit = case.step_limit(plan.integrator);
     let errors = Errors {
@@ -146,6 +153,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     Ok(Measured {
         recording,
         cost,
+        simulated,
         errors,
         time,
         total_time: started.elapsed(),
@@ -156,6 +164,7 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
     let Measured {
         recording,
         cost,
+        simulated,
         errors,
         time,
         total_time,
@@ -176,6 +185,7 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
         flags,
         spring_evaluations: cost.evaluations * case.system.springs_per_evaluation(),
         cost,
+        simulated,
         solve_time: time,
         total_time,
         recording,
