@@ -12,6 +12,9 @@ use crate::dynamics::{Cost, Plan, Pulse};
 use crate::injury::DamageIndex;
 use crate::recording::{Keep, Recording};
 use crate::scenario::Scenario;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Share of the stability limit that the coarser of two runs may take.
@@ -138,15 +141,36 @@ struct Measured {
 
 fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
+    let (second, factor) = second_plan(case, plan);
+    let abandoned = AtomicBool::new(false);
+    // The second run needs nothing of the first, so both go side by side.
+    let (first, second, time) = thread::scope(|scope| {
+        let other = scope.spawn(|| {
+            case.run(&second, Keep::default(), &mut |_| {
+                if abandoned.load(Ordering::Relaxed) {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            })
+        });
+        let first = case.run(plan, keep, watch);
+        let time = started.elapsed();
+        if first.is_err() {
+            abandoned.store(true, Ordering::Relaxed);
+        }
+        let second = other.join().unwrap_or(Err(Refusal::Cancelled));
+        (first, second, time)
+    });
     let Solution {
         recording,
         cost,
         simulated,
-    } = case.run(plan, keep, watch)?;
-    let time = started.elapsed();
-    let limit = case.step_limit(plan.integrator);
+    } = first?;
+    let results = values(&recording.extremes);
+    let difference = difference_percent(&values(&second?.recording.extremes), &results);
     let errors = Errors {
-        time_step: step_error(case, plan, limit, &values(&recording.extremes), watch)?,
+        time_step: difference.map(|d| factor * d + FLOOR_PERCENT),
         mesh: None,
         energy_balance: 100.0 * recording.extremes.energy_residual,
     };
@@ -203,13 +227,10 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-fn step_error(
-    case: &Case,
-    plan: &Plan,
-    limit: f64,
-    results: &PerQuantity,
-    watch: Watch,
-) -> Result<PerQuantity, Refusal> {
+/// The run whose difference from that of `plan` tells the step error, and the factor from the
+/// difference to the error.
+fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
+    let limit = case.step_limit(plan.integrator);
     let order = plan.integrator.order();
     let pulse = &case.system.load().pulse;
     let coarser = Plan {
@@ -228,16 +249,13 @@ fn step_error(
             .iter()
             .any(|s| coarser.at_least_steps(s))
         && plan.steps(pulse) as f64 > 0.5 * (1.0 + RATIO) * coarser.steps(pulse) as f64;
-    let (second, share) = if plan.integrator.adaptive() {
+    if plan.integrator.adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
-        (finer, 1.0)
+        (finer, SAFETY)
     } else if coarser_tells {
-        (coarser, 1.0 / (RATIO.powi(order) - 1.0))
+        (coarser, SAFETY / (RATIO.powi(order) - 1.0))
     } else {
         let ratio = least_ratio(&finer, plan, pulse);
-        (finer, 1.0 / (1.0 - ratio.powi(-order)))
-    };
-    let second = case.run(&second, Keep::default(), watch)?;
-    let difference = difference_percent(&values(&second.recording.extremes), results);
-    Ok(difference.map(|d| SAFETY * share * d + FLOOR_PERCENT))
+        (finer, SAFETY / (1.0 - ratio.powi(-order)))
+    }
 }
