@@ -22,6 +22,8 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::tui;
+
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
 #[command(version, after_help = "Research and education, not diagnosis.")]
@@ -34,6 +36,8 @@ pub struct Cli {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Open the terminal app: what no command at all does too
+    Tui(tui::Options),
     /// Simulate one blow and print the results
     Run(RunArgs),
     /// List the presets, or show one
@@ -114,6 +118,17 @@ pub fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
+    let app = match &cli.command {
+        None => Some(tui::run(&tui::Options::default())),
+        Some(Command::Tui(options)) => Some(tui::run(options)),
+        Some(_) => None,
+    };
+    if let Some(outcome) = app {
+        return outcome.unwrap_or_else(|error| {
+            let _ = writeln!(io::stderr(), "{error}");
+            ExitCode::from(error.exit_code())
+        });
+    }
     let mut out = BufWriter::new(io::stdout().lock());
     let done = dispatch(&cli, &mut out).and_then(|()| Ok(out.flush()?));
     match done {
@@ -134,11 +149,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
-        None => Err(CliError::Input(
-            "The terminal app is not there yet. Try `contrecoup run paper-300n`,\n\
-             or `contrecoup --help` for everything else."
-                .to_owned(),
-        )),
+        // The app has been run already.
+        None | Some(Command::Tui(_)) => Ok(()),
     }
 }
 
