@@ -133,7 +133,8 @@ pub struct Binding {
     pub presses: &'static [Press],
     /// What for.
     pub action: Action,
-    /// One or two words for the footer; empty where it has no place there.
+    /// A word for the footer; empty where it has no place there, `&` where the word before goes for
+    /// this key too.
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,
@@ -192,45 +193,45 @@ use Context::{
 #[rustfmt::skip]
 pub static BINDINGS: &[Binding] = &[
     bind(Form, &[UP, c('k')], Action::Up, "field", "the field above"),
-    bind(Form, &[DOWN, c('j')], Action::Down, "", "the field below"),
-    bind(Form, &[LEFT, c('h')], Action::Step(Step::LESS), "less", "a small step down"),
-    bind(Form, &[RIGHT, c('l')], Action::Step(Step::MORE), "more", "a small step up"),
+    bind(Form, &[DOWN, c('j')], Action::Down, "&", "the field below"),
+    bind(Form, &[LEFT, c('h')], Action::Step(Step::LESS), "value", "a small step down"),
+    bind(Form, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "a small step up"),
     bind(Form, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "a large step down"),
     bind(Form, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "a large step up"),
     bind(Form, &[ENTER], Action::Enter, "type", "type a value, open the list, unfold"),
     bind(Form, &[c('a')], Action::Advanced, "", "show or hide the advanced fields"),
 
     bind(Dial, &[UP, c('k')], Action::Turn(Step::MORE), "turn", "turn the blow up"),
-    bind(Dial, &[DOWN, c('j')], Action::Turn(Step::LESS), "", "turn the blow down"),
+    bind(Dial, &[DOWN, c('j')], Action::Turn(Step::LESS), "&", "turn the blow down"),
     bind(Dial, &[SHIFT_UP, c('K')], Action::Turn(Step::MUCH_MORE), "", "turn it up by a large step"),
     bind(Dial, &[SHIFT_DOWN, c('J')], Action::Turn(Step::MUCH_LESS), "", "turn it down by a large step"),
-    bind(Dial, &[RIGHT, c('l')], Action::Widen(Step::MORE), "wider", "widen the loaded arc"),
-    bind(Dial, &[LEFT, c('h')], Action::Widen(Step::LESS), "narrower", "narrow the loaded arc"),
+    bind(Dial, &[RIGHT, c('l')], Action::Widen(Step::MORE), "width", "widen the loaded arc"),
+    bind(Dial, &[LEFT, c('h')], Action::Widen(Step::LESS), "&", "narrow the loaded arc"),
     bind(Dial, &[SHIFT_RIGHT, c('L')], Action::Widen(Step::MUCH_MORE), "", "widen it by a large step"),
     bind(Dial, &[SHIFT_LEFT, c('H')], Action::Widen(Step::MUCH_LESS), "", "narrow it by a large step"),
 
     bind(Replay, &[LEFT, c('h')], Action::Step(Step::LESS), "frame", "the frame before"),
-    bind(Replay, &[RIGHT, c('l')], Action::Step(Step::MORE), "", "the next frame"),
+    bind(Replay, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the next frame"),
     bind(Replay, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "ten frames back"),
     bind(Replay, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "ten frames on"),
 
     bind(Forces, &[LEFT, c('h')], Action::Step(Step::LESS), "cursor", "the cursor to the left"),
-    bind(Forces, &[RIGHT, c('l')], Action::Step(Step::MORE), "", "the cursor to the right"),
+    bind(Forces, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the cursor to the right"),
     bind(Forces, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "the cursor far to the left"),
     bind(Forces, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "the cursor far to the right"),
     bind(Forces, &[c('v')], Action::Curves, "view", "all four forces, one of them, growth, energies"),
 
     bind(Marks, &[UP, c('k')], Action::Up, "preset", "the preset above"),
-    bind(Marks, &[DOWN, c('j')], Action::Down, "", "the preset below"),
+    bind(Marks, &[DOWN, c('j')], Action::Down, "&", "the preset below"),
     bind(Marks, &[c(' '), ENTER], Action::Mark, "mark", "mark or unmark, two to six in all"),
 
     bind(Table, &[LEFT, c('h')], Action::Step(Step::LESS), "column", "the column to the left"),
-    bind(Table, &[RIGHT, c('l')], Action::Step(Step::MORE), "", "the column to the right"),
+    bind(Table, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the column to the right"),
     bind(Table, &[ENTER, c('o')], Action::Sort, "sort", "sort by the column; again: the other way"),
     bind(Table, &[c('v')], Action::Curves, "curves", "the next curve below the table"),
 
     bind(Replays, &[LEFT, c('h')], Action::Step(Step::LESS), "frame", "the frame before"),
-    bind(Replays, &[RIGHT, c('l')], Action::Step(Step::MORE), "", "the next frame"),
+    bind(Replays, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the next frame"),
     bind(Replays, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "ten frames back"),
     bind(Replays, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "ten frames on"),
 
@@ -240,7 +241,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Clock, &[HOME], Action::First, "", "to the first frame"),
     bind(Clock, &[END], Action::Last, "", "to the last frame"),
     bind(Clock, &[c('+'), c('=')], Action::Faster, "speed", "twice as fast"),
-    bind(Clock, &[c('-')], Action::Slower, "", "half as fast"),
+    bind(Clock, &[c('-')], Action::Slower, "&", "half as fast"),
     bind(Clock, &[c('z')], Action::Exaggerate, "zoom", "exaggerate displacement: x 1, 2, 5, 10"),
     bind(Clock, &[c('e')], Action::Detail, "detail", "edges, nodes or outline"),
 
@@ -267,7 +268,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Typing, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),
 
     bind(Picker, &[UP, c('k')], Action::Up, "preset", "the preset above"),
-    bind(Picker, &[DOWN, c('j')], Action::Down, "", "the preset below"),
+    bind(Picker, &[DOWN, c('j')], Action::Down, "&", "the preset below"),
     bind(Picker, &[ENTER], Action::Enter, "open", "open it"),
     bind(Picker, &[ESC, c('p'), c('q')], Action::Cancel, "close", "close the list"),
     bind(Picker, &[ctrl('c')], Action::Interrupt, "", "leave at once"),
@@ -279,7 +280,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Question, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),
 
     bind(Help, &[UP, c('k')], Action::Up, "scroll", "up"),
-    bind(Help, &[DOWN, c('j'), c(' ')], Action::Down, "", "down"),
+    bind(Help, &[DOWN, c('j'), c(' ')], Action::Down, "&", "down"),
     bind(Help, &[c('?'), ESC, c('q')], Action::Help, "close", "close the help"),
     bind(Help, &[ctrl('c')], Action::Interrupt, "", "leave at once"),
     bind(Help, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),
@@ -294,12 +295,26 @@ pub fn action(context: Context, event: KeyEvent) -> Option<Action> {
     })
 }
 
-/// The bindings that the footer shows in a context, the most particular first.
-pub fn live(context: Context) -> impl Iterator<Item = &'static Binding> {
-    context.stack().iter().flat_map(|context| {
-        let own = BINDINGS.iter().filter(move |b| b.context == *context);
-        own.filter(|binding| !binding.short.is_empty())
-    })
+/// What the footer may show in a context: keys and their word, the most needed first.
+pub fn live(context: Context) -> Vec<(String, &'static str)> {
+    let mut live: Vec<(u8, String, &'static str)> = Vec::new();
+    for place in context.stack() {
+        for binding in BINDINGS.iter().filter(|b| b.context == *place) {
+            let name = binding.presses.first().map(|p| p.name()).unwrap_or_default();
+            match (binding.short, live.last_mut()) {
+                ("", _) => {}
+                ("&", Some((_, names, _))) => names.push_str(&name),
+                (word, _) => {
+                    // In form and dial, time comes after everything else.
+                    let aside = matches!(context, Form | Dial) && *place == Clock;
+                    let late = aside && binding.action != Action::Play;
+                    live.push((u8::from(late), name, word));
+                }
+            }
+        }
+    }
+    live.sort_by_key(|(late, ..)| *late);
+    live.into_iter().map(|(_, names, word)| (names, word)).collect()
 }
 
 /// The table of keys for the README, in Markdown.

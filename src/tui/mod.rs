@@ -23,4 +23,4 @@ pub mod worker;
 
 mod open;
 
-pub use open::{Options, run};
+pub use open::{OpenError, Options, prepare, run};

@@ -26,6 +26,28 @@ pub struct Work {
     pub scenario: Scenario,
     /// The preset or file that it began as.
     pub source: String,
+    /// What that holds.
+    pub original: Scenario,
+}
+
+impl Work {
+    /// Work on a scenario as it was found.
+    pub fn fresh(source: &str, scenario: &Scenario) -> Self {
+        Self {
+            scenario: scenario.clone(),
+            source: source.to_owned(),
+            original: scenario.clone(),
+        }
+    }
+
+    /// The same work with another scenario.
+    #[must_use]
+    pub fn with(&self, scenario: Scenario) -> Self {
+        Self {
+            scenario,
+            ..self.clone()
+        }
+    }
 }
 
 /// A preset, or a scenario that was given on the command line.
@@ -95,8 +117,6 @@ pub struct Look {
 pub struct Model {
     /// What is being worked on.
     pub work: Work,
-    /// The same as it was loaded or saved last.
-    pub saved: Work,
     /// What can be undone.
     pub history: History<Work>,
     /// The form.
@@ -135,7 +155,6 @@ impl Model {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
         Self {
-            saved: work.clone(),
             work,
             history: History::default(),
             form: Form::default(),
@@ -158,7 +177,7 @@ impl Model {
 
     /// Whether the scenario differs from what was loaded or saved.
     pub fn is_edited(&self) -> bool {
-        self.work.scenario != self.saved.scenario
+        self.work.scenario != self.work.original
     }
 
     /// The preset's name, with a word where it no longer fits.
@@ -186,6 +205,11 @@ impl Model {
                 .is_some_and(other)
                 .then_some("last good result"),
         }
+    }
+
+    /// Whether pictures should take few bytes: while they move over a slow link.
+    pub fn is_lean(&self) -> bool {
+        self.slow_link && self.clock.playing
     }
 
     /// The index of the screen in [`SCREENS`].

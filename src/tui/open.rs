@@ -31,8 +31,7 @@ pub struct Options {
     /// Most frames a second of a replay
     #[arg(long, value_name = "N", default_value = "12", value_parser = clap::value_parser!(u8).range(1..=60))]
     pub fps: u8,
-    /// Fail on purpose, so that a test sees the terminal restored
-    #[cfg(debug_assertions)]
+    /// Fail on purpose at this key, so that a test sees the terminal restored
     #[arg(long, hide = true)]
     pub fail_on: Option<char>,
 }
@@ -44,7 +43,6 @@ impl Default for Options {
             color: ColorFlag::Auto,
             symbols: None,
             fps: 12,
-            #[cfg(debug_assertions)]
             fail_on: None,
         }
     }
@@ -99,7 +97,6 @@ pub fn run(options: &Options) -> Result<ExitCode, OpenError> {
     let model = prepare(&options.sources, look)?;
     let settings = terminal::Settings {
         fps: options.fps,
-        #[cfg(debug_assertions)]
         fail_on: options.fail_on,
     };
     let code = terminal::run(model, &settings)?;
@@ -131,10 +128,7 @@ pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
                 },
             );
         }
-        works.push(Work {
-            scenario,
-            source: source.clone(),
-        });
+        works.push(Work::fresh(source, &scenario));
     }
     let mut model = Model::new(works[0].clone(), choices, look);
     if works.len() > 1 {

@@ -172,13 +172,6 @@ fn put(model: &mut Model, work: Work, effects: &mut Vec<Effect>) {
     }
 }
 
-fn with_scenario(model: &Model, scenario: Scenario) -> Work {
-    Work {
-        scenario,
-        source: model.work.source.clone(),
-    }
-}
-
 fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
     model.notice = None;
     let context = model.context();
@@ -215,7 +208,7 @@ fn type_into(model: &mut Model, effects: &mut Vec<Effect>, change: impl FnOnce(&
     let outcome = with_text(&typing.before, typing.field, typing.input.value());
     typing.error = outcome.as_ref().err().cloned();
     if let Ok(scenario) = outcome {
-        let work = with_scenario(model, scenario);
+        let work = model.work.with(scenario);
         put(model, work, effects);
     }
 }
@@ -251,8 +244,12 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
         Action::Widen(step) => nudge(model, "impact.half_width_deg", step, effects),
         Action::Play => {
-            model.clock.moment = Moment::At(model.time());
-            // From the moment of deepest dent, playing begins at the beginning.
+            // Nobody has chosen a moment yet: begin at the beginning.
+            let time = match model.clock.moment {
+                Moment::Deepest => 0.0,
+                Moment::At(_) => model.time(),
+            };
+            model.clock.moment = Moment::At(time);
             model.clock.playing = !model.clock.playing;
         }
         Action::First => stay_at(model, 0.0),
@@ -353,7 +350,7 @@ fn nudge(model: &mut Model, path: &'static str, step: Step, effects: &mut Vec<Ef
             model.notice = Some(format!("{}: {}", field.label, field.allowed()));
         }
         Ok(scenario) => {
-            let work = with_scenario(model, scenario);
+            let work = model.work.with(scenario);
             change(model, work, path, effects);
         }
         Err(why) => model.form.complaint = Some(why),
@@ -383,11 +380,7 @@ fn open(model: &mut Model, index: usize, effects: &mut Vec<Effect>) {
     };
     match &choice.scenario {
         Ok(scenario) => {
-            let work = Work {
-                scenario: scenario.clone(),
-                source: choice.name.clone(),
-            };
-            model.saved = work.clone();
+            let work = Work::fresh(&choice.name, scenario);
             change(model, work, "", effects);
         }
         Err(why) => model.form.complaint = Some(format!("{}: {why}", choice.name)),
@@ -438,11 +431,11 @@ fn accept(model: &mut Model, effects: &mut Vec<Effect>) {
     };
     match with_text(&typing.before, typing.field, typing.input.value()) {
         Ok(scenario) => {
-            let before = with_scenario(model, typing.before);
+            let before = model.work.with(typing.before);
             if scenario != before.scenario {
                 model.history.record(before, "", model.now);
             }
-            let work = with_scenario(model, scenario);
+            let work = model.work.with(scenario);
             put(model, work, effects);
         }
         Err(why) => {
@@ -459,7 +452,7 @@ fn cancel(model: &mut Model, effects: &mut Vec<Effect>) {
         return;
     }
     if let Some(typing) = model.form.typing.take() {
-        let work = with_scenario(model, typing.before);
+        let work = model.work.with(typing.before);
         put(model, work, effects);
     } else if let Run::Running(ticket, _) = model.run {
         effects.push(Effect::Stop(ticket));
@@ -495,7 +488,7 @@ fn save(model: &mut Model, name: String, replace: bool, effects: &mut Vec<Effect
     }
     let mut scenario = model.work.scenario.clone();
     // A title that a preset brought along says what the preset was.
-    if scenario.name == model.saved.scenario.name && model.is_edited() {
+    if scenario.name == model.work.original.name && model.is_edited() {
         scenario.name.clone_from(&name);
     }
     effects.push(Effect::Save(name, to_ron(&scenario), replace));
@@ -506,14 +499,13 @@ fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
         Ok(()) => {
             model.overlay = None;
             model.notice = Some(format!("saved as {name}"));
-            if model.work.scenario.name == model.saved.scenario.name && model.is_edited() {
+            if model.work.scenario.name == model.work.original.name && model.is_edited() {
                 model.work.scenario.name.clone_from(&name);
                 if let Some(shown) = &mut model.shown {
                     shown.scenario.name.clone_from(&name);
                 }
             }
-            model.work.source = name;
-            model.saved = model.work.clone();
+            model.work = Work::fresh(&name, &model.work.scenario);
         }
         Err(SaveError::Exists(name)) => {
             model.overlay = Some(Overlay::Question(Question::Replace(name)));
@@ -554,3 +546,6 @@ fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
         _ => {}
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -133,7 +133,7 @@ fn run(shared: &Shared, ticket: Ticket, scenario: &Scenario, say: &impl Fn(Repor
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
-fn keep(scenario: &Scenario) -> Keep {
+pub fn keep(scenario: &Scenario) -> Keep {
     let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
     let frames = FRAMES.min(MOST_KEPT / (side * side)).max(20.0);
     Keep {

@@ -14,7 +14,7 @@ use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
 use super::input::{Input, Parser};
-use super::pacer::Pacer;
+use super::pacer::{Cause, Pacer};
 use super::paint::{BEGIN, END, Pen, QUESTION};
 use super::session::Session;
 use crate::scenario::library;
@@ -30,7 +30,6 @@ pub struct Settings {
     /// Most frames a second of a replay.
     pub fps: u8,
     /// A key that makes the app fail, for a test.
-    #[cfg(debug_assertions)]
     pub fail_on: Option<char>,
 }
 
@@ -80,7 +79,6 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         frame_time: Duration::from_secs(1) / u32::from(settings.fps.max(1)),
         last_frame: None,
         exit: None,
-        #[cfg(debug_assertions)]
         fail_on: settings.fail_on,
     };
     app.run(&events)
@@ -132,7 +130,6 @@ struct App {
     frame_time: Duration,
     last_frame: Option<Instant>,
     exit: Option<u8>,
-    #[cfg(debug_assertions)]
     fail_on: Option<char>,
 }
 
@@ -187,7 +184,12 @@ impl App {
             && self
                 .last_frame
                 .is_none_or(|last| now.saturating_duration_since(last) >= self.frame_time);
-        if !(self.dirty || animated) || !self.pacer.is_free(now) {
+        let cause = if self.dirty {
+            Cause::Event
+        } else {
+            Cause::Replay
+        };
+        if !(self.dirty || animated) || !self.pacer.is_free(now, cause) {
             return Ok(());
         }
         let message = Message::Tick(now.saturating_duration_since(self.started));
@@ -256,7 +258,7 @@ impl App {
         match signal {
             SIGCONT => {
                 // Whoever stopped the app may have left the terminal in any state.
-                self.session.resume()?;
+                self.session.retake()?;
                 self.repaint();
             }
             SIGWINCH => self.dirty = true,
@@ -279,7 +281,6 @@ impl App {
     fn take_input(&mut self, input: Input) -> io::Result<()> {
         match input {
             Input::Key(event) => {
-                #[cfg(debug_assertions)]
                 if let (Some(fatal), crossterm::event::KeyCode::Char(c)) = (self.fail_on, event.code)
                 {
                     assert!(c != fatal, "failed on purpose");
@@ -287,6 +288,7 @@ impl App {
                 self.tell(Message::Key(event))
             }
             Input::Paste(text) => self.tell(Message::Paste(text)),
+            // The loop looks afresh at what may be sent.
             Input::CursorReport => {
                 self.pacer.replied(Instant::now());
                 Ok(())

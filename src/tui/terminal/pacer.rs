@@ -1,13 +1,15 @@
 //! When the next frame may be sent.
 //!
-//! Every frame ends with a question for the cursor's place; the next frame waits for the reply, so
-//! at most one frame is under way however slow the link is. Without this, a secure shell buffers
+//! Every frame ends with a question for the cursor's place. A frame of the replay waits for the
+//! replies to all before it; a frame that answers a key may follow one other at once. So at most
+//! two frames are under way however slow the link is. Without this, a secure shell buffers
 //! megabytes of frames and a key waits behind them all.
 //!
 //! Questions and replies are counted. A reply to a question that was given up must not free a later
 //! frame. A terminal that fails to answer twice in a row is never asked again; a budget of bytes a
 //! second takes over.
 
+use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 /// How long a reply is waited for.
@@ -16,17 +18,32 @@ const PATIENCE: Duration = Duration::from_secs(2);
 const MOST_SILENCES: u32 = 2;
 /// Bytes a second for a terminal that never answers.
 const BUDGET: f64 = 6000.0;
-/// A frame that takes this long to be acknowledged means a slow link.
-const SLOW: Duration = Duration::from_millis(300);
+/// Below this many bytes a second a link is slow.
+const SLOW: f64 = 12_000.0;
+/// Frames below this size say too little about a link.
+const TELLING: usize = 250;
 
 /// Counts questions and replies and says when a frame may go out.
 #[derive(Debug, Default)]
 pub struct Pacer {
-    waiting_since: Option<Instant>,
+    /// When frames without a reply went out, and how large they were.
+    open: VecDeque<(Instant, usize)>,
     given_up: u32,
     silences: u32,
     free_at: Option<Instant>,
-    delay: Option<Duration>,
+    /// The shortest time that any reply took: the round trip without the bytes.
+    round_trip: Option<Duration>,
+    /// Seconds that a byte takes.
+    per_byte: Option<f64>,
+}
+
+/// What a frame is drawn for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// Time passed in the replay.
+    Replay,
+    /// Anything else, such as a key.
+    Event,
 }
 
 impl Pacer {
@@ -38,7 +55,7 @@ impl Pacer {
     /// A frame of so many bytes went out.
     pub fn sent(&mut self, now: Instant, bytes: usize) {
         if self.asks() {
-            self.waiting_since = Some(now);
+            self.open.push_back((now, bytes));
         } else {
             self.free_at = Some(now + Duration::from_secs_f64(bytes as f64 / BUDGET));
         }
@@ -48,54 +65,68 @@ impl Pacer {
     pub fn replied(&mut self, now: Instant) {
         if self.given_up > 0 {
             self.given_up -= 1;
-        } else if let Some(since) = self.waiting_since.take() {
+        } else if let Some((since, bytes)) = self.open.pop_front() {
             self.silences = 0;
             let delay = now.saturating_duration_since(since);
-            self.delay = Some(self.delay.map_or(delay, |old| (old * 3 + delay) / 4));
+            let least = self.round_trip.map_or(delay, |least| least.min(delay));
+            self.round_trip = Some(least);
+            if bytes >= TELLING {
+                let each = (delay - least).as_secs_f64() / bytes as f64;
+                self.per_byte = Some(self.per_byte.map_or(each, |old| 0.7 * old + 0.3 * each));
+            }
         }
     }
 
     /// Whether a frame may go out; gives up on a reply that is overdue.
-    pub fn is_free(&mut self, now: Instant) -> bool {
-        if let Some(since) = self.waiting_since {
-            if now.saturating_duration_since(since) < PATIENCE {
-                return false;
-            }
-            self.waiting_since = None;
-            self.given_up += 1;
+    pub fn is_free(&mut self, now: Instant, cause: Cause) -> bool {
+        let overdue = |since: Instant| now.saturating_duration_since(since) >= PATIENCE;
+        if self.open.front().is_some_and(|(since, _)| overdue(*since)) {
+            // What came after it is no sooner answered.
+            self.given_up += self.open.len() as u32;
+            self.open.clear();
             self.silences += 1;
         }
-        self.free_at.is_none_or(|at| now >= at)
+        let most = match cause {
+            Cause::Replay => 0,
+            Cause::Event => 1,
+        };
+        self.open.len() <= most && self.free_at.is_none_or(|at| now >= at)
     }
 
     /// When [`Self::is_free`] is worth another look, if no reply comes before.
     pub fn wake_at(&self) -> Option<Instant> {
-        self.waiting_since
-            .map(|since| since + PATIENCE)
-            .or(self.free_at)
+        let overdue = self.open.front().map(|(since, _)| *since + PATIENCE);
+        overdue.or(self.free_at)
     }
 
-    /// Whether frames take long to arrive, or no one says whether they do.
+    /// Whether bytes take long to arrive, or no one says whether they do.
     pub fn is_slow(&self) -> bool {
-        !self.asks() || self.delay.is_some_and(|delay| delay > SLOW)
+        !self.asks() || self.per_byte.is_some_and(|each| each > 1.0 / SLOW)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Cause::{Event, Replay};
 
     const SHORT: Duration = Duration::from_millis(50);
 
     #[test]
-    fn one_frame_is_under_way_at_most() {
+    fn a_replay_waits_for_the_reply_and_a_key_for_all_but_one() {
         let mut pacer = Pacer::default();
         let start = Instant::now();
-        assert!(pacer.is_free(start));
+        assert!(pacer.is_free(start, Replay));
         pacer.sent(start, 1000);
-        assert!(!pacer.is_free(start + SHORT));
+        assert!(!pacer.is_free(start + SHORT, Replay));
+        assert!(pacer.is_free(start + SHORT, Event));
+        pacer.sent(start + SHORT, 1000);
+        assert!(!pacer.is_free(start + SHORT, Event));
         pacer.replied(start + SHORT);
-        assert!(pacer.is_free(start + SHORT));
+        assert!(!pacer.is_free(start + SHORT, Replay));
+        assert!(pacer.is_free(start + SHORT, Event));
+        pacer.replied(start + SHORT);
+        assert!(pacer.is_free(start + SHORT, Replay));
         assert!(!pacer.is_slow());
     }
 
@@ -105,7 +136,7 @@ mod tests {
         let start = Instant::now();
         pacer.replied(start);
         pacer.sent(start, 1000);
-        assert!(!pacer.is_free(start + SHORT));
+        assert!(!pacer.is_free(start + SHORT, Replay));
     }
 
     #[test]
@@ -114,12 +145,12 @@ mod tests {
         let start = Instant::now();
         pacer.sent(start, 1000);
         let later = start + PATIENCE;
-        assert!(pacer.is_free(later));
+        assert!(pacer.is_free(later, Replay));
         pacer.sent(later, 1000);
         pacer.replied(later + SHORT);
-        assert!(!pacer.is_free(later + SHORT), "that was the first one's");
+        assert!(!pacer.is_free(later + SHORT, Replay), "that was the first one's");
         pacer.replied(later + 2 * SHORT);
-        assert!(pacer.is_free(later + 2 * SHORT));
+        assert!(pacer.is_free(later + 2 * SHORT, Replay));
     }
 
     #[test]
@@ -130,23 +161,27 @@ mod tests {
             assert!(pacer.asks());
             pacer.sent(now, 1000);
             now += PATIENCE;
-            assert!(pacer.is_free(now));
+            assert!(pacer.is_free(now, Replay));
         }
         assert!(!pacer.asks() && pacer.is_slow());
         pacer.sent(now, 3000);
-        assert!(!pacer.is_free(now + Duration::from_millis(499)));
-        assert!(pacer.is_free(now + Duration::from_millis(501)));
+        assert!(!pacer.is_free(now + Duration::from_millis(499), Replay));
+        assert!(pacer.is_free(now + Duration::from_millis(501), Replay));
     }
 
     #[test]
     fn a_slow_link_is_noticed() {
-        let mut pacer = Pacer::default();
-        let mut now = Instant::now();
-        for _ in 0..5 {
-            pacer.sent(now, 3000);
-            now += Duration::from_millis(600);
-            pacer.replied(now);
-        }
-        assert!(pacer.is_slow());
+        let slow = |rate: f64| {
+            let mut pacer = Pacer::default();
+            let mut now = Instant::now();
+            for bytes in [50, 3000, 500, 2000, 300] {
+                pacer.sent(now, bytes);
+                now += Duration::from_millis(200) + Duration::from_secs_f64(bytes as f64 / rate);
+                pacer.replied(now);
+            }
+            pacer.is_slow()
+        };
+        assert!(slow(8_000.0));
+        assert!(!slow(32_000.0), "a long round trip alone is not slow");
     }
 }

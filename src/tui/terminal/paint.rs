@@ -191,6 +191,11 @@ mod tests {
         }
     }
 
+    fn emulator() -> vt100::Parser {
+        let cells = |n| std::num::NonZero::new(n).unwrap();
+        vt100::Parser::new(cells(4), cells(12), 0)
+    }
+
     /// What is seen of a cell: a blank has no foreground.
     fn seen(screen: &vt100::Screen) -> Vec<String> {
         let cell = |i: u16| {
@@ -219,7 +224,7 @@ mod tests {
         fn a_terminal_shows_the_same_as_with_the_stock_backend_for_fewer_bytes(first in screen(), second in screen()) {
             let blank = Buffer::empty(AREA);
             let mut pen = Pen::default();
-            let (mut ours, mut theirs) = (vt100::Parser::new(4, 12, 0), vt100::Parser::new(4, 12, 0));
+            let (mut ours, mut theirs) = (emulator(), emulator());
             for (before, after) in [(&blank, &first), (&first, &second)] {
                 let mut bytes = Vec::new();
                 pen.draw(before, after, &mut bytes);

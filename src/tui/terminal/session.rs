@@ -51,6 +51,16 @@ impl Session {
         self.out.write_all(ENTER)
     }
 
+    /// Takes the terminal over again after somebody else may have changed it.
+    ///
+    /// # Errors
+    /// Where the terminal refuses.
+    pub fn retake(&mut self) -> io::Result<()> {
+        // Raw mode counts as entered already, and would not be entered again.
+        disable_raw_mode()?;
+        self.resume()
+    }
+
     /// Gives the terminal back.
     pub fn leave(&self) {
         leave(&self.out);

@@ -102,7 +102,7 @@ fn title(column: Column) -> (&'static str, &'static str) {
         Column::Result(Quantity::Energy) => ("E", "J"),
         Column::Result(Quantity::Apex) => ("apex", "mm"),
         Column::Result(Quantity::Force(monitor)) => match monitor {
-            Monitor::Centre => ("centre", "N"),
+            Monitor::Centre => ("cent.", "N"),
             Monitor::Front => ("front", "N"),
             Monitor::Right => ("right", "N"),
             Monitor::Top => ("top", "N"),
@@ -319,6 +319,7 @@ fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
                 detail: model.clock.detail,
                 blow: Some(&entry.scenario),
                 aiming: false,
+                lean: model.is_lean(),
                 look: model.look,
             }
             .draw(picture, buffer),

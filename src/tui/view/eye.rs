@@ -78,6 +78,8 @@ pub struct Scene<'a> {
     pub blow: Option<&'a Scenario>,
     /// Whether the arrow has the focus.
     pub aiming: bool,
+    /// Whether few bytes matter more than every spring.
+    pub lean: bool,
     /// How things are drawn.
     pub look: Look,
 }
@@ -105,6 +107,11 @@ impl Projection {
             self.centre.0 + x * self.scale.0,
             self.centre.1 - y * self.scale.1,
         )
+    }
+
+    /// Whether cold fat would only blur the picture.
+    fn is_small(&self) -> bool {
+        self.scale.0 * REACH_M < 32.0
     }
 
     /// A point given by its front angle and radius.
@@ -250,6 +257,13 @@ impl Drawing<'_> {
                 Region::Orbit => 0,
                 _ => step_of(force, self.thresholds),
             };
+            if step == 0 && region == Region::Fat && self.projection.is_small() {
+                continue;
+            }
+            // Hot springs change from frame to frame, so on a slow link only the hottest are sent.
+            if self.scene.lean && !outline && 2 * step <= self.thresholds.len() {
+                continue;
+            }
             let (from, to) = (self.place(spring.a), self.place(spring.b));
             raster.line(from, to, self.ink(region, step));
             if region == Region::Retina {

@@ -29,32 +29,23 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         x = put(buffer, area, (x, 0), &text, theme.bar_strong()) + 2;
     }
     // The keys for help and for leaving are always there.
-    let bindings: Vec<_> = live(model.context()).collect();
-    let is_last = |short: &str| short == "keys" || short == "quit";
-    let word = |binding: &crate::tui::keys::Binding| {
-        let keys: Vec<String> = binding.presses[..1].iter().map(|p| p.name()).collect();
-        (keys.join(""), format!(" {}  ", binding.short))
+    let is_last = |word: &str| word == "keys" || word == "quit";
+    let (last, first): (Vec<_>, Vec<_>) = live(model.context())
+        .into_iter()
+        .partition(|(_, word)| is_last(word));
+    let wide = |(keys, word): &(String, &str)| width(keys) + width(word) + 3;
+    let reserved: u16 = last.iter().map(wide).sum();
+    let mut x = x;
+    let mut show = |entry: &(String, &str), x: u16| {
+        let after = put(buffer, area, (x, 0), &entry.0, theme.bar_strong());
+        put(buffer, area, (after + 1, 0), entry.1, theme.bar()) + 2
     };
-    let reserved: u16 = bindings
-        .iter()
-        .filter(|b| is_last(b.short))
-        .map(|b| {
-            let (key, text) = word(b);
-            width(&key) + width(&text)
-        })
-        .sum();
-    let (last, first): (Vec<_>, Vec<_>) = bindings.into_iter().partition(|b| is_last(b.short));
-    for binding in first {
-        let (key, text) = word(binding);
-        if x + width(&key) + width(&text) + reserved > area.width + 1 {
-            continue;
+    for entry in first {
+        if x + wide(&entry) + reserved <= area.width + 2 {
+            x = show(&entry, x);
         }
-        x = put(buffer, area, (x, 0), &key, theme.bar_strong());
-        x = put(buffer, area, (x, 0), &text, theme.bar());
     }
-    for binding in last {
-        let (key, text) = word(binding);
-        x = put(buffer, area, (x, 0), &key, theme.bar_strong());
-        x = put(buffer, area, (x, 0), &text, theme.bar());
+    for entry in last {
+        x = show(&entry, x);
     }
 }

@@ -19,7 +19,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let left = match area.width {
         ..70 => 25,
-        70..100 => 28,
+        70..100 => 29,
         _ => 34,
     };
     form::draw(model, Rect { width: left, ..area }, buffer);
@@ -84,6 +84,7 @@ fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         detail: model.clock.detail,
         blow: Some(&model.work.scenario),
         aiming,
+        lean: model.is_lean(),
         look: model.look,
     }
     .draw(picture, buffer);

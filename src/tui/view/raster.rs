@@ -121,12 +121,14 @@ impl Raster {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let count = dx.abs().max(dy.abs()).round().max(1.0) as i32;
         for i in 0..=count {
-            if i % i32::from(ink.every) != 0 {
-                continue;
-            }
             let s = f64::from(i) / f64::from(count);
             let x = (from.0 + dx * s).floor() as i32;
             let y = (from.1 + dy * s).floor() as i32;
+            // Gaps follow the place, not the line, so that short lines in a row look like one.
+            let along = if dx.abs() >= dy.abs() { x } else { y };
+            if along.rem_euclid(i32::from(ink.every)) != 0 {
+                continue;
+            }
             self.dot(x, y, ink);
         }
     }

@@ -39,6 +39,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         detail: model.clock.detail,
         blow: Some(&shown.scenario),
         aiming: false,
+        lean: model.is_lean(),
         look: model.look,
     }
     .draw(picture, buffer);
