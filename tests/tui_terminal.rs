@@ -452,6 +452,20 @@ fn a_replay_frame_takes_no_more_than_its_budget() {
 }
 
 #[test]
+fn a_replay_starts_where_it_is_after_any_wait() {
+    let term = started();
+    term.keys("2-----");
+    thread::sleep(Duration::from_millis(1500));
+    term.keys(" ");
+    term.wait_for("playing");
+    // At 0.01 ms a second, a second and a half would show.
+    term.wait_for("0.00");
+    term.keys(" ");
+    term.wait_for("paused");
+    assert!(term.text().contains(" 0.00"), "{}", term.text());
+}
+
+#[test]
 fn queued_keys_go_into_few_frames() {
     let term = started();
     term.settle();

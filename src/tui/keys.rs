@@ -205,8 +205,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Dial, &[DOWN, c('j')], Action::Turn(Step::LESS), "&", "turn the blow down"),
     bind(Dial, &[SHIFT_UP, c('K')], Action::Turn(Step::MUCH_MORE), "", "turn it up by a large step"),
     bind(Dial, &[SHIFT_DOWN, c('J')], Action::Turn(Step::MUCH_LESS), "", "turn it down by a large step"),
-    bind(Dial, &[RIGHT, c('l')], Action::Widen(Step::MORE), "width", "widen the loaded arc"),
-    bind(Dial, &[LEFT, c('h')], Action::Widen(Step::LESS), "&", "narrow the loaded arc"),
+    bind(Dial, &[LEFT, c('h')], Action::Widen(Step::LESS), "width", "narrow the loaded arc"),
+    bind(Dial, &[RIGHT, c('l')], Action::Widen(Step::MORE), "&", "widen the loaded arc"),
     bind(Dial, &[SHIFT_RIGHT, c('L')], Action::Widen(Step::MUCH_MORE), "", "widen it by a large step"),
     bind(Dial, &[SHIFT_LEFT, c('H')], Action::Widen(Step::MUCH_LESS), "", "narrow it by a large step"),
 
@@ -373,6 +373,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_table_of_keys_for_readers_is_this_one() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let read = |name| std::fs::read_to_string(folder.join(name)).ok();
+        // The table moves from the one file to the other.
+        let text = read("README-tui.md").or_else(|| read("README.md"));
+        let begin = "<!-- keys -->\n\n";
+        let text = text.unwrap_or_default();
+        let table = text.split(begin).nth(1).unwrap_or_default();
+        let table = table.split("\n<!-- end of keys -->").next();
+        assert_eq!(table, Some(markdown().as_str()), "put this in:\n{}", markdown());
     }
 
     #[test]

@@ -192,9 +192,7 @@ impl App {
         if !(self.dirty || animated) || !self.pacer.is_free(now, cause) {
             return Ok(());
         }
-        let message = Message::Tick(now.saturating_duration_since(self.started));
-        let effects = update(&mut self.model, message);
-        self.perform(effects)?;
+        self.tick();
         self.model.slow_link = self.pacer.is_slow();
         self.dirty = false;
         self.last_frame = Some(now);
@@ -296,8 +294,16 @@ impl App {
         }
     }
 
+    /// Tells the model what time it is. It must know before a key starts the replay, or the replay
+    /// would begin with all the time that passed since the last frame.
+    fn tick(&mut self) {
+        let effects = update(&mut self.model, Message::Tick(self.started.elapsed()));
+        debug_assert!(effects.is_empty(), "time alone asks for nothing");
+    }
+
     fn tell(&mut self, message: Message) -> io::Result<()> {
         self.dirty = true;
+        self.tick();
         let effects = update(&mut self.model, message);
         self.perform(effects)
     }

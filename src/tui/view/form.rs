@@ -116,7 +116,9 @@ fn draw_row(
     match row {
         Row::Preset => {
             put(buffer, area, (1, 0), "Preset", style);
-            let name = fitted(&model.title(), usize::from(area.width - 9));
+            let mark = if model.is_edited() { " *" } else { "" };
+            let name = format!("{}{mark}", model.work.source);
+            let name = fitted(&name, usize::from(area.width - 9));
             value(model, &name, chosen && focused, area, buffer);
         }
         Row::Fold => {

@@ -116,10 +116,12 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         if area.width >= 26 {
             put_right(buffer, row, (area.width - 12, 0), &value, theme.strong());
             put_right(buffer, row, (area.width, 0), &time, theme.quiet());
-        } else {
+        } else if area.width >= 22 {
             let time = format!("{:.3}ms", peak.time * 1e3);
             put_right(buffer, row, (area.width - 8, 0), &value, theme.strong());
             put_right(buffer, row, (area.width, 0), &time, theme.quiet());
+        } else {
+            put_right(buffer, row, (area.width, 0), &value, theme.strong());
         }
         if each < 2 {
             continue;
@@ -133,5 +135,10 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let field = Rect::new(area.x, top + 1, area.width, each - 1);
         let window = shown.answer.case.window;
         spark(curve, window, model.time(), model.look, field, buffer);
+        if area.width < 22 {
+            // The peaks come early, so the end of the curve has room for a word.
+            let time = format!(" {:.3} ms", peak.time * 1e3);
+            put_right(buffer, field, (area.width, 0), &time, theme.quiet());
+        }
     }
 }

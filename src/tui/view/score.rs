@@ -4,10 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, put_right};
+use super::text::{fitted, put, put_right, wrapped};
 use super::theme::Theme;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::text::{percent, significant};
+use crate::study::{Flag, FlagKind};
 use crate::tui::model::{Model, Shown};
 
 /// How many rows it takes of so many.
@@ -63,7 +64,7 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let errors = &shown.answer.errors;
     let mesh = errors
         .mesh_percent()
-        .map_or_else(|| "not estimated".to_owned(), percent);
+        .map_or_else(|| "unknown".to_owned(), percent);
     let text = format!(
         "Error: step {}, mesh {mesh}",
         percent(errors.time_step_percent())
@@ -87,7 +88,11 @@ fn part(
     put(buffer, area, (0, 0), label, theme.text());
     let number = format!("{} {unit}", significant(value));
     put_right(buffer, area, (20, 0), &number, theme.strong());
-    let limit = format!("of {} {unit}", significant_short(term.threshold));
+    let limit = if area.width < 40 {
+        format!("of {}", term.threshold)
+    } else {
+        format!("of {} {unit}", term.threshold)
+    };
     put(buffer, area, (21, 0), &limit, theme.quiet());
     let points = format!("{:.1}/{:.0}", term.points(value), term.weight);
     put_right(buffer, area, (area.width, 0), &points, theme.quiet());
@@ -99,41 +104,41 @@ fn part(
     }
 }
 
-fn significant_short(value: f64) -> String {
-    format!("{value}")
+fn name(kind: FlagKind) -> String {
+    kind.name().replace('_', " ")
+}
+
+/// A flag's name and its sentence, the name once.
+fn sentence(flag: &Flag) -> String {
+    let name = name(flag.kind);
+    if flag.message.starts_with(&name) {
+        format!("FLAG {}", flag.message)
+    } else {
+        format!("FLAG {name}: {}", flag.message)
+    }
 }
 
 /// Every flag by name; the sentence where there is room.
 fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let rows = area.height.saturating_sub(6);
+    let rows = usize::from(area.height.saturating_sub(6));
     let flags = &shown.answer.flags;
     if flags.is_empty() {
         let style = theme.quiet();
         put(buffer, area, (0, 6), "No flags raised", style);
         return;
     }
-    let name = |kind: crate::study::FlagKind| kind.name().replace('_', " ");
-    if flags.len() as u16 <= rows {
-        for (i, flag) in flags.iter().enumerate() {
-            let y = 6 + i as u16;
-            let said = &flag.message;
-            let text = if said.starts_with(&name(flag.kind)) {
-                format!("FLAG {said}")
-            } else {
-                format!("FLAG {}: {said}", name(flag.kind))
-            };
-            let text = fitted(&text, usize::from(area.width));
-            put(buffer, area, (0, y), &text, theme.warning());
-        }
+    let room = usize::from(area.width);
+    let whole: Vec<String> = flags.iter().map(sentence).collect();
+    let broken: Vec<String> = whole.iter().flat_map(|text| wrapped(text, room)).collect();
+    let lines = if broken.len() <= rows {
+        broken
+    } else if whole.len() <= rows {
+        whole.iter().map(|text| fitted(text, room)).collect()
     } else {
         let names: Vec<String> = flags.iter().map(|flag| name(flag.kind)).collect();
-        let text = format!("FLAGS {}", names.join(", "));
-        for (i, line) in super::text::wrapped(&text, usize::from(area.width))
-            .iter()
-            .take(usize::from(rows))
-            .enumerate()
-        {
-            put(buffer, area, (0, 6 + i as u16), line, theme.warning());
-        }
+        wrapped(&format!("FLAGS {}", names.join(", ")), room)
+    };
+    for (i, line) in lines.iter().take(rows).enumerate() {
+        put(buffer, area, (0, 6 + i as u16), line, theme.warning());
     }
 }
