@@ -100,13 +100,14 @@ fn picture(model: &Model, (width, height): (u16, u16)) -> String {
         map.push('\n');
     }
     for (i, style) in styles.iter().enumerate().skip(1) {
-        map += &format!(
+        let line = format!(
             "{} {:?} on {:?} {:?}\n",
             char::from(b'`' + i as u8),
             style.fg.unwrap_or_default(),
             style.bg.unwrap_or_default(),
             style.add_modifier
         );
+        map.push_str(&line);
     }
     format!("{text}\n{map}")
 }

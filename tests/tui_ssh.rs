@@ -45,7 +45,10 @@ impl Server {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name).display().to_string();
         for key in ["hostkey", "id"] {
-            run("ssh-keygen", &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)]);
+            run(
+                "ssh-keygen",
+                &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)],
+            );
         }
         let read = |name: &str| fs::read_to_string(path(name)).unwrap();
         let own = format!("restrict,pty,command=\"{command}\" {}", read("id.pub"));
@@ -77,7 +80,10 @@ impl Server {
             .unwrap();
         let begun = Instant::now();
         while TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_err() {
-            assert!(begun.elapsed() < support::PATIENCE, "the server never listens");
+            assert!(
+                begun.elapsed() < support::PATIENCE,
+                "the server never listens"
+            );
             thread::sleep(Duration::from_millis(20));
         }
         Some(Self {
@@ -146,7 +152,10 @@ fn pass(mut from: TcpStream, mut to: TcpStream, rate: Option<f64>, delay: Durati
         if let Some(rate) = rate {
             free = free.max(now) + Duration::from_secs_f64(count as f64 / rate);
         }
-        if send.send((free.max(now) + delay, bytes[..count].to_vec())).is_err() {
+        if send
+            .send((free.max(now) + delay, bytes[..count].to_vec()))
+            .is_err()
+        {
             return;
         }
     }
@@ -246,7 +255,10 @@ fn over_a_narrow_link_a_key_is_answered_while_a_replay_plays() {
     let begun = Instant::now();
     for shown in ["×2 ", "×5 ", "×10 "] {
         term.keys("z");
-        delays.push(term.wait_for(&format!("displacement {shown}")).as_secs_f64());
+        delays.push(
+            term.wait_for(&format!("displacement {shown}"))
+                .as_secs_f64(),
+        );
         thread::sleep(Duration::from_millis(1370));
     }
     let after = term.traffic();

@@ -153,7 +153,11 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     term.keys("\x15mine\r");
     term.wait_for("saved as mine");
     let file = home.path().join("contrecoup/presets/mine.ron");
-    assert!(fs::read_to_string(&file).unwrap().contains("force_n: 310.0"));
+    assert!(
+        fs::read_to_string(&file)
+            .unwrap()
+            .contains("force_n: 310.0")
+    );
     term.keys(RIGHT);
     term.wait_for("320 N");
     term.keys("s");
@@ -163,7 +167,11 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     assert!(fs::read_to_string(&file).unwrap().contains("310"));
     term.keys("y");
     term.wait_for("saved as mine");
-    assert!(fs::read_to_string(&file).unwrap().contains("force_n: 320.0"));
+    assert!(
+        fs::read_to_string(&file)
+            .unwrap()
+            .contains("force_n: 320.0")
+    );
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();
@@ -240,7 +248,10 @@ fn a_storm_of_sizes_ends_in_a_clean_screen() {
     let untouched = started();
     untouched.settle();
     let lines = |term: &Term| -> Vec<String> {
-        term.text().lines().map(|line| line.trim_end().to_owned()).collect()
+        term.text()
+            .lines()
+            .map(|line| line.trim_end().to_owned())
+            .collect()
     };
     assert_eq!(lines(&term), lines(&untouched));
 }
@@ -329,7 +340,9 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
 
 fn children(pid: u32) -> Vec<u32> {
     let text = fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap();
-    text.split_whitespace().map(|p| p.parse().unwrap()).collect()
+    text.split_whitespace()
+        .map(|p| p.parse().unwrap())
+        .collect()
 }
 
 /// The pid that a shell wrote before it became the app.

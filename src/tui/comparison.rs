@@ -183,7 +183,10 @@ impl Comparison {
 
     /// The longest window of the answers, in s.
     pub fn window(&self) -> Option<f64> {
-        let windows = self.entries.iter().filter_map(|e| Some(e.answer()?.case.window));
+        let windows = self
+            .entries
+            .iter()
+            .filter_map(|e| Some(e.answer()?.case.window));
         windows.max_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal))
     }
 }
@@ -197,7 +200,10 @@ mod tests {
 
     fn filled() -> Comparison {
         let mut comparison = Comparison::default();
-        for (ticket, name) in ["paper-300n", "paper-100n", "paper-600n"].iter().enumerate() {
+        for (ticket, name) in ["paper-300n", "paper-100n", "paper-600n"]
+            .iter()
+            .enumerate()
+        {
             let scenario = library::find(name).unwrap().scenario().unwrap();
             comparison.mark(name, &scenario).unwrap();
             comparison.job = Some((ticket as u64, (*name).to_owned()));
@@ -215,15 +221,21 @@ mod tests {
     #[test]
     fn the_table_sorts_by_every_column_both_ways() {
         let mut comparison = filled();
-        assert_eq!(order(&comparison), ["paper-300n", "paper-100n", "paper-600n"]);
+        assert_eq!(
+            order(&comparison),
+            ["paper-300n", "paper-100n", "paper-600n"]
+        );
         comparison.sort_here();
-        assert_eq!(order(&comparison), ["paper-100n", "paper-300n", "paper-600n"]);
-        for column in 1..COLUMNS.len() {
-            comparison.column = column;
+        assert_eq!(
+            order(&comparison),
+            ["paper-100n", "paper-300n", "paper-600n"]
+        );
+        for (index, column) in COLUMNS.iter().enumerate().skip(1) {
+            comparison.column = index;
             comparison.sort_here();
             let values = |c: &Comparison| -> Vec<f64> {
                 let sorted = c.sorted();
-                let value = |e: &&Entry| COLUMNS[column].of(e.answer().unwrap());
+                let value = |e: &&Entry| column.of(e.answer().unwrap());
                 sorted.iter().map(value).collect()
             };
             assert!(values(&comparison).is_sorted_by(|a, b| a >= b));

@@ -191,7 +191,9 @@ pub fn nudged(
         }
         Kind::Choice(choices) => {
             let names = choices.names();
-            let here = choices.get(scenario).and_then(|name| names.iter().position(|n| *n == name));
+            let here = choices
+                .get(scenario)
+                .and_then(|name| names.iter().position(|n| *n == name));
             let Some(here) = here else {
                 return Ok(scenario.clone());
             };

@@ -62,7 +62,7 @@ impl Context {
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{
-            Clock, Dial, Everywhere, Form, Forces, Help, Marks, Picker, Question, Replay, Replays,
+            Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay, Replays,
             Table, Typing,
         };
         match self {
@@ -185,7 +185,7 @@ const fn bind(
 }
 
 use Context::{
-    Clock, Dial, Everywhere, Form, Forces, Help, Marks, Picker, Question, Replay, Replays, Table,
+    Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay, Replays, Table,
     Typing,
 };
 
@@ -300,7 +300,11 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
     let mut live: Vec<(u8, String, &'static str)> = Vec::new();
     for place in context.stack() {
         for binding in BINDINGS.iter().filter(|b| b.context == *place) {
-            let name = binding.presses.first().map(|p| p.name()).unwrap_or_default();
+            let name = binding
+                .presses
+                .first()
+                .map(|p| p.name())
+                .unwrap_or_default();
             match (binding.short, live.last_mut()) {
                 ("", _) => {}
                 ("&", Some((_, names, _))) => names.push_str(&name),
@@ -314,7 +318,9 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
         }
     }
     live.sort_by_key(|(late, ..)| *late);
-    live.into_iter().map(|(_, names, word)| (names, word)).collect()
+    live.into_iter()
+        .map(|(_, names, word)| (names, word))
+        .collect()
 }
 
 /// The table of keys for the README, in Markdown.
@@ -328,12 +334,8 @@ pub fn markdown() -> String {
                 .iter()
                 .map(|press| format!("`{}`", press.name()))
                 .collect();
-            table += &format!(
-                "| {} | {} | {} |\n",
-                context.title(),
-                names.join(" "),
-                binding.help
-            );
+            let cells = [context.title(), &names.join(" "), binding.help];
+            table.push_str(&["| ", &cells.join(" | "), " |\n"].concat());
         }
     }
     table
@@ -362,7 +364,10 @@ mod tests {
     #[test]
     fn no_pane_hides_a_key_that_works_everywhere() {
         for context in Context::iter() {
-            let shared: Vec<_> = BINDINGS.iter().filter(|b| b.context == Everywhere).collect();
+            let shared: Vec<_> = BINDINGS
+                .iter()
+                .filter(|b| b.context == Everywhere)
+                .collect();
             if context == Everywhere || !context.stack().contains(&Everywhere) {
                 continue;
             }
@@ -385,7 +390,12 @@ mod tests {
         let text = text.unwrap_or_default();
         let table = text.split(begin).nth(1).unwrap_or_default();
         let table = table.split("\n<!-- end of keys -->").next();
-        assert_eq!(table, Some(markdown().as_str()), "put this in:\n{}", markdown());
+        assert_eq!(
+            table,
+            Some(markdown().as_str()),
+            "put this in:\n{}",
+            markdown()
+        );
     }
 
     #[test]

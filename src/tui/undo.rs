@@ -46,11 +46,17 @@ impl<T> History<T> {
     }
 
     /// Takes the last change back: gives what was there before it.
+    ///
+    /// # Errors
+    /// Gives the present back where there is nothing to undo.
     pub fn undo(&mut self, present: T) -> Result<T, T> {
         Self::swap(&mut self.past, &mut self.future, &mut self.last, present)
     }
 
     /// Makes the last undone change again.
+    ///
+    /// # Errors
+    /// Gives the present back where there is nothing to redo.
     pub fn redo(&mut self, present: T) -> Result<T, T> {
         Self::swap(&mut self.future, &mut self.past, &mut self.last, present)
     }

@@ -21,10 +21,10 @@ use super::screens::Screen;
 use super::view::eye::hottest;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
+use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::quoted;
-use crate::scenario::Scenario;
 use crate::study::Refusal;
 
 /// Something that happened.
@@ -213,7 +213,6 @@ fn type_into(model: &mut Model, effects: &mut Vec<Effect>, change: impl FnOnce(&
     }
 }
 
-#[expect(clippy::too_many_lines, reason = "one line or two for each action")]
 fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
     model.form.complaint = None;
     match action {
@@ -282,12 +281,11 @@ fn travel(model: &mut Model, back: bool, effects: &mut Vec<Effect>) {
     } else {
         model.history.redo(present)
     };
-    match other {
-        Ok(work) => put(model, work, effects),
-        Err(_) => {
-            let what = if back { "undo" } else { "redo" };
-            model.notice = Some(format!("nothing to {what}"));
-        }
+    if let Ok(work) = other {
+        put(model, work, effects);
+    } else {
+        let what = if back { "undo" } else { "redo" };
+        model.notice = Some(format!("nothing to {what}"));
     }
 }
 

@@ -201,12 +201,7 @@ impl App {
 
     fn draw(&mut self, now: Instant) -> io::Result<()> {
         let (width, height) = crossterm::terminal::size().unwrap_or((80, 24));
-        let area = Rect::new(
-            0,
-            0,
-            width.clamp(1, LARGEST.0),
-            height.clamp(1, LARGEST.1),
-        );
+        let area = Rect::new(0, 0, width.clamp(1, LARGEST.0), height.clamp(1, LARGEST.1));
         let mut next = Buffer::empty(area);
         view::draw(&self.model, &mut next);
         let mut frame = BEGIN.to_vec();
@@ -279,7 +274,8 @@ impl App {
     fn take_input(&mut self, input: Input) -> io::Result<()> {
         match input {
             Input::Key(event) => {
-                if let (Some(fatal), crossterm::event::KeyCode::Char(c)) = (self.fail_on, event.code)
+                if let (Some(fatal), crossterm::event::KeyCode::Char(c)) =
+                    (self.fail_on, event.code)
                 {
                     assert!(c != fatal, "failed on purpose");
                 }

@@ -53,6 +53,7 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
         return None;
     }
     let wide = ["256color", "kitty", "alacritty", "foot", "tmux"];
+    let is_wide = term.ends_with("-direct") || wide.iter().any(|name| term.contains(name));
     let rich = matches!(
         env("COLORTERM").unwrap_or_default().as_str(),
         "truecolor" | "24bit"
@@ -61,12 +62,20 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
         ColorFlag::Never => Depth::Mono,
         ColorFlag::Sixteen => Depth::Sixteen,
         ColorFlag::TwoFiveSix => Depth::TwoFiveSix,
-        ColorFlag::Auto if is_set("NO_COLOR") => Depth::Mono,
-        ColorFlag::Auto if rich || term.ends_with("-direct") => Depth::TwoFiveSix,
-        ColorFlag::Auto if wide.iter().any(|name| term.contains(name)) => Depth::TwoFiveSix,
-        ColorFlag::Auto if term.starts_with("vt") => Depth::Mono,
-        ColorFlag::Auto => Depth::Sixteen,
+        ColorFlag::Auto => by_environment(is_set("NO_COLOR"), rich || is_wide, &term),
     })
+}
+
+fn by_environment(no_color: bool, rich: bool, term: &str) -> Depth {
+    if no_color {
+        Depth::Mono
+    } else if rich {
+        Depth::TwoFiveSix
+    } else if term.starts_with("vt") {
+        Depth::Mono
+    } else {
+        Depth::Sixteen
+    }
 }
 
 /// The symbols to use. The consoles of Linux and of real terminals have no braille.
@@ -82,6 +91,8 @@ pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> S
 mod tests {
     use super::*;
 
+    type Case<'a> = (ColorFlag, &'a [(&'a str, &'a str)], Option<Depth>);
+
     fn chosen(flag: ColorFlag, set: &[(&str, &str)]) -> Option<Depth> {
         depth(flag, |name| {
             let found = set.iter().find(|(known, _)| *known == name);
@@ -92,7 +103,7 @@ mod tests {
     #[test]
     fn colours_follow_the_flag_then_no_color_then_the_terminal() {
         use ColorFlag::{Auto, Never, Sixteen, TwoFiveSix};
-        let cases: &[(ColorFlag, &[(&str, &str)], Option<Depth>)] = &[
+        let cases: &[Case] = &[
             (Auto, &[], Some(Depth::Sixteen)),
             (Auto, &[("TERM", "xterm")], Some(Depth::Sixteen)),
             (Auto, &[("TERM", "xterm-256color")], Some(Depth::TwoFiveSix)),

@@ -163,7 +163,10 @@ fn character(held: &[u8]) -> Parsed {
                     Parsed::Dropped(1)
                 };
             };
-            match std::str::from_utf8(bytes).ok().and_then(|s| s.chars().next()) {
+            match std::str::from_utf8(bytes)
+                .ok()
+                .and_then(|s| s.chars().next())
+            {
                 Some(c) => Parsed::Found(length, key(KeyCode::Char(c), none)),
                 None => Parsed::Dropped(1),
             }
@@ -181,10 +184,14 @@ fn csi(rest: &[u8]) -> Parsed {
         return Parsed::Dropped(broken + 2);
     }
     let used = end + 3;
-    let numbers: Option<Vec<u8>> = std::str::from_utf8(&rest[..end])
-        .ok()
-        .map(|text| text.split(';').map(|part| part.parse().unwrap_or(0)).collect());
-    let private = rest.first().is_some_and(|byte| (0x3c..=0x3f).contains(byte));
+    let numbers: Option<Vec<u8>> = std::str::from_utf8(&rest[..end]).ok().map(|text| {
+        text.split(';')
+            .map(|part| part.parse().unwrap_or(0))
+            .collect()
+    });
+    let private = rest
+        .first()
+        .is_some_and(|byte| (0x3c..=0x3f).contains(byte));
     let numbers = numbers.unwrap_or_default();
     if private {
         return Parsed::Dropped(used);
@@ -267,10 +274,19 @@ mod tests {
         let shift = KeyModifiers::SHIFT;
         assert_eq!(keys(b"a"), [plain(KeyCode::Char('a'))]);
         assert_eq!(keys("é".as_bytes()), [plain(KeyCode::Char('é'))]);
-        assert_eq!(keys(b"\x1b[A\x1bOB"), [plain(KeyCode::Up), plain(KeyCode::Down)]);
+        assert_eq!(
+            keys(b"\x1b[A\x1bOB"),
+            [plain(KeyCode::Up), plain(KeyCode::Down)]
+        );
         assert_eq!(keys(b"\x1b[1;2C"), [key(KeyCode::Right, shift)]);
-        assert_eq!(keys(b"\x1b[5~\x1b[Z"), [plain(KeyCode::PageUp), plain(KeyCode::BackTab)]);
-        assert_eq!(keys(b"\x03"), [key(KeyCode::Char('c'), KeyModifiers::CONTROL)]);
+        assert_eq!(
+            keys(b"\x1b[5~\x1b[Z"),
+            [plain(KeyCode::PageUp), plain(KeyCode::BackTab)]
+        );
+        assert_eq!(
+            keys(b"\x03"),
+            [key(KeyCode::Char('c'), KeyModifiers::CONTROL)]
+        );
         assert_eq!(keys(b"\x1bx"), [key(KeyCode::Char('x'), KeyModifiers::ALT)]);
         assert_eq!(keys(b"\r"), [plain(KeyCode::Enter)]);
     }

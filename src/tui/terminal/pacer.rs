@@ -71,7 +71,7 @@ impl Pacer {
             let least = self.round_trip.map_or(delay, |least| least.min(delay));
             self.round_trip = Some(least);
             if bytes >= TELLING {
-                let each = (delay - least).as_secs_f64() / bytes as f64;
+                let each = delay.saturating_sub(least).as_secs_f64() / bytes as f64;
                 self.per_byte = Some(self.per_byte.map_or(each, |old| 0.7 * old + 0.3 * each));
             }
         }
@@ -148,7 +148,10 @@ mod tests {
         assert!(pacer.is_free(later, Replay));
         pacer.sent(later, 1000);
         pacer.replied(later + SHORT);
-        assert!(!pacer.is_free(later + SHORT, Replay), "that was the first one's");
+        assert!(
+            !pacer.is_free(later + SHORT, Replay),
+            "that was the first one's"
+        );
         pacer.replied(later + 2 * SHORT);
         assert!(pacer.is_free(later + 2 * SHORT, Replay));
     }

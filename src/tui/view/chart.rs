@@ -50,13 +50,7 @@ fn range(curves: &[Curve], window: f64) -> (f64, f64) {
 
 /// Draws curves into `area`, all of the time up to `window` across and `low` to `high` upwards. A
 /// column of dots spans all values that fall into it, so no peak is lost.
-fn plot(
-    raster: &mut Raster,
-    curves: &[Curve],
-    window: f64,
-    (low, high): (f64, f64),
-    filled: bool,
-) {
+fn plot(raster: &mut Raster, curves: &[Curve], window: f64, (low, high): (f64, f64), filled: bool) {
     let (columns, rows) = raster.size();
     let span = if high > low { high - low } else { 1.0 };
     let row = |value: f64| f64::from(rows - 1) * (1.0 - (value - low) / span);
@@ -93,21 +87,17 @@ fn plot(
             if steps > 1 && column % i32::from(steps) != 0 {
                 continue;
             }
-            let ink = Ink { every: 1, ..curve.ink };
+            let ink = Ink {
+                every: 1,
+                ..curve.ink
+            };
             raster.line((x, top.round() + 0.5), (x, bottom.round() + 0.5), ink);
         }
     }
 }
 
 /// A curve without axes, with a mark at the present moment below it.
-pub fn spark(
-    curve: Curve,
-    window: f64,
-    now: f64,
-    look: Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+pub fn spark(curve: Curve, window: f64, now: f64, look: Look, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(look);
     let mut raster = Raster::new(area, look.symbols);
     let curves = [curve];
@@ -160,13 +150,7 @@ impl Chart<'_> {
         }
         let end = put(buffer, area, (LABELS, 0), self.title, theme.heading());
         if end + width(self.reading) < area.width {
-            put_right(
-                buffer,
-                area,
-                (area.width, 0),
-                self.reading,
-                theme.cursor(),
-            );
+            put_right(buffer, area, (area.width, 0), self.reading, theme.cursor());
         }
         let field = Rect::new(
             area.x + LABELS + 1,
@@ -175,7 +159,11 @@ impl Chart<'_> {
             area.height - 3,
         );
         let (low, high) = range(&self.curves, self.window);
-        let (low, high) = if high > low { (low, high) } else { (low, low + 1.0) };
+        let (low, high) = if high > low {
+            (low, high)
+        } else {
+            (low, low + 1.0)
+        };
         self.axes(area, field, (low, high), buffer);
         let mut raster = Raster::new(field, self.look.symbols);
         let (columns, rows) = raster.size();
@@ -208,7 +196,9 @@ impl Chart<'_> {
             let share = value / window_ms;
             let x = LABELS + 1 + (share * f64::from(field.width - 1)).round() as u16;
             let label = tick_label(value);
-            let left = x.saturating_sub(width(&label) / 2).min(area.width - width(&label));
+            let left = x
+                .saturating_sub(width(&label) / 2)
+                .min(area.width - width(&label));
             put(buffer, area, (x, bottom), "┬", theme.line());
             if left >= free && left + width(&label) + 3 <= area.width {
                 free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;

@@ -66,7 +66,12 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         put(buffer, list, (1, y), &sign, lit);
         put(buffer, list, (5, y), &text, style);
     }
-    let charts = Rect::new(area.x + wide, area.y + 1, area.width - wide, area.height - 1);
+    let charts = Rect::new(
+        area.x + wide,
+        area.y + 1,
+        area.width - wide,
+        area.height - 1,
+    );
     if model.compare.entries.is_empty() {
         let text = "Space marks the preset under the cursor";
         put(buffer, charts, (1, 1), text, theme.quiet());
@@ -79,12 +84,7 @@ fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     heading(model, area, buffer);
     let count = model.compare.entries.len() as u16;
     let rows = 2 + 2 * count;
-    let table_area = Rect::new(
-        area.x,
-        area.y + 1,
-        area.width,
-        rows.min(area.height - 1),
-    );
+    let table_area = Rect::new(area.x, area.y + 1, area.width, rows.min(area.height - 1));
     table(model, table_area, buffer);
     let below = area.height.saturating_sub(1 + rows);
     if below >= 5 {
@@ -111,19 +111,34 @@ fn title(column: Column) -> (&'static str, &'static str) {
     }
 }
 
-/// Where a column ends; the name takes what the numbers leave.
-fn right_of(column: usize, area: Rect) -> u16 {
-    let numbers = COLUMNS.len() as u16 - 1;
-    let each = if area.width >= 100 { 9 } else { 6 };
-    area.width - each * (numbers - column as u16)
+/// Room for the name that is never given to numbers.
+const NAME: u16 = 18;
+
+/// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
+fn columns(model: &Model, area: Rect) -> Vec<(usize, u16)> {
+    let each = if area.width >= 110 { 9 } else { 6 };
+    let numbers = COLUMNS.len() - 1;
+    let count = usize::from((area.width - NAME) / each).min(numbers);
+    let first = (model.compare.column + 1).saturating_sub(count).max(1);
+    let right = |i: usize| area.width - each * (count - 1 - i) as u16;
+    (0..count).map(|i| (first + i, right(i))).collect()
+}
+
+/// Where the name ends.
+fn name_room(model: &Model, area: Rect) -> usize {
+    let each = if area.width >= 110 { 9 } else { 6 };
+    let taken = columns(model, area).len() as u16 * each;
+    usize::from(area.width - taken).saturating_sub(4)
 }
 
 fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let compare = &model.compare;
     let focused = model.context() == Context::Table;
-    for (i, column) in COLUMNS.iter().enumerate() {
-        let (name, unit) = title(*column);
+    let numbers = columns(model, area);
+    let name = (0, 0);
+    for (i, right) in std::iter::once(name).chain(numbers) {
+        let (name, unit) = title(COLUMNS[i]);
         let sign = match compare.sort {
             Some((by, true)) if by == i => "▾",
             Some((by, false)) if by == i => "▴",
@@ -139,7 +154,6 @@ fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
             put(buffer, area, (1, 0), &text, style);
             put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
         } else {
-            let right = right_of(i, area);
             let text = fitted(&text, 6);
             put_right(buffer, area, (right, 0), &text, style);
             put_right(buffer, area, (right, 1), unit, theme.quiet());
@@ -162,7 +176,7 @@ fn row(
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
-    let room = usize::from(right_of(0, area)).saturating_sub(3);
+    let room = name_room(model, area);
     let sign = mark(place).to_string();
     put(buffer, area, (1, y), &sign, theme.curve(place));
     let name = fitted(&entry.name, room);
@@ -179,9 +193,9 @@ fn row(
         }
         Found::Answer(answer, _) => answer,
     };
-    for (i, column) in COLUMNS.iter().enumerate().skip(1) {
+    for (i, right) in columns(model, area) {
+        let column = COLUMNS[i];
         let value = column.of(answer);
-        let right = right_of(i, area);
         put_right(buffer, area, (right, y), &short(value), theme.text());
         let first = base.filter(|_| place > 0).and_then(Entry::answer);
         if let Some(first) = first {

@@ -36,8 +36,9 @@ pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
     } else {
         0
     };
-    (0..steps as i32)
-        .map(|i| 2f64.powi(top - (steps as i32 - 1) + i))
+    let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
+    (0..steps)
+        .map(|step| 2f64.powi(top - above(step)))
         .collect()
 }
 
@@ -172,7 +173,10 @@ impl Scene<'_> {
             );
         }
         let half = number(blow, "impact.half_width_deg").map(f64::to_radians);
-        for end in half.into_iter().flat_map(|half| [angle - half, angle + half]) {
+        for end in half
+            .into_iter()
+            .flat_map(|half| [angle - half, angle + half])
+        {
             raster.line(
                 projection.polar(end, ARC_M - 0.6e-3),
                 projection.polar(end, ARC_M + 1.6e-3),
@@ -317,8 +321,16 @@ impl Drawing<'_> {
                 raster.dot(x + 1, y + 1, ink);
             }
             if step > self.thresholds.len() / 2 {
-                for (dx, dy) in [(-1, 0), (-1, 1), (2, 0), (2, 1), (0, -1), (1, -1), (0, 2), (1, 2)]
-                {
+                for (dx, dy) in [
+                    (-1, 0),
+                    (-1, 1),
+                    (2, 0),
+                    (2, 1),
+                    (0, -1),
+                    (1, -1),
+                    (0, 2),
+                    (1, 2),
+                ] {
                     raster.dot(x + dx, y + dy, ink);
                 }
             }

@@ -35,7 +35,6 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         .partition(|(_, word)| is_last(word));
     let wide = |(keys, word): &(String, &str)| width(keys) + width(word) + 3;
     let reserved: u16 = last.iter().map(wide).sum();
-    let mut x = x;
     let mut show = |entry: &(String, &str), x: u16| {
         let after = put(buffer, area, (x, 0), &entry.0, theme.bar_strong());
         put(buffer, area, (after + 1, 0), entry.1, theme.bar()) + 2

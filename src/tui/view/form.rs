@@ -54,7 +54,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let bottom = area.height - foot;
     put(buffer, area, (1, bottom), material(model), theme.text());
     for (i, line) in purpose.iter().enumerate() {
-        put(buffer, area, (1, bottom + 1 + i as u16), line, theme.quiet());
+        put(
+            buffer,
+            area,
+            (1, bottom + 1 + i as u16),
+            line,
+            theme.quiet(),
+        );
     }
 }
 
@@ -124,8 +130,8 @@ fn draw_row(
         Row::Fold => {
             let count = FIELDS.len();
             let sign = if model.form.advanced { "▾" } else { "▸" };
-            let shown = rows(&model.work.scenario, true).len()
-                - rows(&model.work.scenario, false).len();
+            let shown =
+                rows(&model.work.scenario, true).len() - rows(&model.work.scenario, false).len();
             debug_assert!(shown < count);
             let text = format!("{sign} Advanced ({shown} more)");
             let style = if chosen && focused {

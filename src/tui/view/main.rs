@@ -22,7 +22,14 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         70..100 => 29,
         _ => 34,
     };
-    form::draw(model, Rect { width: left, ..area }, buffer);
+    form::draw(
+        model,
+        Rect {
+            width: left,
+            ..area
+        },
+        buffer,
+    );
     for y in 0..area.height {
         put(buffer, area, (left, y), "│", theme.line());
     }
@@ -42,7 +49,15 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         ..right
     };
     let eye_width = (upper.height * 2).min(right.width * 11 / 20);
-    eye(model, shown, Rect { width: eye_width, ..upper }, buffer);
+    eye(
+        model,
+        shown,
+        Rect {
+            width: eye_width,
+            ..upper
+        },
+        buffer,
+    );
     let traces = Rect::new(
         upper.x + eye_width + 1,
         upper.y,
@@ -94,7 +109,11 @@ fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     };
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
-    let style = if aiming { theme.focus() } else { theme.heading() };
+    let style = if aiming {
+        theme.focus()
+    } else {
+        theme.heading()
+    };
     put(buffer, area, (0, 0), &caption, style);
 }
 

@@ -53,7 +53,13 @@ fn frame(
             put(buffer, place, (wide - 1, y), "│", theme.line());
         }
     }
-    put(buffer, place, (2, 0), &format!(" {title} "), theme.heading());
+    put(
+        buffer,
+        place,
+        (2, 0),
+        &format!(" {title} "),
+        theme.heading(),
+    );
     Rect::new(place.x + 2, place.y + 1, wide - 4, high - 2)
 }
 
@@ -114,7 +120,11 @@ fn picker(model: &Model, row: usize, area: Rect, buffer: &mut Buffer) {
     let first = row.saturating_sub(room.saturating_sub(1));
     for (i, choice) in model.choices.iter().enumerate().skip(first).take(room) {
         let y = (i - first) as u16;
-        let style = if i == row { theme.focus() } else { theme.strong() };
+        let style = if i == row {
+            theme.focus()
+        } else {
+            theme.strong()
+        };
         put(buffer, inside, (0, y), &fitted(&choice.name, 20), style);
         let (text, style) = match &choice.scenario {
             Ok(scenario) => (scenario.name.clone(), theme.text()),

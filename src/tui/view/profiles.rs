@@ -76,7 +76,8 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let time = model.time();
     let mut text = format!(" cursor {:.4} ms", time * 1e3);
     if let Some(peak) = peak_at(&shown.answer, time) {
-        text += &format!("  peak {peak}");
+        text.push_str("  peak ");
+        text.push_str(&peak);
     }
     let end = put(buffer, area, (0, 0), &text, theme.strong());
     let said = model.stale().unwrap_or(super::form::material(model));

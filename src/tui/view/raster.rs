@@ -168,7 +168,11 @@ mod tests {
         draw(&mut raster);
         let mut buffer = Buffer::empty(area);
         raster.paint(&mut buffer);
-        buffer.content.iter().map(|cell| cell.symbol()).collect()
+        buffer
+            .content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect()
     }
 
     fn ink(rank: u8, colour: Color) -> Ink {

@@ -25,12 +25,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     };
     let bar = Rect::new(area.x, area.y + area.height - 3, area.width, 3);
     let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
-    let side = Rect::new(
-        area.x + picture.width,
-        area.y,
-        SIDE,
-        picture.height,
-    );
+    let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
     Scene {
         answer: &shown.answer,
         time: model.time(),
@@ -49,7 +44,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     if let Some(why) = model.stale() {
         let text = format!(" {why} ");
-        put(buffer, picture, (0, picture.height - 1), &text, theme.warning());
+        put(
+            buffer,
+            picture,
+            (0, picture.height - 1),
+            &text,
+            theme.warning(),
+        );
     }
     side_panel(model, shown, side, buffer);
     time_bar(model, shown, bar, buffer);
@@ -142,7 +143,11 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     };
     let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
     let end = put(buffer, area, (1, 0), &text, theme.strong());
-    let rest = format!("  {state}  {} ms/s  {}", model.clock.speed(), model.clock.detail.name());
+    let rest = format!(
+        "  {state}  {} ms/s  {}",
+        model.clock.speed(),
+        model.clock.detail.name()
+    );
     put(buffer, area, (end, 0), &rest, theme.text());
     let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
     if let Some(traces) = &shown.answer.recording.traces {

@@ -55,11 +55,32 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let number = format!("{} %", significant(damage));
     put_right(buffer, line(1), (17, 0), &number, theme.strong());
     let gauge = Rect::new(area.x + 18, area.y + 1, area.width - 18, 1);
-    bar(damage / 100.0, theme.gauge(damage / 100.0), theme, gauge, buffer);
+    bar(
+        damage / 100.0,
+        theme.gauge(damage / 100.0),
+        theme,
+        gauge,
+        buffer,
+    );
 
-    part(("S shell", "%", index.shell_growth, SHELL), theme, line(2), buffer);
-    part(("M meridian", "%", index.meridian_growth, MERIDIAN), theme, line(3), buffer);
-    part(("E energy", "J", index.energy, ENERGY), theme, line(4), buffer);
+    part(
+        ("S shell", "%", index.shell_growth, SHELL),
+        theme,
+        line(2),
+        buffer,
+    );
+    part(
+        ("M meridian", "%", index.meridian_growth, MERIDIAN),
+        theme,
+        line(3),
+        buffer,
+    );
+    part(
+        ("E energy", "J", index.energy, ENERGY),
+        theme,
+        line(4),
+        buffer,
+    );
 
     let errors = &shown.answer.errors;
     let mesh = errors

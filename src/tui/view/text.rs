@@ -77,10 +77,12 @@ pub fn to_ascii(buffer: &mut Buffer) {
             text if text.is_ascii() => continue,
             "─" | "━" | "╌" | "—" => "-",
             "│" | "┃" | "▏" | "▎" | "▌" | "▕" => "|",
-            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" => "+",
+            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" | "±" => {
+                "+"
+            }
             "█" | "▓" | "▇" => "#",
             "▒" | "▆" | "▅" => "=",
-            "░" | "▂" | "▁" => ".",
+            "░" | "▂" | "▁" | "·" => ".",
             "▸" | "▶" | "→" | "›" => ">",
             "◂" | "←" | "‹" => "<",
             "▾" | "↓" | "▼" => "v",
@@ -91,8 +93,6 @@ pub fn to_ascii(buffer: &mut Buffer) {
             "µ" | "μ" => "u",
             "Δ" => "d",
             "…" => "~",
-            "±" => "+",
-            "·" => ".",
             _ => "?",
         };
         cell.set_symbol(plain);
@@ -119,7 +119,11 @@ mod tests {
         assert_eq!(put(&mut buffer, area, (0, 0), "abcdefgh", Style::new()), 4);
         put(&mut buffer, area, (0, 1), "below", Style::new());
         put(&mut buffer, area, (9, 0), "right", Style::new());
-        let text: String = buffer.content.iter().map(|cell| cell.symbol()).collect();
+        let text: String = buffer
+            .content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect();
         assert_eq!(text, "  abcd              ");
     }
 }

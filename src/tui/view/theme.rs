@@ -102,9 +102,7 @@ impl Theme {
     /// The bar at the top and the bottom.
     pub fn bar(self) -> Style {
         match self.depth {
-            Depth::TwoFiveSix => Style::new()
-                .fg(Color::Indexed(252))
-                .bg(Color::Indexed(236)),
+            Depth::TwoFiveSix => Style::new().fg(Color::Indexed(252)).bg(Color::Indexed(236)),
             _ => Style::new().add_modifier(REVERSED),
         }
     }
