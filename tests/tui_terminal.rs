@@ -505,6 +505,23 @@ fn two_frames_at_most_wait_for_their_replies() {
 }
 
 #[test]
+fn no_reply_is_left_for_whoever_reads_the_terminal_next() {
+    let mut shell = CommandBuilder::new("sh");
+    let line = format!("{} tui; echo over; cat", env!("CARGO_BIN_EXE_contrecoup"));
+    shell.args(["-c", &line]);
+    plain(&mut shell);
+    let late = Replies::Late(Duration::from_millis(250));
+    let term = Term::open(shell, (80, 24), late);
+    term.wait_for("26.42 %");
+    term.keys("2");
+    term.wait_for("Node force");
+    term.keys("1q");
+    term.wait_for("over");
+    thread::sleep(Duration::from_millis(500));
+    assert!(!term.text().contains("1R"), "{}", term.text());
+}
+
+#[test]
 fn a_terminal_that_never_answers_is_served_all_the_same() {
     let term = Term::open(app(&[]), (80, 24), Replies::Never);
     term.wait_for("26.42 %");

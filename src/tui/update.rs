@@ -54,6 +54,8 @@ pub enum Effect {
     Stop(Ticket),
     /// Simulate for the comparison.
     Compare(Ticket, Scenario),
+    /// Stop that.
+    StopComparing(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -147,7 +149,10 @@ fn hear(model: &mut Model, report: Report) {
                     answer: Arc::new(answer),
                 });
             }
-            Err(Refusal::Cancelled) => model.run = Run::Refused("cancelled".to_owned()),
+            Err(Refusal::Cancelled) => {
+                let text = "cancelled: the next edit simulates again";
+                model.run = Run::Refused(text.to_owned());
+            }
             Err(refusal) => model.run = Run::Refused(refusal.to_string()),
         },
         _ => {}
@@ -268,7 +273,7 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
             model.compare.curve = (model.compare.curve + 1) % profiles::CURVES.len();
         }
         Action::Curves => model.curves = (model.curves + 1) % profiles::VIEWS.len(),
-        Action::Mark => mark(model),
+        Action::Mark => mark(model, effects),
         Action::Sort => model.compare.sort_here(),
         Action::Yes | Action::No => answer_question(model, action == Action::Yes, effects),
     }
@@ -515,7 +520,7 @@ fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
     }
 }
 
-fn mark(model: &mut Model) {
+fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
     let row = model.compare.row;
     let outcome = if row == 0 {
         let scenario = model.work.scenario.clone();
@@ -529,6 +534,13 @@ fn mark(model: &mut Model) {
         Ok(())
     };
     model.notice = outcome.err();
+    // Nobody wants the answer of what was just unmarked.
+    let marked = |name: &str| model.compare.is_marked(name);
+    let unwanted = model.compare.job.as_ref().filter(|(_, name)| !marked(name));
+    if let Some((ticket, _)) = unwanted {
+        effects.push(Effect::StopComparing(*ticket));
+        model.compare.job = None;
+    }
 }
 
 fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {

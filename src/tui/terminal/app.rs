@@ -35,6 +35,8 @@ pub struct Settings {
 
 /// A lone ESC becomes a key after this long. A slow link may split a sequence between two packets.
 const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
+/// How long the last replies are waited for before the terminal is given back.
+const FAREWELL: Duration = Duration::from_secs(1);
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
@@ -70,6 +72,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         comparison: worker(&send, Event::Comparison),
         model,
         session,
+        events,
         pacer: Pacer::default(),
         parser: Parser::default(),
         escape_since: None,
@@ -81,7 +84,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         exit: None,
         fail_on: settings.fail_on,
     };
-    app.run(&events)
+    app.run()
 }
 
 fn worker(send: &Sender<Event>, wrap: fn(Report) -> Event) -> Worker {
@@ -119,6 +122,7 @@ struct Screen {
 struct App {
     model: Model,
     session: Session,
+    events: Receiver<Event>,
     form: Worker,
     comparison: Worker,
     pacer: Pacer,
@@ -134,21 +138,22 @@ struct App {
 }
 
 impl App {
-    fn run(&mut self, events: &Receiver<Event>) -> io::Result<u8> {
+    fn run(&mut self) -> io::Result<u8> {
         let effects = begin(&mut self.model);
         self.perform(effects)?;
         loop {
             if let Some(code) = self.exit {
+                self.hear_out();
                 return Ok(code);
             }
             self.draw_if_due()?;
-            match events.recv_timeout(self.patience()) {
+            match self.events.recv_timeout(self.patience()) {
                 Ok(event) => self.take(event)?,
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return Ok(1),
             }
             // All that has come so far goes into one frame.
-            while let Ok(event) = events.try_recv() {
+            while let Ok(event) = self.events.try_recv() {
                 self.take(event)?;
             }
             self.flush_escape()?;
@@ -304,6 +309,29 @@ impl App {
         self.perform(effects)
     }
 
+    /// Waits for the replies that are still under way: whoever reads the terminal next would take
+    /// them for typed text. What else comes meanwhile is not for the app any more.
+    fn hear_out(&mut self) {
+        let until = Instant::now() + FAREWELL;
+        while self.pacer.awaits() {
+            let left = until.saturating_duration_since(Instant::now());
+            let Ok(event) = self.events.recv_timeout(left) else {
+                return;
+            };
+            match event {
+                Event::Bytes(bytes) => {
+                    for input in self.parser.feed(&bytes) {
+                        if input == Input::CursorReport {
+                            self.pacer.replied(Instant::now());
+                        }
+                    }
+                }
+                Event::Hangup => return,
+                _ => {}
+            }
+        }
+    }
+
     fn repaint(&mut self) {
         // A screen of no size differs from any other.
         self.screen = Screen::default();
@@ -315,6 +343,7 @@ impl App {
             match effect {
                 Effect::Solve(ticket, scenario) => self.form.submit(ticket, scenario),
                 Effect::Stop(ticket) => self.form.cancel(ticket),
+                Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
                 Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
@@ -341,6 +370,7 @@ impl App {
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
     /// and the app stays.
     fn suspend(&mut self) -> io::Result<()> {
+        self.hear_out();
         self.session.leave();
         signal_hook::low_level::raise(SIGTSTP)?;
         self.session.resume()?;

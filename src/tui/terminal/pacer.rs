@@ -20,8 +20,11 @@ const MOST_SILENCES: u32 = 2;
 const BUDGET: f64 = 6000.0;
 /// Below this many bytes a second a link is slow.
 const SLOW: f64 = 12_000.0;
-/// Frames below this size say too little about a link.
-const TELLING: usize = 250;
+/// Frames that the speed of the link is judged by.
+const SAMPLES: usize = 16;
+/// Fewer say too little, and so do frames of much the same size, in bytes.
+const FEWEST: usize = 5;
+const SPREAD: f64 = 100.0;
 
 /// Counts questions and replies and says when a frame may go out.
 #[derive(Debug, Default)]
@@ -31,10 +34,10 @@ pub struct Pacer {
     given_up: u32,
     silences: u32,
     free_at: Option<Instant>,
-    /// The shortest time that any reply took: the round trip without the bytes.
-    round_trip: Option<Duration>,
+    /// Bytes of the last frames and the seconds until their replies.
+    samples: VecDeque<(f64, f64)>,
     /// Seconds that a byte takes.
-    per_byte: Option<f64>,
+    per_byte: f64,
 }
 
 /// What a frame is drawn for.
@@ -67,13 +70,27 @@ impl Pacer {
             self.given_up -= 1;
         } else if let Some((since, bytes)) = self.open.pop_front() {
             self.silences = 0;
-            let delay = now.saturating_duration_since(since);
-            let least = self.round_trip.map_or(delay, |least| least.min(delay));
-            self.round_trip = Some(least);
-            if bytes >= TELLING {
-                let each = delay.saturating_sub(least).as_secs_f64() / bytes as f64;
-                self.per_byte = Some(self.per_byte.map_or(each, |old| 0.7 * old + 0.3 * each));
+            let delay = now.saturating_duration_since(since).as_secs_f64();
+            if self.samples.len() == SAMPLES {
+                self.samples.pop_front();
             }
+            self.samples.push_back((bytes as f64, delay));
+            self.judge();
+        }
+    }
+
+    /// Tells bytes from round trip: the slope of the line through the samples.
+    fn judge(&mut self) {
+        let count = self.samples.len() as f64;
+        let mean = |of: fn(&(f64, f64)) -> f64| self.samples.iter().map(of).sum::<f64>() / count;
+        let (size, delay) = (mean(|s| s.0), mean(|s| s.1));
+        let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
+            let part = |s: &(f64, f64)| of(s.0 - size, s.1 - delay);
+            self.samples.iter().map(part).sum()
+        };
+        let spread = sum(&|bytes, _| bytes * bytes) / count;
+        if self.samples.len() >= FEWEST && spread > SPREAD * SPREAD {
+            self.per_byte = sum(&|bytes, seconds| bytes * seconds) / count / spread;
         }
     }
 
@@ -99,9 +116,14 @@ impl Pacer {
         overdue.or(self.free_at)
     }
 
+    /// Whether a reply is still to come.
+    pub fn awaits(&self) -> bool {
+        !self.open.is_empty()
+    }
+
     /// Whether bytes take long to arrive, or no one says whether they do.
     pub fn is_slow(&self) -> bool {
-        !self.asks() || self.per_byte.is_some_and(|each| each > 1.0 / SLOW)
+        !self.asks() || self.per_byte > 1.0 / SLOW
     }
 }
 

@@ -259,6 +259,8 @@ impl Drawing<'_> {
             let force = 0.5 * (self.frame.forces[spring.a] + self.frame.forces[spring.b]);
             let step = match region {
                 Region::Orbit => 0,
+                // On a slow link the outline keeps its colours: recolouring it is most of a frame.
+                _ if outline && self.scene.lean => 0,
                 _ => step_of(force, self.thresholds),
             };
             if step == 0 && region == Region::Fat && self.projection.is_small() {

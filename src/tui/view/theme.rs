@@ -208,7 +208,9 @@ impl Theme {
                 Color::LightMagenta,
                 Color::Indexed(176),
             ),
-            Region::Fat => self.pick(dim, Color::Yellow, Color::Indexed(94)),
+            // Dark yellow is a step of heat already.
+            Region::Fat if self.depth == Depth::Sixteen => dim,
+            Region::Fat => self.pick(dim, Color::Reset, Color::Indexed(94)),
             Region::Orbit => self.pick(Style::new(), Color::Green, Color::Indexed(108)),
         }
     }
