@@ -128,6 +128,7 @@ impl Scene<'_> {
         let projection = Projection::new(&raster);
         let theme = Theme::of(self.look);
         let thresholds = thresholds(self.largest, theme.heat_steps());
+        let mut digits = Vec::new();
         if let Some(frame) = frame_at(self.answer, self.time) {
             let drawing = Drawing {
                 scene: self,
@@ -142,9 +143,17 @@ impl Scene<'_> {
                 drawing.nodes(&mut raster);
             }
             drawing.loaded_arc(&mut raster);
+            if theme.is_mono() {
+                digits = drawing.digits(&raster);
+            }
         }
         self.arrow(&projection, theme, &mut raster);
         raster.paint(buffer);
+        for (at, step) in digits {
+            buffer[at]
+                .set_char(heat_glyph(step))
+                .set_style(theme.heat(step));
+        }
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
@@ -316,7 +325,10 @@ impl Drawing<'_> {
             let ink = self.ink(node.region, step);
             let (x, y) = (x.floor() as i32, y.floor() as i32);
             raster.dot(x, y, ink);
-            // The hotter, the larger: legible without colour.
+            // The hotter, the larger. Without colours a digit takes the place of the dot.
+            if self.theme.is_mono() {
+                continue;
+            }
             if step > 0 {
                 raster.dot(x + 1, y, ink);
                 raster.dot(x, y + 1, ink);
@@ -337,6 +349,27 @@ impl Drawing<'_> {
                 }
             }
         }
+    }
+
+    /// Without colours, the steps of the hotter nodes as digits, the hottest last; of all nodes
+    /// where only nodes are drawn.
+    fn digits(&self, raster: &Raster) -> Vec<((u16, u16), usize)> {
+        let least = match self.scene.detail {
+            Detail::Nodes => 1,
+            Detail::Edges => self.thresholds.len() / 2 + 1,
+            Detail::Outline => return Vec::new(),
+        };
+        let nodes = self.eye.nodes.iter().enumerate();
+        let mut digits: Vec<_> = nodes
+            .filter_map(|(i, node)| {
+                let step = step_of(self.frame.forces[i], self.thresholds);
+                let (x, y) = self.place(i);
+                let at = raster.cell(x, y)?;
+                (step >= least && node.region != Region::Orbit).then_some((at, step))
+            })
+            .collect();
+        digits.sort_by_key(|(_, step)| *step);
+        digits
     }
 
     /// While the load acts, the shell under it is drawn in the load's own style.

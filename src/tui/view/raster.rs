@@ -87,6 +87,16 @@ impl Raster {
         2.0 * f64::from(across) / f64::from(down)
     }
 
+    /// The cell of the buffer that holds a dot.
+    pub fn cell(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+        let (width, height) = self.size();
+        let inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
+        let (across, down) = self.grain();
+        let column = (x / f64::from(across)) as u16;
+        let row = (y / f64::from(down)) as u16;
+        inside.then_some((self.area.x + column, self.area.y + row))
+    }
+
     /// Sets a dot; outside the area nothing happens.
     pub fn dot(&mut self, x: i32, y: i32, ink: Ink) {
         let (width, height) = self.size();

@@ -12,6 +12,7 @@ use crate::eye::{Monitor, Region};
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
 use crate::tui::model::{Model, Shown};
+use crate::tui::terminal::caps::Symbols;
 
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
@@ -62,7 +63,8 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let mut y = 0;
     put(buffer, area, (0, y), "Node force", theme.heading());
     y += 1;
-    legend(shown, theme, area, &mut y, buffer);
+    let ascii = model.look.symbols == Symbols::Ascii;
+    legend(shown, (theme, ascii), area, &mut y, buffer);
     let traces = shown.answer.recording.traces.as_ref();
     let now = |values: Option<&Vec<f64>>| {
         let traces = traces?;
@@ -93,7 +95,13 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Steps of force with their colours, and the parts of the eye with theirs.
-fn legend(shown: &Shown, theme: Theme, area: Rect, y: &mut u16, buffer: &mut Buffer) {
+fn legend(
+    shown: &Shown,
+    (theme, ascii): (Theme, bool),
+    area: Rect,
+    y: &mut u16,
+    buffer: &mut Buffer,
+) {
     let steps = thresholds(shown.hottest, theme.heat_steps());
     let mut x = 0;
     for (i, force) in steps.iter().enumerate().rev() {
@@ -104,7 +112,7 @@ fn legend(shown: &Shown, theme: Theme, area: Rect, y: &mut u16, buffer: &mut Buf
             *y += 1;
         }
         let style = theme.heat(i + 1);
-        let sign = if theme.is_mono() {
+        let sign = if theme.is_mono() || ascii {
             heat_glyph(i + 1).to_string()
         } else {
             "█".to_owned()
@@ -121,7 +129,17 @@ fn legend(shown: &Shown, theme: Theme, area: Rect, y: &mut u16, buffer: &mut Buf
         (Region::Fat, "fat", "·"),
         (Region::Orbit, "orbit", "━"),
     ];
-    for (i, (region, name, sign)) in parts.into_iter().enumerate() {
+    for (i, (region, name, mut sign)) in parts.into_iter().enumerate() {
+        if ascii {
+            sign = match region {
+                Region::Shell => "o",
+                Region::Retina => "R",
+                Region::Lens => "l",
+                Region::Interior => ".",
+                Region::Fat => ",",
+                Region::Orbit => "#",
+            };
+        }
         let x = (i as u16 % 3) * 8;
         let after = put(buffer, area, (x, *y), sign, theme.region(region));
         put(buffer, area, (after, *y), name, theme.text());
