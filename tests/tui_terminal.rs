@@ -330,10 +330,10 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
     // A stop from outside leaves no time to tidy up, but going on does.
     let app = children(term.pid());
     support::signal("STOP", app[0]);
-    term.keys("\r");
-    thread::sleep(Duration::from_millis(300));
+    // What is typed before the shell has taken over would still go to the app.
+    term.wait_for("Stopped");
     term.keys("fg\r");
-    thread::sleep(Duration::from_millis(300));
+    term.wait_without("Stopped");
     term.keys(RIGHT);
     term.wait_for("330 N");
 }
