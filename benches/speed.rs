@@ -140,9 +140,8 @@ fn batches() {
     let scenarios: Vec<Scenario> = (0..COUNT)
         .map(|i| {
             let mut scenario = Scenario::default();
-            if let Impact::ForcePulse(pulse) = &mut scenario.impact {
-                pulse.force_n = 100.0 + 2.0 * f64::from(i);
-            }
+            let Impact::ForcePulse(pulse) = &mut scenario.impact;
+            pulse.force_n = 100.0 + 2.0 * f64::from(i);
             scenario
         })
         .collect();

@@ -3,7 +3,7 @@
 //! Data flows one way. [`scenario`] is what a person asks for, in their units; [`eye`] turns anatomy
 //! into a mesh; [`dynamics`] moves it; [`recording`] keeps extremes, traces and frames; [`injury`]
 //! scores them; [`study`] runs one case or many and estimates errors; [`report`] prints; [`cli`] is
-//! the command line. A lower room never imports a higher one.
+//! the command line, [`tui`] the terminal app. A lower room never imports a higher one.
 //!
 //! Research and education, not diagnosis.
 
@@ -15,3 +15,4 @@ pub mod recording;
 pub mod report;
 pub mod scenario;
 pub mod study;
+pub mod tui;

@@ -24,6 +24,8 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::tui;
+
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
 #[command(version, after_help = "Research and education, not diagnosis.")]
@@ -36,6 +38,8 @@ pub struct Cli {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Open the terminal app: what no command at all does too
+    Tui(tui::Options),
     /// Simulate one blow and print the results
     Run(RunArgs),
     /// List the presets, or show one
@@ -142,6 +146,17 @@ pub fn main() -> ExitCode {
             };
         }
     };
+    let app = match &cli.command {
+        None => Some(tui::run(&tui::Options::default())),
+        Some(Command::Tui(options)) => Some(tui::run(options)),
+        Some(_) => None,
+    };
+    if let Some(outcome) = app {
+        return outcome.unwrap_or_else(|error| {
+            let _ = writeln!(io::stderr(), "{error}");
+            ExitCode::from(error.exit_code())
+        });
+    }
     let mut out = BufWriter::new(io::stdout().lock());
     let done = dispatch(&cli, &mut out).and_then(|()| Ok(out.flush()?));
     match done {
@@ -163,11 +178,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
-        None => Err(CliError::Input(
-            "The terminal app is not there yet. Try `contrecoup run paper-300n`,\n\
-             or `contrecoup --help` for everything else."
-                .to_owned(),
-        )),
+        // The app has been run already.
+        None | Some(Command::Tui(_)) => Ok(()),
     }
 }
 

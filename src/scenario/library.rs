@@ -174,11 +174,12 @@ fn unknown(name: &str, message: &str) -> Problem {
 }
 
 /// Whether a name stays inside its folder on every system.
-fn is_plain(name: &str) -> bool {
+pub fn is_plain(name: &str) -> bool {
     !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
 }
 
-fn folder() -> Option<PathBuf> {
+/// Where the presets of the person are kept, if there is a home for them.
+pub fn folder() -> Option<PathBuf> {
     Some(
         Xdg::new()
             .ok()?

@@ -1,0 +1,228 @@
+//! The one clock that every picture follows.
+
+use super::action::Step;
+use crate::eye::Monitor;
+use crate::recording::Peak;
+use crate::report::text::significant;
+use crate::study::Answer;
+
+/// Speeds in ms of impact a second.
+const SPEEDS: [f64; 13] = [
+    0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0,
+];
+/// How many times displacement may be shown.
+const ZOOMS: [u32; 4] = [1, 2, 5, 10];
+
+/// How much of the mesh is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// The springs.
+    Edges,
+    /// The nodes.
+    Nodes,
+    /// Shell, lens and orbit.
+    Outline,
+}
+
+impl Detail {
+    /// A word for the screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Edges => "edges",
+            Self::Nodes => "nodes",
+            Self::Outline => "outline",
+        }
+    }
+}
+
+/// Which moment is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Moment {
+    /// When the cornea stands deepest, wherever an edit moves that.
+    Deepest,
+    /// This time, in s.
+    At(f64),
+}
+
+/// The moment shown and how it moves on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// The moment.
+    pub moment: Moment,
+    /// Whether it moves by itself.
+    pub playing: bool,
+    speed: usize,
+    zoom: usize,
+    /// How much of the mesh is drawn.
+    pub detail: Detail,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Self {
+            moment: Moment::Deepest,
+            playing: false,
+            speed: 5,
+            zoom: 0,
+            detail: Detail::Edges,
+        }
+    }
+}
+
+impl Clock {
+    /// The time shown of an answer, in s.
+    pub fn time(&self, answer: &Answer) -> f64 {
+        match self.moment {
+            Moment::Deepest => answer.recording.extremes.apex.time,
+            Moment::At(time) => time.min(answer.case.window),
+        }
+    }
+
+    /// Speed in ms of impact a second.
+    pub fn speed(&self) -> f64 {
+        SPEEDS[self.speed]
+    }
+
+    /// How many times displacement is shown.
+    pub fn zoom(&self) -> u32 {
+        ZOOMS[self.zoom]
+    }
+
+    /// Moves on by so many seconds of the person's time. At the end it starts again.
+    pub fn advance(&mut self, seconds: f64, from: f64, window: f64) {
+        if self.playing {
+            let next = from + seconds * self.speed() * 1e-3;
+            self.moment = Moment::At(if next > window { 0.0 } else { next });
+        }
+    }
+
+    /// Moves by one frame, or by ten.
+    pub fn step(&mut self, step: Step, from: f64, frame: f64, window: f64) {
+        let frames = if step.coarse { 10.0 } else { 1.0 };
+        let here = (from / frame).round() + step.sign() * frames;
+        self.moment = Moment::At((here * frame).clamp(0.0, window));
+        self.playing = false;
+    }
+
+    /// Faster or slower.
+    pub fn change_speed(&mut self, faster: bool) {
+        self.speed = if faster {
+            (self.speed + 1).min(SPEEDS.len() - 1)
+        } else {
+            self.speed.saturating_sub(1)
+        };
+    }
+
+    /// The next exaggeration.
+    pub fn change_zoom(&mut self) {
+        self.zoom = (self.zoom + 1) % ZOOMS.len();
+    }
+
+    /// The next detail.
+    pub fn change_detail(&mut self) {
+        self.detail = match self.detail {
+            Detail::Edges => Detail::Nodes,
+            Detail::Nodes => Detail::Outline,
+            Detail::Outline => Detail::Edges,
+        };
+    }
+
+    /// Jumps to the next peak after the time shown, or to the one before; goes round.
+    pub fn jump(&mut self, answer: &Answer, forward: bool) {
+        let now = self.time(answer);
+        let peaks = peaks(answer);
+        // Peaks this close are told apart by no one.
+        let near = 1e-9;
+        let found = if forward {
+            let after = peaks.iter().find(|peak| peak.time > now + near);
+            after.or(peaks.first())
+        } else {
+            let before = peaks.iter().rev().find(|peak| peak.time < now - near);
+            before.or(peaks.last())
+        };
+        if let Some(peak) = found {
+            self.moment = Moment::At(peak.time);
+            self.playing = false;
+        }
+    }
+}
+
+/// A peak worth a visit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Visit {
+    /// What and how much.
+    pub label: String,
+    /// When, in s.
+    pub time: f64,
+}
+
+/// Every peak of an answer in the order of time.
+pub fn peaks(answer: &Answer) -> Vec<Visit> {
+    let extremes = &answer.recording.extremes;
+    let visit = |label: &str, peak: Peak, factor: f64, unit: &str| Visit {
+        label: format!("{label} {} {unit}", significant(peak.value * factor)),
+        time: peak.time,
+    };
+    let mut peaks: Vec<Visit> = Monitor::ALL
+        .iter()
+        .zip(extremes.force)
+        .map(|(monitor, peak)| visit(monitor.name(), peak, 1.0, "N"))
+        .collect();
+    peaks.push(visit("apex", extremes.apex, 1e3, "mm"));
+    peaks.push(visit("S", extremes.shell_growth, 1e2, "%"));
+    peaks.push(visit("M", extremes.meridian_growth, 1e2, "%"));
+    peaks.sort_by(|a, b| a.time.total_cmp(&b.time));
+    peaks
+}
+
+/// The peak shown at a time, if one is.
+pub fn peak_at(answer: &Answer, time: f64) -> Option<String> {
+    let here: Vec<String> = peaks(answer)
+        .into_iter()
+        .filter(|peak| (peak.time - time).abs() < 1e-9)
+        .map(|peak| peak.label)
+        .collect();
+    (!here.is_empty()).then(|| here.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Keep;
+    use crate::scenario::Scenario;
+    use crate::study::{solve, unwatched};
+
+    #[test]
+    fn g_visits_every_peak_in_order_and_goes_round() {
+        let answer = solve(&Scenario::default(), Keep::default(), &mut unwatched).unwrap();
+        let all = peaks(&answer);
+        let mut clock = Clock {
+            moment: Moment::At(0.0),
+            ..Clock::default()
+        };
+        for peak in &all {
+            clock.jump(&answer, true);
+            assert_eq!(clock.moment, Moment::At(peak.time));
+            assert!(peak_at(&answer, peak.time).unwrap().contains(&peak.label));
+        }
+        clock.jump(&answer, true);
+        assert_eq!(clock.moment, Moment::At(all[0].time));
+        clock.jump(&answer, false);
+        assert_eq!(clock.moment, Moment::At(all[all.len() - 1].time));
+    }
+
+    #[test]
+    fn time_follows_the_wall_clock_and_starts_again_at_the_end() {
+        let mut clock = Clock {
+            playing: true,
+            ..Clock::default()
+        };
+        clock.advance(2.0, 0.0, 3e-3);
+        assert_eq!(clock.moment, Moment::At(1e-3));
+        clock.advance(10.0, 1e-3, 3e-3);
+        assert_eq!(clock.moment, Moment::At(0.0));
+        clock.step(Step::MUCH_MORE, 0.0, 1e-5, 3e-3);
+        assert!(!clock.playing);
+        assert_eq!(clock.moment, Moment::At(1e-4));
+    }
+}

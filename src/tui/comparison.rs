@@ -1,0 +1,272 @@
+//! The presets marked for comparison, their answers, and the order of the table.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use super::worker::Ticket;
+use crate::scenario::Scenario;
+use crate::study::{Answer, Quantity};
+
+/// As many as fit side by side.
+pub const MOST: usize = 6;
+
+/// A column of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// The preset's name.
+    Name,
+    /// One result.
+    Result(Quantity),
+    /// The step error.
+    Error,
+}
+
+/// The columns, from the left.
+pub const COLUMNS: [Column; 11] = [
+    Column::Name,
+    Column::Result(Quantity::Damage),
+    Column::Result(Quantity::ShellGrowth),
+    Column::Result(Quantity::MeridianGrowth),
+    Column::Result(Quantity::Energy),
+    Column::Result(Quantity::Apex),
+    Column::Result(Quantity::Force(crate::eye::Monitor::Centre)),
+    Column::Result(Quantity::Force(crate::eye::Monitor::Front)),
+    Column::Result(Quantity::Force(crate::eye::Monitor::Right)),
+    Column::Result(Quantity::Force(crate::eye::Monitor::Top)),
+    Column::Error,
+];
+
+impl Column {
+    /// The value of an answer in this column.
+    pub fn of(self, answer: &Answer) -> f64 {
+        match self {
+            Self::Name => 0.0,
+            Self::Result(quantity) => quantity.of(&answer.recording.extremes),
+            Self::Error => answer.errors.time_step_percent(),
+        }
+    }
+}
+
+/// What is known of an entry.
+#[derive(Debug, Clone)]
+pub enum Found {
+    /// Nothing yet.
+    Awaited,
+    /// Its answer, and the largest force on any node in any frame, in N.
+    Answer(Arc<Answer>, f64),
+    /// Why there is none.
+    Refused(String),
+}
+
+/// A marked scenario.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Its name in the list.
+    pub name: String,
+    /// What is simulated.
+    pub scenario: Scenario,
+    /// What came of it.
+    pub found: Found,
+}
+
+impl Entry {
+    /// The answer, if there is one.
+    pub fn answer(&self) -> Option<&Answer> {
+        match &self.found {
+            Found::Answer(answer, _) => Some(answer),
+            _ => None,
+        }
+    }
+}
+
+/// The comparison.
+#[derive(Debug, Default)]
+pub struct Comparison {
+    /// What is marked, in the order of marking; differences are against the first.
+    pub entries: Vec<Entry>,
+    /// The row with the cursor in the list of presets.
+    pub row: usize,
+    /// The column with the cursor.
+    pub column: usize,
+    /// The column that sorts the table, and whether the largest comes first.
+    pub sort: Option<(usize, bool)>,
+    /// The curve below the table.
+    pub curve: usize,
+    /// The job under way: its ticket and its entry's name.
+    pub job: Option<(Ticket, String)>,
+}
+
+impl Comparison {
+    /// Marks or unmarks; says so if there is no room.
+    ///
+    /// # Errors
+    /// Where six are marked already.
+    pub fn mark(&mut self, name: &str, scenario: &Scenario) -> Result<(), String> {
+        if let Some(at) = self.entries.iter().position(|entry| entry.name == name) {
+            self.entries.remove(at);
+            return Ok(());
+        }
+        if self.entries.len() == MOST {
+            return Err(format!("{MOST} are marked already: unmark one first"));
+        }
+        self.entries.push(Entry {
+            name: name.to_owned(),
+            scenario: scenario.clone(),
+            found: Found::Awaited,
+        });
+        Ok(())
+    }
+
+    /// Whether a name is marked.
+    pub fn is_marked(&self, name: &str) -> bool {
+        self.entries.iter().any(|entry| entry.name == name)
+    }
+
+    /// The entry of that name takes another scenario, if it is marked and differs.
+    pub fn replace(&mut self, name: &str, scenario: &Scenario) {
+        let entry = self.entries.iter_mut().find(|entry| entry.name == name);
+        if let Some(entry) = entry
+            && entry.scenario != *scenario
+        {
+            entry.scenario = scenario.clone();
+            entry.found = Found::Awaited;
+            if self.job.as_ref().is_some_and(|(_, job)| job == name) {
+                self.job = None;
+            }
+        }
+    }
+
+    /// The next entry to simulate, unless one is under way.
+    pub fn next(&self) -> Option<&Entry> {
+        let awaited = |entry: &&Entry| matches!(entry.found, Found::Awaited);
+        self.entries
+            .iter()
+            .find(awaited)
+            .filter(|_| self.job.is_none())
+    }
+
+    /// Takes in what came of a job; a late answer of a changed entry is dropped.
+    pub fn take(&mut self, ticket: Ticket, found: Found) {
+        let Some((_, name)) = self.job.take_if(|(job, _)| *job == ticket) else {
+            return;
+        };
+        if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
+            entry.found = found;
+        }
+    }
+
+    /// Sorts by the column with the cursor; a second time, the other way round.
+    pub fn sort_here(&mut self) {
+        self.sort = match self.sort {
+            Some((column, largest)) if column == self.column => Some((column, !largest)),
+            _ => Some((self.column, self.column != 0)),
+        };
+    }
+
+    /// The entries in the order of the table.
+    pub fn sorted(&self) -> Vec<&Entry> {
+        let mut entries: Vec<&Entry> = self.entries.iter().collect();
+        let Some((column, largest)) = self.sort else {
+            return entries;
+        };
+        entries.sort_by(|a, b| {
+            let order = match (COLUMNS[column], a.answer(), b.answer()) {
+                (Column::Name, ..) => a.name.cmp(&b.name),
+                (column, Some(a), Some(b)) => column.of(a).total_cmp(&column.of(b)),
+                // What has no value comes last either way.
+                (_, a, b) => return b.is_some().cmp(&a.is_some()),
+            };
+            if largest { order.reverse() } else { order }
+        });
+        entries
+    }
+
+    /// The longest window of the answers, in s.
+    pub fn window(&self) -> Option<f64> {
+        let windows = self
+            .entries
+            .iter()
+            .filter_map(|e| Some(e.answer()?.case.window));
+        windows.max_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Keep;
+    use crate::scenario::library;
+    use crate::study::{solve, unwatched};
+
+    fn filled() -> Comparison {
+        let mut comparison = Comparison::default();
+        for (ticket, name) in ["paper-300n", "paper-100n", "paper-600n"]
+            .iter()
+            .enumerate()
+        {
+            let scenario = library::find(name).unwrap().scenario().unwrap();
+            comparison.mark(name, &scenario).unwrap();
+            comparison.job = Some((ticket as u64, (*name).to_owned()));
+            let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+            comparison.take(ticket as u64, Found::Answer(Arc::new(answer), 0.0));
+        }
+        comparison
+    }
+
+    fn order(comparison: &Comparison) -> Vec<&str> {
+        let sorted = comparison.sorted();
+        sorted.iter().map(|entry| entry.name.as_str()).collect()
+    }
+
+    #[test]
+    fn the_table_sorts_by_every_column_both_ways() {
+        let mut comparison = filled();
+        assert_eq!(
+            order(&comparison),
+            ["paper-300n", "paper-100n", "paper-600n"]
+        );
+        comparison.sort_here();
+        assert_eq!(
+            order(&comparison),
+            ["paper-100n", "paper-300n", "paper-600n"]
+        );
+        for (index, column) in COLUMNS.iter().enumerate().skip(1) {
+            comparison.column = index;
+            comparison.sort_here();
+            let values = |c: &Comparison| -> Vec<f64> {
+                let sorted = c.sorted();
+                let value = |e: &&Entry| column.of(e.answer().unwrap());
+                sorted.iter().map(value).collect()
+            };
+            assert!(values(&comparison).is_sorted_by(|a, b| a >= b));
+            comparison.sort_here();
+            assert!(values(&comparison).is_sorted());
+        }
+    }
+
+    #[test]
+    fn six_may_be_marked_and_marking_again_unmarks() {
+        let mut comparison = Comparison::default();
+        for name in ["a", "b", "c", "d", "e", "f"] {
+            comparison.mark(name, &Scenario::default()).unwrap();
+        }
+        assert!(comparison.mark("g", &Scenario::default()).is_err());
+        comparison.mark("a", &Scenario::default()).unwrap();
+        assert!(!comparison.is_marked("a") && comparison.entries.len() == 5);
+    }
+
+    #[test]
+    fn a_late_answer_to_a_changed_entry_is_dropped() {
+        let mut comparison = Comparison::default();
+        comparison.mark("form", &Scenario::default()).unwrap();
+        comparison.job = Some((1, "form".to_owned()));
+        let changed = Scenario {
+            window_ms: 1.0,
+            ..Scenario::default()
+        };
+        comparison.replace("form", &changed);
+        comparison.take(1, Found::Refused("late".to_owned()));
+        assert!(matches!(comparison.entries[0].found, Found::Awaited));
+        assert!(comparison.next().is_some());
+    }
+}

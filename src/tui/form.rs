@@ -1,0 +1,314 @@
+//! The form: which rows there are, and how a key press or typed text changes a value.
+//!
+//! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
+//! among the first rows if it belongs to the blow, folded away if it does not.
+
+use tui_input::Input;
+
+use super::action::Step;
+use crate::scenario::Scenario;
+use crate::scenario::check::check;
+use crate::scenario::fields::{FIELDS, Field, Kind};
+use crate::scenario::problem::ScenarioError;
+use crate::scenario::set::set;
+
+/// A row of the form.
+#[derive(Clone, Copy)]
+pub enum Row {
+    /// The preset.
+    Preset,
+    /// A field of the scenario.
+    Field(&'static Field),
+    /// The line that unfolds the advanced fields.
+    Fold,
+}
+
+impl PartialEq for Row {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Field(a), Self::Field(b)) => a.path == b.path,
+            (Self::Preset, Self::Preset) | (Self::Fold, Self::Fold) => true,
+            _ => false,
+        }
+    }
+}
+
+/// What is selected and what is being typed.
+pub struct Form {
+    /// The row with the cursor.
+    pub selected: Row,
+    /// Whether the advanced fields are shown.
+    pub advanced: bool,
+    /// A value that is being typed.
+    pub typing: Option<Typing>,
+    /// Why the last key press changed nothing.
+    pub complaint: Option<String>,
+}
+
+/// A value that is being typed.
+pub struct Typing {
+    /// The field.
+    pub field: &'static Field,
+    /// The text so far.
+    pub input: Input,
+    /// What Esc restores.
+    pub before: Scenario,
+    /// What is wrong with the text so far.
+    pub error: Option<String>,
+}
+
+impl Default for Form {
+    fn default() -> Self {
+        let force = FIELDS.iter().find(|field| field.path == "impact.force_n");
+        Self {
+            selected: force.map_or(Row::Preset, Row::Field),
+            advanced: false,
+            typing: None,
+            complaint: None,
+        }
+    }
+}
+
+/// Whether a field belongs to the question itself, not to the anatomy or the numerics.
+fn is_basic(field: &Field) -> bool {
+    ["model", "impact", "window_ms"]
+        .iter()
+        .any(|path| field.path == *path || field.path.starts_with("impact."))
+}
+
+/// Whether there is nothing to choose.
+fn is_settled(field: &Field) -> bool {
+    field.path == "impact"
+        && matches!(&field.kind, Kind::Choice(choices) if choices.names().len() < 2)
+}
+
+/// The rows, from the top.
+pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<Row> {
+    let there = |field: &&Field| field.text(scenario).is_some() && !is_settled(field);
+    let mut rows = vec![Row::Preset];
+    rows.extend(
+        FIELDS
+            .iter()
+            .filter(|f| is_basic(f))
+            .filter(there)
+            .map(Row::Field),
+    );
+    rows.push(Row::Fold);
+    if advanced {
+        rows.extend(
+            FIELDS
+                .iter()
+                .filter(|f| !is_basic(f))
+                .filter(there)
+                .map(Row::Field),
+        );
+    }
+    rows
+}
+
+impl Form {
+    /// Moves the cursor by so many rows.
+    pub fn go(&mut self, scenario: &Scenario, by: isize) {
+        let rows = rows(scenario, self.advanced);
+        let here = rows.iter().position(|row| *row == self.selected);
+        let next = here
+            .unwrap_or(0)
+            .saturating_add_signed(by)
+            .min(rows.len() - 1);
+        self.selected = rows[next];
+        self.complaint = None;
+    }
+
+    /// Shows or hides the advanced fields; the cursor stays on a row that is there.
+    pub fn fold(&mut self, scenario: &Scenario) {
+        self.advanced = !self.advanced;
+        if !rows(scenario, self.advanced).contains(&self.selected) {
+            self.selected = Row::Fold;
+        }
+    }
+
+    /// Puts the cursor where it can be after the scenario has changed.
+    pub fn settle(&mut self, scenario: &Scenario) {
+        if !rows(scenario, self.advanced).contains(&self.selected) {
+            self.go(scenario, 0);
+        }
+    }
+}
+
+/// The whole complaint without the path, which the form shows by its place.
+pub fn words(error: &ScenarioError) -> String {
+    let messages: Vec<&str> = error.problems.iter().map(|p| p.message.as_str()).collect();
+    messages.join("; ")
+}
+
+/// The scenario with `text` in a field, if it may be there.
+///
+/// # Errors
+/// Says why it may not.
+pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
+    let mut changed = scenario.clone();
+    set(&mut changed, field.path, text).map_err(|error| words(&error))?;
+    check(&changed).map_err(|error| words(&error))?;
+    Ok(changed)
+}
+
+/// The scenario with a field one step further. Numbers land on multiples of the step and stop at
+/// their bounds; choices go round. `present` is what an unset number stands at.
+///
+/// # Errors
+/// Says why the step may not be taken.
+pub fn nudged(
+    scenario: &Scenario,
+    field: &Field,
+    step: Step,
+    present: Option<f64>,
+) -> Result<Scenario, String> {
+    let text = match &field.kind {
+        Kind::Number(bounds, place) => (place.get)(scenario).map(|value| {
+            let size = if step.coarse {
+                bounds.coarse
+            } else {
+                bounds.fine
+            };
+            stepped(*value, size, step.up).clamp(bounds.min, bounds.max)
+        }),
+        Kind::OptionalNumber(bounds, place) => {
+            let value = (place.get)(scenario).copied().flatten().or(present);
+            let size = if step.coarse {
+                bounds.coarse
+            } else {
+                bounds.fine
+            };
+            value.map(|value| stepped(value, size, step.up).clamp(bounds.min, bounds.max))
+        }
+        Kind::Integer(min, max, place) => (place.get)(scenario)
+            .map(|value| (f64::from(*value) + step.sign()).clamp(f64::from(*min), f64::from(*max))),
+        Kind::Toggle(place) => {
+            let flipped = (place.get)(scenario).map(|value| (!value).to_string());
+            return flipped.map_or(Ok(scenario.clone()), |text| {
+                with_text(scenario, field, &text)
+            });
+        }
+        Kind::Choice(choices) => {
+            let names = choices.names();
+            let here = choices
+                .get(scenario)
+                .and_then(|name| names.iter().position(|n| *n == name));
+            let Some(here) = here else {
+                return Ok(scenario.clone());
+            };
+            let by = if step.up { 1 } else { names.len() - 1 };
+            return with_text(scenario, field, names[(here + by) % names.len()]);
+        }
+        Kind::Integers(..) | Kind::Text(..) => {
+            return Err("Enter opens it for typing".to_owned());
+        }
+    };
+    text.map_or(Ok(scenario.clone()), |value| {
+        with_text(scenario, field, &value.to_string())
+    })
+}
+
+/// The next multiple of `size` above or below.
+fn stepped(value: f64, size: f64, up: bool) -> f64 {
+    let count = value / size;
+    // A value this close to a multiple is that multiple.
+    let near = 1e-6;
+    let next = if up {
+        (count + near).floor() + 1.0
+    } else {
+        (count - near).ceil() - 1.0
+    };
+    // One division keeps 0.3 from becoming 0.30000000000000004.
+    let inverse = 1.0 / size;
+    if inverse.fract().abs() < 1e-9 || inverse > 1.0 {
+        next / inverse.round()
+    } else {
+        next * size
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::{EyeInput, Impact, PulseShape, fields};
+
+    fn field(path: &str) -> &'static Field {
+        fields::find(path).unwrap()
+    }
+
+    fn after(path: &str, step: Step) -> String {
+        let changed = nudged(&Scenario::default(), field(path), step, Some(1.234)).unwrap();
+        field(path).text(&changed).unwrap()
+    }
+
+    #[test]
+    fn a_step_lands_on_round_numbers() {
+        assert_eq!(after("impact.force_n", Step::MORE), "310");
+        assert_eq!(after("impact.force_n", Step::MUCH_LESS), "200");
+        assert_eq!(after("impact.duration_ms", Step::MORE), "0.21");
+        assert_eq!(after("impact.duration_ms", Step::MUCH_MORE), "0.3");
+        assert_eq!(after("impact.angle_deg", Step::LESS), "-1");
+        assert_eq!(after("eye.retina_deg", Step::MORE), "130");
+        assert_eq!(after("eye.retina_deg", Step::LESS), "129");
+        assert_eq!(after("eye.level", Step::MUCH_MORE), "2");
+        assert_eq!(after("eye.lens", Step::LESS), "false");
+        assert_eq!(after("impact.shape", Step::MORE), "Triangle");
+        assert_eq!(after("impact.shape", Step::LESS), "HalfSine");
+    }
+
+    #[test]
+    fn an_unset_step_starts_from_the_one_in_use() {
+        assert_eq!(after("numerics.step_us", Step::MORE), "1.24");
+        assert_eq!(after("numerics.step_us", Step::MUCH_LESS), "1.2");
+    }
+
+    #[test]
+    fn every_number_can_be_stepped_to_its_bounds_and_no_further() {
+        for field in FIELDS {
+            let Kind::Number(bounds, place) = &field.kind else {
+                continue;
+            };
+            for (end, step) in [(bounds.max, Step::MUCH_MORE), (bounds.min, Step::MUCH_LESS)] {
+                let mut scenario = Scenario {
+                    eye: EyeInput {
+                        opening_deg: 120.0,
+                        ..EyeInput::default()
+                    },
+                    ..Scenario::default()
+                };
+                *(place.get_mut)(&mut scenario).unwrap() = end;
+                let next = nudged(&scenario, field, step, None).unwrap_or(scenario);
+                assert_eq!((place.get)(&next), Some(&end), "{}", field.path);
+            }
+        }
+    }
+
+    #[test]
+    fn a_rule_that_joins_two_fields_is_explained() {
+        let mut scenario = Scenario::default();
+        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        pulse.angle_deg = 40.0;
+        let error = nudged(&scenario, field("impact.angle_deg"), Step::MORE, None);
+        assert!(error.unwrap_err().contains("bone shields"));
+    }
+
+    #[test]
+    fn rows_follow_the_variant_and_the_fold() {
+        let mut scenario = Scenario::default();
+        let paths = |scenario: &Scenario, advanced| -> Vec<&str> {
+            let path = |row: Row| match row {
+                Row::Field(field) => field.path,
+                Row::Preset => "preset",
+                Row::Fold => "fold",
+            };
+            rows(scenario, advanced).into_iter().map(path).collect()
+        };
+        let basic = paths(&scenario, false);
+        assert!(basic.contains(&"impact.shape.edge_fraction") && basic.contains(&"window_ms"));
+        assert!(!basic.contains(&"eye.level") && paths(&scenario, true).contains(&"eye.level"));
+        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        pulse.shape = PulseShape::Triangle;
+        assert!(!paths(&scenario, true).contains(&"impact.shape.edge_fraction"));
+    }
+}

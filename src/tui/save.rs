@@ -1,0 +1,139 @@
+//! Saving a scenario as a preset of the person's own.
+//!
+//! The text goes to a temporary file in the same folder, which takes the old file's place only
+//! once it is complete and on disk: a full disk or a crash leaves the old file as it was.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+use crate::scenario::library::is_plain;
+
+/// Why nothing was saved.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SaveError {
+    /// Not a name that a file can have everywhere.
+    #[error("a name has 1 to 40 letters, digits, dashes, dots or underscores")]
+    Name,
+    /// There is a preset of that name.
+    #[error("{0} exists")]
+    Exists(String),
+    /// The system refused.
+    #[error("not saved: {0}")]
+    Failed(String),
+}
+
+/// Whether a preset may be called this.
+///
+/// # Errors
+/// Where it may not.
+pub fn check_name(name: &str) -> Result<(), SaveError> {
+    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if is_plain(name) && name.chars().all(allowed) && name.chars().count() <= 40 {
+        Ok(())
+    } else {
+        Err(SaveError::Name)
+    }
+}
+
+/// Writes `text` as the preset `name` into `folder`, which is made if need be.
+///
+/// # Errors
+/// [`SaveError::Exists`] if it is there already and may not be replaced; otherwise says what went
+/// wrong. Whatever was there before is then still there.
+pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), SaveError> {
+    save_by(folder, name, replace, |file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()
+    })
+}
+
+fn save_by(
+    folder: &Path,
+    name: &str,
+    replace: bool,
+    fill: impl FnOnce(&mut fs::File) -> io::Result<()>,
+) -> Result<(), SaveError> {
+    check_name(name)?;
+    let failed = |error: io::Error| SaveError::Failed(error.to_string());
+    fs::create_dir_all(folder).map_err(failed)?;
+    let mut file = NamedTempFile::new_in(folder).map_err(failed)?;
+    // On an error the temporary file goes when it is dropped.
+    fill(file.as_file_mut()).map_err(failed)?;
+    let path = folder.join(format!("{name}.ron"));
+    if replace {
+        file.persist(&path).map_err(|e| failed(e.error))?;
+    } else {
+        file.persist_noclobber(&path).map_err(|e| {
+            if e.error.kind() == io::ErrorKind::AlreadyExists {
+                SaveError::Exists(name.to_owned())
+            } else {
+                failed(e.error)
+            }
+        })?;
+    }
+    // The rename itself must reach the disk; a folder that cannot be opened is no loss of data.
+    if let Ok(folder) = fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_preset_is_written_and_replaced_only_when_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("a/b");
+        assert_eq!(save(&inner, "mine", "one", false), Ok(()));
+        assert_eq!(
+            save(&inner, "mine", "two", false),
+            Err(SaveError::Exists("mine".to_owned()))
+        );
+        let file = inner.join("mine.ron");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "one");
+        assert_eq!(save(&inner, "mine", "two", true), Ok(()));
+        assert_eq!(fs::read_to_string(&file).unwrap(), "two");
+        assert_eq!(names(&inner), ["mine.ron"]);
+    }
+
+    #[test]
+    fn a_disk_that_fills_half_way_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        save(folder.path(), "mine", "old", false).unwrap();
+        let outcome = save_by(folder.path(), "mine", true, |file| {
+            file.write_all(b"half of the ne")?;
+            // The error of a full disk, as the device that is always full gives it.
+            fs::File::options()
+                .write(true)
+                .open("/dev/full")?
+                .write_all(b"w")
+        });
+        assert!(matches!(&outcome, Err(SaveError::Failed(why)) if why.contains("space")));
+        assert_eq!(names(folder.path()), ["mine.ron"]);
+        let text = fs::read_to_string(folder.path().join("mine.ron")).unwrap();
+        assert_eq!(text, "old");
+    }
+
+    #[test]
+    fn names_that_leave_the_folder_or_hide_are_refused() {
+        for name in ["", "..", "a/b", "a\\b", ".x", "a b", "a\u{1b}", "c:x"] {
+            assert_eq!(check_name(name), Err(SaveError::Name), "{name:?}");
+        }
+        assert_eq!(check_name(&"x".repeat(41)), Err(SaveError::Name));
+        assert_eq!(check_name("my-blow_2.1"), Ok(()));
+    }
+}

@@ -1,0 +1,149 @@
+//! What the terminal can show, from flags and environment alone.
+//!
+//! Left out: asking the terminal. Its answers arrive among the keys, late on a slow link, and not
+//! at all from some terminals.
+
+use clap::ValueEnum;
+
+/// How many colours to use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ColorFlag {
+    /// By the environment
+    Auto,
+    /// None: bold, dim and reverse only
+    Never,
+    /// The 16 of every colour terminal
+    #[value(name = "16")]
+    Sixteen,
+    /// The 256 of xterm
+    #[value(name = "256")]
+    TwoFiveSix,
+}
+
+/// How to draw the mesh and the curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Symbols {
+    /// Eight dots in a character
+    Braille,
+    /// Four blocks in a character
+    Block,
+    /// Nothing beyond ASCII
+    Ascii,
+}
+
+/// How many colours there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Depth {
+    /// None.
+    Mono,
+    /// 16.
+    Sixteen,
+    /// 256.
+    TwoFiveSix,
+}
+
+/// The colours to use; `None` where no screen can be drawn at all.
+///
+/// A terminal of 24 bits gets 256 colours: the heat map has eight steps, and more colours only
+/// cost bytes on the wire.
+pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<Depth> {
+    let is_set = |name: &str| env(name).is_some_and(|value| !value.is_empty());
+    let term = env("TERM").unwrap_or_default();
+    if term == "dumb" {
+        return None;
+    }
+    let wide = ["256color", "kitty", "alacritty", "foot", "tmux"];
+    let is_wide = term.ends_with("-direct") || wide.iter().any(|name| term.contains(name));
+    let rich = matches!(
+        env("COLORTERM").unwrap_or_default().as_str(),
+        "truecolor" | "24bit"
+    );
+    Some(match flag {
+        ColorFlag::Never => Depth::Mono,
+        ColorFlag::Sixteen => Depth::Sixteen,
+        ColorFlag::TwoFiveSix => Depth::TwoFiveSix,
+        ColorFlag::Auto => by_environment(is_set("NO_COLOR"), rich || is_wide, &term),
+    })
+}
+
+fn by_environment(no_color: bool, rich: bool, term: &str) -> Depth {
+    if no_color {
+        Depth::Mono
+    } else if rich {
+        Depth::TwoFiveSix
+    } else if term.starts_with("vt") {
+        Depth::Mono
+    } else {
+        Depth::Sixteen
+    }
+}
+
+/// The symbols to use. The consoles of Linux and of real terminals have no braille.
+pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> Symbols {
+    flag.unwrap_or_else(|| match env("TERM").unwrap_or_default().as_str() {
+        "linux" => Symbols::Block,
+        term if term.starts_with("vt") => Symbols::Ascii,
+        _ => Symbols::Braille,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Case<'a> = (ColorFlag, &'a [(&'a str, &'a str)], Option<Depth>);
+
+    fn chosen(flag: ColorFlag, set: &[(&str, &str)]) -> Option<Depth> {
+        depth(flag, |name| {
+            let found = set.iter().find(|(known, _)| *known == name);
+            found.map(|(_, value)| (*value).to_owned())
+        })
+    }
+
+    #[test]
+    fn colours_follow_the_flag_then_no_color_then_the_terminal() {
+        use ColorFlag::{Auto, Never, Sixteen, TwoFiveSix};
+        let cases: &[Case] = &[
+            (Auto, &[], Some(Depth::Sixteen)),
+            (Auto, &[("TERM", "xterm")], Some(Depth::Sixteen)),
+            (Auto, &[("TERM", "xterm-256color")], Some(Depth::TwoFiveSix)),
+            (Auto, &[("TERM", "tmux")], Some(Depth::TwoFiveSix)),
+            (Auto, &[("TERM", "xterm-direct")], Some(Depth::TwoFiveSix)),
+            (
+                Auto,
+                &[("TERM", "xterm"), ("COLORTERM", "truecolor")],
+                Some(Depth::TwoFiveSix),
+            ),
+            (Auto, &[("TERM", "vt220")], Some(Depth::Mono)),
+            (
+                Auto,
+                &[("TERM", "xterm-256color"), ("NO_COLOR", "1")],
+                Some(Depth::Mono),
+            ),
+            (
+                Auto,
+                &[("TERM", "xterm"), ("NO_COLOR", "")],
+                Some(Depth::Sixteen),
+            ),
+            (
+                TwoFiveSix,
+                &[("TERM", "xterm"), ("NO_COLOR", "1")],
+                Some(Depth::TwoFiveSix),
+            ),
+            (Never, &[("TERM", "kitty")], Some(Depth::Mono)),
+            (Sixteen, &[("TERM", "dumb")], None),
+        ];
+        for (flag, env, expected) in cases {
+            assert_eq!(chosen(*flag, env), *expected, "{flag:?} {env:?}");
+        }
+    }
+
+    #[test]
+    fn braille_is_left_out_where_the_font_lacks_it() {
+        let by_term = |term: &str| symbols(None, |_| Some(term.to_owned()));
+        assert_eq!(by_term("linux"), Symbols::Block);
+        assert_eq!(by_term("vt100"), Symbols::Ascii);
+        assert_eq!(by_term("xterm"), Symbols::Braille);
+        assert_eq!(symbols(Some(Symbols::Ascii), |_| None), Symbols::Ascii);
+    }
+}

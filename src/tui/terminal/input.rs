@@ -1,0 +1,349 @@
+//! Bytes from the terminal to keys, pastes and replies.
+//!
+//! A sequence may arrive in pieces, so the parser keeps what is unfinished; [`Parser::flush`] says
+//! that nothing more came, which makes a lone ESC the Escape key. Unknown sequences are dropped
+//! whole, so no reply of a terminal is ever taken for a key.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+/// Something that the terminal sent.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Input {
+    /// A key.
+    Key(KeyEvent),
+    /// Pasted text.
+    Paste(String),
+    /// The reply to a question for the cursor's place.
+    CursorReport,
+}
+
+/// A paste beyond this is cut: no field takes so much.
+const LONGEST_PASTE: usize = 4096;
+/// No sequence is longer; anything beyond is rubbish.
+const LONGEST_SEQUENCE: usize = 64;
+const PASTE_END: &[u8] = b"\x1b[201~";
+
+/// Takes bytes and gives inputs.
+#[derive(Debug, Default)]
+pub struct Parser {
+    held: Vec<u8>,
+    pasted: Option<Vec<u8>>,
+}
+
+/// What the held bytes begin with.
+enum Parsed {
+    Unfinished,
+    Dropped(usize),
+    Found(usize, Input),
+    PasteBegins(usize),
+}
+
+impl Parser {
+    /// Takes bytes as they came and gives everything that is complete.
+    pub fn feed(&mut self, bytes: &[u8]) -> Vec<Input> {
+        let mut inputs = Vec::new();
+        for &byte in bytes {
+            if let Some(pasted) = &mut self.pasted {
+                pasted.push(byte);
+                if pasted.ends_with(PASTE_END) {
+                    pasted.truncate(pasted.len() - PASTE_END.len());
+                    pasted.truncate(LONGEST_PASTE);
+                    inputs.push(Input::Paste(String::from_utf8_lossy(pasted).into_owned()));
+                    self.pasted = None;
+                } else if pasted.len() > 2 * LONGEST_PASTE {
+                    // Keep the tail, which may hold the beginning of the end mark.
+                    pasted.drain(LONGEST_PASTE..pasted.len() - PASTE_END.len());
+                }
+                continue;
+            }
+            self.held.push(byte);
+            self.drain(&mut inputs);
+        }
+        inputs
+    }
+
+    /// Whether something is unfinished.
+    pub fn is_waiting(&self) -> bool {
+        !self.held.is_empty()
+    }
+
+    /// Nothing more came: a lone ESC is a key, any other remainder is dropped.
+    pub fn flush(&mut self) -> Option<Input> {
+        let held = std::mem::take(&mut self.held);
+        match held.as_slice() {
+            [0x1b] => Some(key(KeyCode::Esc, KeyModifiers::NONE)),
+            [0x1b, b'['] => Some(key(KeyCode::Char('['), KeyModifiers::ALT)),
+            [0x1b, b'O'] => Some(key(KeyCode::Char('O'), KeyModifiers::ALT)),
+            _ => None,
+        }
+    }
+
+    fn drain(&mut self, inputs: &mut Vec<Input>) {
+        while !self.held.is_empty() {
+            let used = match parse(&self.held) {
+                Parsed::Unfinished if self.held.len() < LONGEST_SEQUENCE => return,
+                Parsed::Unfinished => self.held.len(),
+                Parsed::Dropped(used) => used,
+                Parsed::Found(used, input) => {
+                    inputs.push(input);
+                    used
+                }
+                Parsed::PasteBegins(used) => {
+                    self.pasted = Some(Vec::new());
+                    used
+                }
+            };
+            self.held.drain(..used);
+        }
+    }
+}
+
+fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
+    Input::Key(KeyEvent::new(code, modifiers))
+}
+
+fn parse(held: &[u8]) -> Parsed {
+    match held {
+        [0x1b] | [0x1b, b'[' | b'O'] => Parsed::Unfinished,
+        [0x1b, b'[', rest @ ..] => csi(rest),
+        [0x1b, b'O', last, ..] => match function_key(*last) {
+            Some(code) => Parsed::Found(3, key(code, KeyModifiers::NONE)),
+            None => Parsed::Dropped(3),
+        },
+        // OSC, DCS, APC and PM run to ST or BEL.
+        [0x1b, b']' | b'P' | b'_' | b'^', rest @ ..] => {
+            let end = rest.iter().enumerate().find_map(|(i, byte)| match byte {
+                0x07 => Some(i + 3),
+                b'\\' if i > 0 && rest[i - 1] == 0x1b => Some(i + 3),
+                _ => None,
+            });
+            end.map_or(Parsed::Unfinished, Parsed::Dropped)
+        }
+        // Two presses of Escape, or Escape before a sequence.
+        [0x1b, 0x1b, ..] => Parsed::Found(1, key(KeyCode::Esc, KeyModifiers::NONE)),
+        [0x1b, rest @ ..] => match character(rest) {
+            Parsed::Found(used, Input::Key(event)) => Parsed::Found(
+                used + 1,
+                key(event.code, event.modifiers | KeyModifiers::ALT),
+            ),
+            other => other,
+        },
+        _ => character(held),
+    }
+}
+
+fn character(held: &[u8]) -> Parsed {
+    let found = |code, modifiers| Parsed::Found(1, key(code, modifiers));
+    let none = KeyModifiers::NONE;
+    match held[0] {
+        b'\r' | b'\n' => found(KeyCode::Enter, none),
+        b'\t' => found(KeyCode::Tab, none),
+        0x7f | 0x08 => found(KeyCode::Backspace, none),
+        0 => found(KeyCode::Char(' '), KeyModifiers::CONTROL),
+        byte @ 1..=26 => found(
+            KeyCode::Char(char::from(byte - 1 + b'a')),
+            KeyModifiers::CONTROL,
+        ),
+        byte @ 0x1c..=0x1f => found(
+            KeyCode::Char(char::from(byte - 0x1c + b'4')),
+            KeyModifiers::CONTROL,
+        ),
+        byte @ 0x20..=0x7e => found(KeyCode::Char(char::from(byte)), none),
+        byte => {
+            let length = match byte {
+                0xc2..=0xdf => 2,
+                0xe0..=0xef => 3,
+                0xf0..=0xf4 => 4,
+                _ => return Parsed::Dropped(1),
+            };
+            let Some(bytes) = held.get(..length) else {
+                return if held[1..].iter().all(|b| (0x80..0xc0).contains(b)) {
+                    Parsed::Unfinished
+                } else {
+                    Parsed::Dropped(1)
+                };
+            };
+            match std::str::from_utf8(bytes)
+                .ok()
+                .and_then(|s| s.chars().next())
+            {
+                Some(c) => Parsed::Found(length, key(KeyCode::Char(c), none)),
+                None => Parsed::Dropped(1),
+            }
+        }
+    }
+}
+
+/// A control sequence, after its `ESC [`.
+fn csi(rest: &[u8]) -> Parsed {
+    let Some(end) = rest.iter().position(|byte| (0x40..=0x7e).contains(byte)) else {
+        let broken = rest.iter().position(|byte| !(0x20..=0x3f).contains(byte));
+        return broken.map_or(Parsed::Unfinished, |at| Parsed::Dropped(at + 2));
+    };
+    if let Some(broken) = rest[..end].iter().position(|b| !(0x20..=0x3f).contains(b)) {
+        return Parsed::Dropped(broken + 2);
+    }
+    let used = end + 3;
+    let numbers: Option<Vec<u8>> = std::str::from_utf8(&rest[..end]).ok().map(|text| {
+        text.split(';')
+            .map(|part| part.parse().unwrap_or(0))
+            .collect()
+    });
+    let private = rest
+        .first()
+        .is_some_and(|byte| (0x3c..=0x3f).contains(byte));
+    let numbers = numbers.unwrap_or_default();
+    if private {
+        return Parsed::Dropped(used);
+    }
+    let modifiers = numbers.get(1).map_or(KeyModifiers::NONE, |&n| held_keys(n));
+    let code = match (rest[end], numbers.first()) {
+        // A report has a row and a column; F3 with modifiers looks the same and is given up.
+        (b'R', _) if numbers.len() == 2 => return Parsed::Found(used, Input::CursorReport),
+        (b'~', Some(200)) => return Parsed::PasteBegins(used),
+        (b'~', Some(&number)) => tilde_key(number),
+        (b'Z', _) => Some(KeyCode::BackTab),
+        (last, _) => function_key(last),
+    };
+    match code {
+        Some(code) => Parsed::Found(used, key(code, modifiers)),
+        None => Parsed::Dropped(used),
+    }
+}
+
+/// The modifiers of `ESC [ 1 ; n A`.
+fn held_keys(number: u8) -> KeyModifiers {
+    let bits = number.saturating_sub(1);
+    let mut held = KeyModifiers::NONE;
+    for (bit, modifier) in [
+        (1, KeyModifiers::SHIFT),
+        (2, KeyModifiers::ALT),
+        (4, KeyModifiers::CONTROL),
+    ] {
+        if bits & bit != 0 {
+            held |= modifier;
+        }
+    }
+    held
+}
+
+fn function_key(last: u8) -> Option<KeyCode> {
+    Some(match last {
+        b'A' => KeyCode::Up,
+        b'B' => KeyCode::Down,
+        b'C' => KeyCode::Right,
+        b'D' => KeyCode::Left,
+        b'F' => KeyCode::End,
+        b'H' => KeyCode::Home,
+        b'M' => KeyCode::Enter,
+        b'P'..=b'S' => KeyCode::F(last - b'P' + 1),
+        _ => return None,
+    })
+}
+
+fn tilde_key(number: u8) -> Option<KeyCode> {
+    Some(match number {
+        1 | 7 => KeyCode::Home,
+        2 => KeyCode::Insert,
+        3 => KeyCode::Delete,
+        4 | 8 => KeyCode::End,
+        5 => KeyCode::PageUp,
+        6 => KeyCode::PageDown,
+        11..=15 => KeyCode::F(number - 10),
+        17..=21 => KeyCode::F(number - 11),
+        23 | 24 => KeyCode::F(number - 12),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn keys(bytes: &[u8]) -> Vec<Input> {
+        Parser::default().feed(bytes)
+    }
+
+    fn plain(code: KeyCode) -> Input {
+        key(code, KeyModifiers::NONE)
+    }
+
+    #[test]
+    fn keys_are_read_with_their_modifiers() {
+        let shift = KeyModifiers::SHIFT;
+        assert_eq!(keys(b"a"), [plain(KeyCode::Char('a'))]);
+        assert_eq!(keys("é".as_bytes()), [plain(KeyCode::Char('é'))]);
+        assert_eq!(
+            keys(b"\x1b[A\x1bOB"),
+            [plain(KeyCode::Up), plain(KeyCode::Down)]
+        );
+        assert_eq!(keys(b"\x1b[1;2C"), [key(KeyCode::Right, shift)]);
+        assert_eq!(
+            keys(b"\x1b[5~\x1b[Z"),
+            [plain(KeyCode::PageUp), plain(KeyCode::BackTab)]
+        );
+        assert_eq!(
+            keys(b"\x03"),
+            [key(KeyCode::Char('c'), KeyModifiers::CONTROL)]
+        );
+        assert_eq!(keys(b"\x1bx"), [key(KeyCode::Char('x'), KeyModifiers::ALT)]);
+        assert_eq!(keys(b"\r"), [plain(KeyCode::Enter)]);
+    }
+
+    #[test]
+    fn a_lone_escape_is_a_key_only_when_nothing_follows() {
+        let mut parser = Parser::default();
+        assert!(parser.feed(b"\x1b").is_empty() && parser.is_waiting());
+        assert_eq!(parser.flush(), Some(plain(KeyCode::Esc)));
+        assert!(parser.feed(b"\x1b").is_empty());
+        assert_eq!(parser.feed(b"[D"), [plain(KeyCode::Left)]);
+        assert!(!parser.is_waiting());
+    }
+
+    #[test]
+    fn replies_are_never_taken_for_keys() {
+        assert_eq!(keys(b"\x1b[12;40R"), [Input::CursorReport]);
+        for reply in [
+            "\x1b[?2026;2$y",
+            "\x1b[?62;4c",
+            "\x1b[0n",
+            "\x1b]11;rgb:0000/0000/0000\x1b\\",
+            "\x1b]11;rgb:0000/0000/0000\x07",
+            "\x1bP>|XTerm(380)\x1b\\",
+            "\x1b[I",
+            "\x1b[<35;10;10M",
+        ] {
+            let mut parser = Parser::default();
+            assert_eq!(parser.feed(reply.as_bytes()), [], "{reply:?}");
+            assert_eq!(parser.feed(b"x"), [plain(KeyCode::Char('x'))], "{reply:?}");
+        }
+    }
+
+    #[test]
+    fn pasted_text_comes_as_one_piece_without_its_marks() {
+        let mut parser = Parser::default();
+        assert!(parser.feed(b"\x1b[200~4\x1b[A5").is_empty());
+        assert_eq!(parser.feed(b"0\x1b[201~q").len(), 2);
+        let inputs = keys(b"\x1b[200~450\x1b[201~");
+        assert_eq!(inputs, [Input::Paste("450".to_owned())]);
+        let mut long = b"\x1b[200~".to_vec();
+        long.extend(vec![b'x'; 100_000]);
+        long.extend(PASTE_END);
+        let inputs = keys(&long);
+        assert!(matches!(&inputs[..], [Input::Paste(text)] if text.len() == LONGEST_PASTE));
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_in_any_pieces_give_the_same_and_end(bytes in prop::collection::vec(any::<u8>(), 0..200), cut in 0usize..200) {
+            let whole = keys(&bytes);
+            let (head, tail) = bytes.split_at(cut.min(bytes.len()));
+            let mut parser = Parser::default();
+            let mut pieces = parser.feed(head);
+            pieces.extend(parser.feed(tail));
+            prop_assert_eq!(whole, pieces);
+            prop_assert!(parser.held.len() <= LONGEST_SEQUENCE);
+        }
+    }
+}

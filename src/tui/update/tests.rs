@@ -1,0 +1,262 @@
+//! What keys and answers do to the model, without a terminal and without threads.
+
+use super::*;
+use crate::recording::Keep;
+use crate::scenario::Impact;
+use crate::study::{solve as simulate, unwatched};
+use crate::tui::model::Look;
+use crate::tui::open::prepare;
+use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::terminal::input::{Input as Typed, Parser};
+
+fn model() -> Model {
+    let look = Look {
+        depth: Depth::Mono,
+        symbols: Symbols::Braille,
+    };
+    let mut model = prepare(&[], look).unwrap();
+    begin(&mut model);
+    model
+}
+
+fn press(model: &mut Model, keys: &str) -> Vec<Effect> {
+    let mut parser = Parser::default();
+    let mut inputs = parser.feed(keys.as_bytes());
+    inputs.extend(parser.flush());
+    let mut effects = Vec::new();
+    for input in inputs {
+        match input {
+            Typed::Key(event) => effects.extend(update(model, Message::Key(event))),
+            Typed::Paste(text) => effects.extend(update(model, Message::Paste(text))),
+            Typed::CursorReport => {}
+        }
+    }
+    effects
+}
+
+fn force(model: &Model) -> f64 {
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    pulse.force_n
+}
+
+fn answer(model: &mut Model, ticket: Ticket) {
+    let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
+    let report = Report::Done(ticket, Box::new(answer));
+    update(model, Message::Form(report));
+}
+
+fn refuse(model: &mut Model, ticket: Ticket, refusal: Refusal) {
+    let report = Report::Done(ticket, Box::new(Err(refusal)));
+    update(model, Message::Form(report));
+}
+
+#[test]
+fn every_edit_asks_for_its_own_simulation() {
+    let mut model = model();
+    let effects = press(&mut model, "lll");
+    let tickets: Vec<Ticket> = effects
+        .iter()
+        .map(|effect| match effect {
+            Effect::Solve(ticket, _) => *ticket,
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(force(&model), 330.0);
+    assert!(tickets.is_sorted() && tickets.len() == 3);
+    assert_eq!(model.run, Run::Running(tickets[2], None));
+}
+
+#[test]
+fn a_late_answer_changes_nothing() {
+    let mut model = model();
+    press(&mut model, "l");
+    answer(&mut model, 1);
+    assert!(model.shown.is_none(), "that was the answer before the edit");
+    answer(&mut model, 2);
+    assert!(model.shown.is_some() && model.run == Run::Settled);
+}
+
+#[test]
+fn a_refusal_keeps_the_last_good_result_and_says_why() {
+    let mut model = model();
+    answer(&mut model, 1);
+    press(&mut model, "l");
+    refuse(&mut model, 2, Refusal::Cancelled);
+    assert!(matches!(&model.run, Run::Refused(why) if why.contains("cancelled")));
+    assert_eq!(model.stale(), Some("last good result"));
+    // The next edit that works clears it.
+    press(&mut model, "u");
+    answer(&mut model, 3);
+    assert_eq!(model.stale(), None);
+}
+
+#[test]
+fn escape_cancels_a_run_and_an_edit_supersedes_it() {
+    let mut model = model();
+    assert_eq!(press(&mut model, "\x1b"), [Effect::Stop(1)]);
+    assert!(matches!(press(&mut model, "l")[..], [Effect::Solve(2, _)]));
+}
+
+#[test]
+fn undo_and_redo_travel_through_edits_and_presets() {
+    let mut model = model();
+    press(&mut model, "\r\x15450\r");
+    press(&mut model, "kkkk");
+    let first = model.work.source.clone();
+    press(&mut model, "l");
+    assert_ne!(model.work.source, first);
+    assert!(!model.is_edited());
+    press(&mut model, "u");
+    assert_eq!((model.work.source.clone(), force(&model)), (first, 450.0));
+    assert!(model.is_edited());
+    press(&mut model, "u");
+    assert_eq!(force(&model), 300.0);
+    assert!(!model.is_edited());
+    press(&mut model, "u");
+    assert!(model.notice.as_ref().unwrap().contains("nothing to undo"));
+    press(&mut model, "rr");
+    assert!(!model.is_edited() && model.notice.is_none());
+    assert_ne!(force(&model), 450.0);
+}
+
+#[test]
+fn typing_simulates_what_makes_sense_and_escape_restores() {
+    let mut model = model();
+    let effects = press(&mut model, "\r\x1545");
+    assert_eq!(effects.len(), 2, "4 and 45 are both forces");
+    assert_eq!(force(&model), 45.0);
+    assert!(press(&mut model, "x").is_empty());
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed"));
+    assert_eq!(model.stale(), Some("last good result"));
+    press(&mut model, "\x1b");
+    assert_eq!(force(&model), 300.0);
+    assert_eq!(model.history.depth(), (0, 0));
+}
+
+#[test]
+fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
+    let mut model = model();
+    press(&mut model, "\r\x15-1\r");
+    assert!(model.form.typing.is_some());
+    press(&mut model, "\x15450\r");
+    assert!(model.form.typing.is_none());
+    assert_eq!(model.history.depth(), (1, 0));
+    press(&mut model, "u");
+    assert_eq!(force(&model), 300.0);
+}
+
+#[test]
+fn letters_and_digits_are_text_while_a_value_is_typed() {
+    let mut model = model();
+    assert_eq!(press(&mut model, "\rq2?"), []);
+    assert_eq!(model.screen, Screen::Main);
+    let typing = model.form.typing.as_ref().unwrap();
+    assert_eq!(typing.input.value(), "300q2?");
+}
+
+#[test]
+fn quitting_asks_only_when_work_would_be_lost() {
+    let mut model = model();
+    assert_eq!(press(&mut model, "q"), [Effect::Quit(0)]);
+    press(&mut model, "l");
+    assert_eq!(press(&mut model, "q"), []);
+    assert_eq!(press(&mut model, "n"), []);
+    assert_eq!(press(&mut model, "qy"), [Effect::Quit(0)]);
+    press(&mut model, "u");
+    assert_eq!(press(&mut model, "q"), [Effect::Quit(0)]);
+    press(&mut model, "l");
+    assert_eq!(press(&mut model, "\x03"), [Effect::Quit(130)]);
+}
+
+#[test]
+fn saving_asks_for_a_name_and_before_it_replaces() {
+    let mut model = model();
+    press(&mut model, "ls\x15paper-300n");
+    assert_eq!(press(&mut model, "\r"), []);
+    let replace = Question::Replace("paper-300n".to_owned());
+    assert!(matches!(&model.overlay, Some(Overlay::Question(q)) if *q == replace));
+    press(&mut model, "n");
+    press(&mut model, "\x15a b\r");
+    assert!(matches!(&model.overlay, Some(Overlay::SaveAs(_, Some(_)))));
+    let effects = press(&mut model, "\x15mine\r");
+    let [Effect::Save(name, text, false)] = &effects[..] else {
+        panic!("{effects:?}")
+    };
+    assert!(name == "mine" && text.contains("name: \"mine\""));
+    // Nothing counts as saved before it is.
+    assert!(model.is_edited());
+    let full = SaveError::Failed("no space".to_owned());
+    update(&mut model, Message::Saved("mine".to_owned(), Err(full)));
+    assert!(model.is_edited());
+    update(&mut model, Message::Saved("mine".to_owned(), Ok(())));
+    assert!(!model.is_edited() && model.overlay.is_none());
+    assert_eq!(model.work.source, "mine");
+}
+
+#[test]
+fn the_dial_and_the_form_turn_the_same_angle() {
+    let mut model = model();
+    press(&mut model, "\tkkK");
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    assert_eq!(pulse.angle_deg, 10.0);
+    press(&mut model, "l");
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    assert_eq!(pulse.half_width_deg, 21.0);
+}
+
+#[test]
+fn marks_are_simulated_one_after_another() {
+    let mut model = model();
+    let effects = press(&mut model, "4j j ");
+    let [Effect::Compare(first, _)] = effects[..] else {
+        panic!("{effects:?}")
+    };
+    let done = |model: &mut Model, ticket| {
+        let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
+        let report = Report::Done(ticket, Box::new(answer));
+        update(model, Message::Comparison(report))
+    };
+    let effects = done(&mut model, first);
+    let [Effect::Compare(second, _)] = effects[..] else {
+        panic!("{effects:?}")
+    };
+    assert!(done(&mut model, second).is_empty());
+    assert!(model.compare.entries.iter().all(|e| e.answer().is_some()));
+}
+
+#[test]
+fn unmarking_stops_a_simulation_nobody_waits_for() {
+    let mut model = model();
+    press(&mut model, "4j ");
+    let effects = press(&mut model, " ");
+    assert!(matches!(effects[..], [Effect::StopComparing(_)]));
+    assert!(model.compare.job.is_none());
+}
+
+#[test]
+fn the_form_follows_into_the_comparison() {
+    let mut model = model();
+    press(&mut model, "4 ");
+    press(&mut model, "1l");
+    let effects = press(&mut model, "4");
+    let Some(Effect::Compare(_, scenario)) = effects.last() else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(*scenario, model.work.scenario);
+}
+
+#[test]
+fn time_passes_only_while_the_replay_plays() {
+    let mut model = model();
+    answer(&mut model, 1);
+    let second = |n| Message::Tick(Duration::from_secs(n));
+    update(&mut model, second(1));
+    let still = model.time();
+    update(&mut model, second(2));
+    assert_eq!(model.time(), still);
+    press(&mut model, " ");
+    assert_eq!(model.time(), 0.0);
+    update(&mut model, second(3));
+    assert!((model.time() - 0.5e-3).abs() < 1e-12);
+}

@@ -1,0 +1,258 @@
+//! Curves over time: bare ones for the main screen, and charts with axes.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::raster::{Ink, Raster};
+use super::text::{put, put_right, width};
+use super::theme::Theme;
+use crate::report::text::significant;
+use crate::tui::model::Look;
+
+/// One curve.
+pub struct Curve<'a> {
+    /// Times in s.
+    pub time: &'a [f64],
+    /// Values.
+    pub values: &'a [f64],
+    /// From the values to the unit on show.
+    pub factor: f64,
+    /// How it looks.
+    pub ink: Ink,
+}
+
+/// The value of a curve at a time, between its samples; `None` outside them.
+pub fn value_at(time: &[f64], values: &[f64], at: f64) -> Option<f64> {
+    let after = time.partition_point(|t| *t < at);
+    if after == 0 {
+        return values.first().copied();
+    }
+    let (t0, t1) = (time[after - 1], *time.get(after)?);
+    let share = if t1 > t0 { (at - t0) / (t1 - t0) } else { 1.0 };
+    Some(values[after - 1] + share * (values[after] - values[after - 1]))
+}
+
+/// The range of several curves, 0 among them.
+fn range(curves: &[Curve], window: f64) -> (f64, f64) {
+    let mut range = (0.0, 0.0);
+    for curve in curves {
+        for (t, value) in curve.time.iter().zip(curve.values) {
+            if *t <= window {
+                range = (
+                    f64::min(range.0, value * curve.factor),
+                    f64::max(range.1, value * curve.factor),
+                );
+            }
+        }
+    }
+    range
+}
+
+/// Draws curves into `area`, all of the time up to `window` across and `low` to `high` upwards. A
+/// column of dots spans all values that fall into it, so no peak is lost.
+fn plot(raster: &mut Raster, curves: &[Curve], window: f64, (low, high): (f64, f64), filled: bool) {
+    let (columns, rows) = raster.size();
+    let span = if high > low { high - low } else { 1.0 };
+    let row = |value: f64| f64::from(rows - 1) * (1.0 - (value - low) / span);
+    for curve in curves {
+        let mut previous: Option<f64> = None;
+        for column in 0..columns {
+            let from = window * f64::from(column) / f64::from(columns);
+            let to = window * f64::from(column + 1) / f64::from(columns);
+            let begin = curve.time.partition_point(|t| *t < from);
+            let end = curve.time.partition_point(|t| *t < to);
+            let inside = curve.values[begin..end].iter().copied();
+            let start = value_at(curve.time, curve.values, from);
+            let values = start.into_iter().chain(inside);
+            let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+            for value in values {
+                least = least.min(value * curve.factor);
+                most = most.max(value * curve.factor);
+            }
+            if least > most {
+                break;
+            }
+            let (mut top, mut bottom) = (row(most), row(least));
+            if let Some(previous) = previous {
+                top = top.min(previous);
+                bottom = bottom.max(previous);
+            }
+            if filled {
+                bottom = bottom.max(row(0.0));
+            }
+            let last = value_at(curve.time, curve.values, to);
+            previous = last.map(|value| row(value * curve.factor));
+            let x = f64::from(column) + 0.5;
+            let steps = curve.ink.every;
+            if steps > 1 && column % i32::from(steps) != 0 {
+                continue;
+            }
+            let ink = Ink {
+                every: 1,
+                ..curve.ink
+            };
+            raster.line((x, top.round() + 0.5), (x, bottom.round() + 0.5), ink);
+        }
+    }
+}
+
+/// A curve without axes, with a mark at the present moment below it.
+pub fn spark(curve: Curve, window: f64, now: f64, look: Look, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(look);
+    let mut raster = Raster::new(area, look.symbols);
+    let curves = [curve];
+    let range = range(&curves, window);
+    plot(&mut raster, &curves, window, range, true);
+    raster.paint(buffer);
+    let share = (now / window).clamp(0.0, 1.0);
+    let column = (share * f64::from(area.width.saturating_sub(1))).round() as u16;
+    if area.height > 0 {
+        let cell = &mut buffer[(area.x + column, area.y + area.height - 1)];
+        if cell.symbol() == " " {
+            cell.set_char('▴');
+        }
+        cell.set_style(theme.cursor());
+    }
+}
+
+/// A curve over the whole of a raster, filled down to 0.
+pub fn fill(raster: &mut Raster, curve: Curve, window: f64) {
+    let curves = [curve];
+    let range = range(&curves, window);
+    plot(raster, &curves, window, range, true);
+}
+
+/// Several curves with axes and a cursor.
+pub struct Chart<'a> {
+    /// Above it, from the left.
+    pub title: &'a str,
+    /// Above it, from the right.
+    pub reading: &'a str,
+    /// What it shows.
+    pub curves: Vec<Curve<'a>>,
+    /// The end of the time axis, in s.
+    pub window: f64,
+    /// The cursor, in s.
+    pub cursor: f64,
+    /// How things are drawn.
+    pub look: Look,
+}
+
+/// Room for the numbers of the value axis.
+const LABELS: u16 = 7;
+
+impl Chart<'_> {
+    /// Draws it.
+    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        if area.height < 4 || area.width < LABELS + 8 {
+            return;
+        }
+        let end = put(buffer, area, (LABELS, 0), self.title, theme.heading());
+        if end + width(self.reading) < area.width {
+            put_right(buffer, area, (area.width, 0), self.reading, theme.cursor());
+        }
+        let field = Rect::new(
+            area.x + LABELS + 1,
+            area.y + 1,
+            area.width - LABELS - 1,
+            area.height - 3,
+        );
+        let (low, high) = range(&self.curves, self.window);
+        let (low, high) = if high > low {
+            (low, high)
+        } else {
+            (low, low + 1.0)
+        };
+        self.axes(area, field, (low, high), buffer);
+        let mut raster = Raster::new(field, self.look.symbols);
+        let (columns, rows) = raster.size();
+        let at = (self.cursor / self.window).clamp(0.0, 1.0) * f64::from(columns - 1);
+        let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
+        raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
+        plot(&mut raster, &self.curves, self.window, (low, high), false);
+        raster.paint(buffer);
+    }
+
+    fn axes(&self, area: Rect, field: Rect, (low, high): (f64, f64), buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let bottom = field.height + 1;
+        for y in 1..bottom {
+            put(buffer, area, (LABELS, y), "│", theme.line());
+        }
+        put(buffer, area, (LABELS, bottom), "└", theme.line());
+        for x in LABELS + 1..area.width {
+            put(buffer, area, (x, bottom), "─", theme.line());
+        }
+        for value in ticks(low, high, usize::from(field.height / 3).clamp(2, 6)) {
+            let share = (high - value) / (high - low);
+            let y = 1 + (share * f64::from(field.height - 1)).round() as u16;
+            put_right(buffer, area, (LABELS, y), &tick_label(value), theme.quiet());
+            put(buffer, area, (LABELS, y), "┤", theme.line());
+        }
+        let window_ms = self.window * 1e3;
+        let mut free = 0;
+        for value in ticks(0.0, window_ms, usize::from(field.width / 9).clamp(2, 10)) {
+            let share = value / window_ms;
+            let x = LABELS + 1 + (share * f64::from(field.width - 1)).round() as u16;
+            let label = tick_label(value);
+            let left = x
+                .saturating_sub(width(&label) / 2)
+                .min(area.width - width(&label));
+            put(buffer, area, (x, bottom), "┬", theme.line());
+            if left >= free && left + width(&label) + 3 <= area.width {
+                free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;
+            }
+        }
+        put_right(buffer, area, (area.width, bottom + 1), "ms", theme.quiet());
+    }
+}
+
+/// A tick's number without needless zeros.
+fn tick_label(value: f64) -> String {
+    let text = significant(value);
+    if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// Round numbers between two bounds, about so many.
+fn ticks(low: f64, high: f64, count: usize) -> Vec<f64> {
+    let raw = (high - low) / count as f64;
+    if !(raw.is_finite() && raw > 0.0) {
+        return Vec::new();
+    }
+    let power = 10f64.powf(raw.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .map(|m| m * power)
+        .find(|step| *step >= raw * 0.999)
+        .unwrap_or(10.0 * power);
+    let first = (low / step - 1e-9).ceil() as i64;
+    let last = (high / step + 1e-9).floor() as i64;
+    (first..=last).map(|i| i as f64 * step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_and_inside() {
+        assert_eq!(ticks(0.0, 3.0, 3), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(ticks(0.0, 72.9, 3), [0.0, 50.0]);
+        assert_eq!(ticks(-1.0, 1.0, 4), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        assert!(ticks(0.0, 0.0, 3).is_empty());
+    }
+
+    #[test]
+    fn values_between_samples_are_read_by_the_cursor() {
+        let (time, values) = ([0.0, 1.0, 2.0], [0.0, 10.0, 0.0]);
+        assert_eq!(value_at(&time, &values, 0.5), Some(5.0));
+        assert_eq!(value_at(&time, &values, 2.0), Some(0.0));
+        assert_eq!(value_at(&time, &values, 2.5), None);
+        assert_eq!(value_at(&[], &[], 0.0), None);
+    }
+}

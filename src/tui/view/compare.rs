@@ -1,0 +1,366 @@
+//! Several presets: the list to mark, the table with overlaid curves, the replays on one clock.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::chart::{Chart, Curve};
+use super::eye::Scene;
+use super::profiles::{CURVES, mark};
+use super::raster::Ink;
+use super::text::{fitted, put, put_right};
+use super::theme::Theme;
+use crate::eye::Monitor;
+use crate::report::text::significant;
+use crate::study::Quantity;
+use crate::tui::comparison::{COLUMNS, Column, Entry, Found};
+use crate::tui::keys::Context;
+use crate::tui::model::{FORM, Model};
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    match model.context() {
+        Context::Table => with_table(model, area, buffer),
+        Context::Replays => replays(model, area, buffer),
+        _ if model.pane() == 1 => with_table(model, area, buffer),
+        _ if model.pane() == 2 => replays(model, area, buffer),
+        _ => with_list(model, area, buffer),
+    }
+}
+
+fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let mut x = 1;
+    for (i, (name, _)) in model.screen.listed().panes.iter().enumerate() {
+        let style = if i == model.pane() {
+            theme.focus()
+        } else {
+            theme.text()
+        };
+        x = put(buffer, area, (x, 0), &format!(" {name} "), style) + 1;
+    }
+    let entries = &model.compare.entries;
+    let text = match entries.len() {
+        0 | 1 => "mark two to six presets".to_owned(),
+        count => format!("{count} marked"),
+    };
+    put_right(buffer, area, (area.width - 1, 0), &text, theme.quiet());
+}
+
+fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    heading(model, area, buffer);
+    let wide = 30.min(area.width / 2);
+    let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
+    let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
+    let room = usize::from(list.height);
+    let first = model.compare.row.saturating_sub(room.saturating_sub(1));
+    for (i, name) in names.enumerate().skip(first).take(room) {
+        let y = (i - first) as u16;
+        let entries = &model.compare.entries;
+        let place = entries.iter().position(|entry| entry.name == name);
+        let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
+        let chosen = i == model.compare.row;
+        let style = if chosen { theme.focus() } else { theme.text() };
+        let text = fitted(name, usize::from(wide) - 6);
+        let lit = place.map_or(theme.text(), |at| theme.curve(at));
+        put(buffer, list, (1, y), &sign, lit);
+        put(buffer, list, (5, y), &text, style);
+    }
+    let charts = Rect::new(
+        area.x + wide,
+        area.y + 1,
+        area.width - wide,
+        area.height - 1,
+    );
+    if model.compare.entries.is_empty() {
+        let text = "Space marks the preset under the cursor";
+        put(buffer, charts, (1, 1), text, theme.quiet());
+    } else {
+        overlaid(model, model.compare.curve, charts, buffer);
+    }
+}
+
+fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
+    heading(model, area, buffer);
+    let count = model.compare.entries.len() as u16;
+    let rows = 2 + 2 * count;
+    let table_area = Rect::new(area.x, area.y + 1, area.width, rows.min(area.height - 1));
+    table(model, table_area, buffer);
+    let below = area.height.saturating_sub(1 + rows);
+    if below >= 5 {
+        let place = Rect::new(area.x, area.y + 1 + rows, area.width, below);
+        overlaid(model, model.compare.curve, place, buffer);
+    }
+}
+
+fn title(column: Column) -> (&'static str, &'static str) {
+    match column {
+        Column::Name => ("preset", ""),
+        Column::Result(Quantity::Damage) => ("damage", "%"),
+        Column::Result(Quantity::ShellGrowth) => ("S", "%"),
+        Column::Result(Quantity::MeridianGrowth) => ("M", "%"),
+        Column::Result(Quantity::Energy) => ("E", "J"),
+        Column::Result(Quantity::Apex) => ("apex", "mm"),
+        Column::Result(Quantity::Force(monitor)) => match monitor {
+            Monitor::Centre => ("cent.", "N"),
+            Monitor::Front => ("front", "N"),
+            Monitor::Right => ("right", "N"),
+            Monitor::Top => ("top", "N"),
+        },
+        Column::Error => ("error", "%"),
+    }
+}
+
+/// Room for the name that is never given to numbers.
+const NAME: u16 = 18;
+
+/// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
+fn columns(model: &Model, area: Rect) -> Vec<(usize, u16)> {
+    let each = if area.width >= 110 { 9 } else { 6 };
+    let numbers = COLUMNS.len() - 1;
+    let count = usize::from((area.width - NAME) / each).min(numbers);
+    let first = (model.compare.column + 1).saturating_sub(count).max(1);
+    let right = |i: usize| area.width - each * (count - 1 - i) as u16;
+    (0..count).map(|i| (first + i, right(i))).collect()
+}
+
+/// Where the name ends.
+fn name_room(model: &Model, area: Rect) -> usize {
+    let each = if area.width >= 110 { 9 } else { 6 };
+    let taken = columns(model, area).len() as u16 * each;
+    usize::from(area.width - taken).saturating_sub(4)
+}
+
+fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let compare = &model.compare;
+    let focused = model.context() == Context::Table;
+    let numbers = columns(model, area);
+    let name = (0, 0);
+    for (i, right) in std::iter::once(name).chain(numbers) {
+        let (name, unit) = title(COLUMNS[i]);
+        let sign = match compare.sort {
+            Some((by, true)) if by == i => "▾",
+            Some((by, false)) if by == i => "▴",
+            _ => "",
+        };
+        let style = if focused && i == compare.column {
+            theme.focus()
+        } else {
+            theme.heading()
+        };
+        let text = format!("{sign}{name}");
+        if i == 0 {
+            put(buffer, area, (1, 0), &text, style);
+            put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
+        } else {
+            let text = fitted(&text, 6);
+            put_right(buffer, area, (right, 0), &text, style);
+            put_right(buffer, area, (right, 1), unit, theme.quiet());
+        }
+    }
+    let base = compare.entries.first();
+    for (i, entry) in compare.sorted().into_iter().enumerate() {
+        let y = 2 + 2 * i as u16;
+        let at = compare.entries.iter().position(|e| e.name == entry.name);
+        row(model, entry, (at.unwrap_or(0), base), y, area, buffer);
+    }
+}
+
+fn row(
+    model: &Model,
+    entry: &Entry,
+    (place, base): (usize, Option<&Entry>),
+    y: u16,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let theme = Theme::of(model.look);
+    let room = name_room(model, area);
+    let sign = mark(place).to_string();
+    put(buffer, area, (1, y), &sign, theme.curve(place));
+    let name = fitted(&entry.name, room);
+    put(buffer, area, (3, y), &name, theme.strong());
+    let answer = match &entry.found {
+        Found::Awaited => {
+            put(buffer, area, (3, y + 1), "simulating", theme.quiet());
+            return;
+        }
+        Found::Refused(why) => {
+            let why = fitted(why, usize::from(area.width) - 4);
+            put(buffer, area, (3, y + 1), &why, theme.error());
+            return;
+        }
+        Found::Answer(answer, _) => answer,
+    };
+    for (i, right) in columns(model, area) {
+        let column = COLUMNS[i];
+        let value = column.of(answer);
+        put_right(buffer, area, (right, y), &short(value), theme.text());
+        let first = base.filter(|_| place > 0).and_then(Entry::answer);
+        if let Some(first) = first {
+            let text = difference(value, column.of(first));
+            put_right(buffer, area, (right, y + 1), &text, theme.quiet());
+        }
+    }
+    let flags = answer.flags.len();
+    let text = match (place, flags) {
+        (0, 0) => "the first".to_owned(),
+        (0, n) => format!("the first, {n} flags"),
+        (_, 0) => String::new(),
+        (_, n) => format!("{n} flags"),
+    };
+    let text = fitted(&text.replace("1 flags", "1 flag"), room);
+    let style = if flags > 0 {
+        theme.warning()
+    } else {
+        theme.quiet()
+    };
+    put(buffer, area, (3, y + 1), &text, style);
+}
+
+/// A number in five cells.
+fn short(value: f64) -> String {
+    let text = significant(value);
+    if text.len() <= 5 {
+        return text;
+    }
+    match value.abs() {
+        v if v >= 1e5 => format!("{value:.0e}"),
+        v if v >= 100.0 => format!("{value:.0}"),
+        v if v >= 10.0 => format!("{value:.1}"),
+        v if v >= 1.0 => format!("{value:.2}"),
+        v if v >= 1e-3 => format!("{value:.3}"),
+        _ => format!("{value:.0e}"),
+    }
+}
+
+/// How much larger than the first, in % of it.
+fn difference(value: f64, first: f64) -> String {
+    if value == first {
+        return "=".to_owned();
+    }
+    let share = 100.0 * (value - first) / first.abs();
+    match share.abs() {
+        s if !s.is_finite() => "-".to_owned(),
+        s if s >= 1000.0 => format!("×{:.0}", value / first),
+        s if s >= 10.0 => format!("{share:+.0}%"),
+        _ => format!("{share:+.1}%"),
+    }
+}
+
+/// One curve of every entry in one chart.
+fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let profile = &CURVES[curve % CURVES.len()];
+    let entries = model.compare.entries.iter().enumerate();
+    let curves: Vec<Curve> = entries
+        .filter_map(|(i, entry)| {
+            let traces = entry.answer()?.recording.traces.as_ref()?;
+            let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
+            // Without colours, dots of different spacing tell the curves apart.
+            let ink = if theme.is_mono() {
+                ink.dotted(1 + (i % 4) as u8)
+            } else {
+                ink
+            };
+            Some(Curve {
+                time: &traces.time,
+                values: (profile.values)(traces),
+                factor: profile.factor,
+                ink,
+            })
+        })
+        .collect();
+    let Some(window) = model.compare.window() else {
+        return;
+    };
+    let reading = format!("{:.3} ms", model.time() * 1e3);
+    Chart {
+        title: &format!("{}, {}", profile.label, profile.unit),
+        reading: &reading,
+        curves,
+        window,
+        cursor: model.time(),
+        look: model.look,
+    }
+    .draw(area, buffer);
+}
+
+/// Side by side, all at the same time and on the same scale of force.
+fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    heading(model, area, buffer);
+    let entries = &model.compare.entries;
+    if entries.is_empty() {
+        return;
+    }
+    let largest = entries
+        .iter()
+        .filter_map(|entry| match &entry.found {
+            Found::Answer(_, hottest) => Some(*hottest),
+            _ => None,
+        })
+        .fold(0.0, f64::max);
+    let zoom = match model.clock.zoom() {
+        1 => String::new(),
+        zoom => format!("  displacement ×{zoom}"),
+    };
+    let text = format!("{:.3} ms{zoom}", model.time() * 1e3);
+    put(buffer, area, (34, 0), &text, theme.strong());
+    let count = entries.len() as u16;
+    let rows = if count > 3 { 2 } else { 1 };
+    let columns = count.div_ceil(rows);
+    let (width, height) = (area.width / columns, (area.height - 1) / rows);
+    for (i, entry) in entries.iter().enumerate() {
+        let (column, row) = (i as u16 % columns, i as u16 / columns);
+        let place = Rect::new(
+            area.x + column * width,
+            area.y + 1 + row * height,
+            width,
+            height,
+        );
+        let name = fitted(&entry.name, usize::from(width) - 4);
+        put(buffer, place, (1, 0), &mark(i).to_string(), theme.curve(i));
+        put(buffer, place, (3, 0), &name, theme.strong());
+        let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
+        match &entry.found {
+            Found::Answer(answer, _) => Scene {
+                answer,
+                time: model.time().min(answer.case.window),
+                largest,
+                zoom: model.clock.zoom(),
+                detail: model.clock.detail,
+                blow: Some(&entry.scenario),
+                aiming: false,
+                lean: model.is_lean(),
+                look: model.look,
+            }
+            .draw(picture, buffer),
+            Found::Awaited => {
+                put(buffer, picture, (1, 1), "simulating", theme.quiet());
+            }
+            Found::Refused(why) => {
+                let why = fitted(why, usize::from(picture.width) - 1);
+                put(buffer, picture, (1, 1), &why, theme.error());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_fit_their_columns() {
+        for value in [0.0, 1.234_56, 0.004_971, 72.931, 1234.5, 9.9e7, 3e-9, -0.5] {
+            assert!(short(value).len() <= 6, "{}", short(value));
+        }
+        assert_eq!(difference(2.0, 1.0), "+100%");
+        assert_eq!(difference(1.01, 1.0), "+1.0%");
+        assert_eq!(difference(1.0, 1.0), "=");
+        assert_eq!(difference(1.0, 0.0), "-");
+        assert_eq!(difference(50.0, 1.0), "×50");
+    }
+}

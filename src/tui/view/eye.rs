@@ -1,0 +1,421 @@
+//! The eye at one moment: springs or nodes coloured by force, orbit, arc and arrow of the blow.
+//!
+//! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
+//! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is solid.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::raster::{Ink, Raster};
+use super::theme::Theme;
+use crate::eye::{Eye, GLOBE_RADIUS_M, ORBIT_RADIUS_M, Region, Spring, SpringKind};
+use crate::recording::Frame;
+use crate::scenario::Scenario;
+use crate::scenario::fields::{self, Kind};
+use crate::study::Answer;
+use crate::tui::clock::Detail;
+use crate::tui::model::Look;
+
+/// Half of the height that is shown, in m.
+const REACH_M: f64 = ORBIT_RADIUS_M * 1.03;
+/// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
+const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
+const ARC_M: f64 = 13.0e-3;
+
+/// Ranks of what lies over what.
+const COLD: u8 = 1;
+const STRUCTURE: u8 = 2;
+const HOT: u8 = 10;
+const BLOW: u8 = 30;
+
+/// The forces at which the steps of heat begin: each twice the one before, the last at or below
+/// the largest force.
+pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
+    let top = if largest > 0.0 {
+        largest.log2().floor() as i32
+    } else {
+        0
+    };
+    let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
+    (0..steps)
+        .map(|step| 2f64.powi(top - above(step)))
+        .collect()
+}
+
+/// The step of a force; 0 below the first threshold.
+pub fn step_of(force: f64, thresholds: &[f64]) -> usize {
+    thresholds.iter().take_while(|t| force >= **t).count()
+}
+
+/// The largest force on any node in any frame, in N.
+pub fn hottest(answer: &Answer) -> f64 {
+    let frames = answer.recording.frames.iter();
+    frames
+        .flat_map(|frame| frame.forces.iter().copied())
+        .fold(0.0, f64::max)
+}
+
+/// A number of a scenario, if it has one at that path.
+pub fn number(scenario: &Scenario, path: &str) -> Option<f64> {
+    match &fields::find(path)?.kind {
+        Kind::Number(_, place) => (place.get)(scenario).copied(),
+        _ => None,
+    }
+}
+
+/// What is drawn.
+pub struct Scene<'a> {
+    /// The result that is shown.
+    pub answer: &'a Answer,
+    /// The moment, in s.
+    pub time: f64,
+    /// The largest force of the colour scale, in N.
+    pub largest: f64,
+    /// How many times displacement is shown.
+    pub zoom: u32,
+    /// How much of the mesh.
+    pub detail: Detail,
+    /// The blow that the arrow stands for, which may be newer than the result.
+    pub blow: Option<&'a Scenario>,
+    /// Whether the arrow has the focus.
+    pub aiming: bool,
+    /// Whether few bytes matter more than every spring.
+    pub lean: bool,
+    /// How things are drawn.
+    pub look: Look,
+}
+
+/// From metres to dots.
+struct Projection {
+    centre: (f64, f64),
+    scale: (f64, f64),
+}
+
+impl Projection {
+    fn new(raster: &Raster) -> Self {
+        let (width, height) = raster.size();
+        let (width, height) = (f64::from(width), f64::from(height));
+        let aspect = raster.aspect();
+        let across = ((width - 1.0) / 2.0 / REACH_M).min((height - 1.0) * aspect / 2.0 / REACH_M);
+        Self {
+            centre: (width / 2.0, height / 2.0),
+            scale: (across, across / aspect),
+        }
+    }
+
+    fn dot(&self, x: f64, y: f64) -> (f64, f64) {
+        (
+            self.centre.0 + x * self.scale.0,
+            self.centre.1 - y * self.scale.1,
+        )
+    }
+
+    /// Whether cold fat would only blur the picture.
+    fn is_small(&self) -> bool {
+        self.scale.0 * REACH_M < 32.0
+    }
+
+    /// A point given by its front angle and radius.
+    fn polar(&self, angle: f64, radius: f64) -> (f64, f64) {
+        self.dot(-radius * angle.cos(), radius * angle.sin())
+    }
+}
+
+impl Scene<'_> {
+    /// Draws the eye as large as fits into the middle of `area`.
+    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
+        let mut raster = Raster::new(area, self.look.symbols);
+        let projection = Projection::new(&raster);
+        let theme = Theme::of(self.look);
+        let thresholds = thresholds(self.largest, theme.heat_steps());
+        let mut digits = Vec::new();
+        if let Some(frame) = frame_at(self.answer, self.time) {
+            let drawing = Drawing {
+                scene: self,
+                eye: &self.answer.case.eye,
+                frame,
+                thresholds: &thresholds,
+                theme,
+                projection: &projection,
+            };
+            drawing.springs(&mut raster);
+            if self.detail == Detail::Nodes {
+                drawing.nodes(&mut raster);
+            }
+            drawing.loaded_arc(&mut raster);
+            if theme.is_mono() {
+                digits = drawing.digits(&raster);
+            }
+        }
+        self.arrow(&projection, theme, &mut raster);
+        raster.paint(buffer);
+        for (at, step) in digits {
+            buffer[at]
+                .set_char(heat_glyph(step))
+                .set_style(theme.heat(step));
+        }
+    }
+
+    /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
+    fn arrow(&self, projection: &Projection, theme: Theme, raster: &mut Raster) {
+        let Some(blow) = self.blow else { return };
+        let Some(angle) = number(blow, "impact.angle_deg").map(f64::to_radians) else {
+            return;
+        };
+        let style = if self.aiming {
+            theme.load().add_modifier(ratatui::style::Modifier::BOLD)
+        } else {
+            theme.load()
+        };
+        let ink = Ink::solid(style, BLOW, '*');
+        let (tail, tip) = ARROW_M;
+        raster.line(
+            projection.polar(angle, tail),
+            projection.polar(angle, tip),
+            ink,
+        );
+        for side in [-0.14, 0.14] {
+            raster.line(
+                projection.polar(angle + side, tip + 2.2e-3),
+                projection.polar(angle, tip),
+                ink,
+            );
+        }
+        let half = number(blow, "impact.half_width_deg").map(f64::to_radians);
+        for end in half
+            .into_iter()
+            .flat_map(|half| [angle - half, angle + half])
+        {
+            raster.line(
+                projection.polar(end, ARC_M - 0.6e-3),
+                projection.polar(end, ARC_M + 1.6e-3),
+                ink,
+            );
+        }
+    }
+}
+
+/// The frame nearest to a time.
+pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
+    let frames = &answer.recording.frames;
+    let every = frames.get(1)?.time;
+    let index = (time / every).round() as usize;
+    frames.get(index.min(frames.len() - 1))
+}
+
+struct Drawing<'a> {
+    scene: &'a Scene<'a>,
+    eye: &'a Eye,
+    frame: &'a Frame,
+    thresholds: &'a [f64],
+    theme: Theme,
+    projection: &'a Projection,
+}
+
+impl Drawing<'_> {
+    fn place(&self, node: usize) -> (f64, f64) {
+        let rest = self.eye.nodes[node].position;
+        let moved = rest + (self.frame.positions[node] - rest) * f64::from(self.scene.zoom);
+        self.projection.dot(moved.x, moved.y)
+    }
+
+    /// Which part of the eye a spring draws, if it is drawn at all: sides of the level-1 mesh, and
+    /// the whole shell, lens and orbit of any mesh.
+    fn part(&self, spring: &Spring) -> Option<Region> {
+        let (a, b) = (&self.eye.nodes[spring.a], &self.eye.nodes[spring.b]);
+        let (along, across) = (a.grid.0.abs_diff(b.grid.0), a.grid.1.abs_diff(b.grid.1));
+        if along + across != 1 || spring.kind == SpringKind::Filament {
+            return None;
+        }
+        let both = |region| a.region == region && b.region == region;
+        if both(Region::Orbit) {
+            return Some(Region::Orbit);
+        }
+        if both(Region::Retina) {
+            return Some(Region::Retina);
+        }
+        if a.region.on_shell() && b.region.on_shell() {
+            return Some(Region::Shell);
+        }
+        let level = self.eye.level as usize;
+        let on_coarse_line = if along == 1 {
+            a.grid.1.is_multiple_of(level)
+        } else {
+            a.grid.0.is_multiple_of(level)
+        };
+        if !on_coarse_line {
+            return None;
+        }
+        Some(if both(Region::Lens) {
+            Region::Lens
+        } else if a.region.in_globe() && b.region.in_globe() {
+            Region::Interior
+        } else {
+            Region::Fat
+        })
+    }
+
+    fn springs(&self, raster: &mut Raster) {
+        let all = self.scene.detail == Detail::Edges;
+        for spring in &self.eye.springs {
+            let Some(region) = self.part(spring) else {
+                continue;
+            };
+            let outline = matches!(region, Region::Orbit | Region::Shell | Region::Retina);
+            if !(all || outline || region == Region::Lens) {
+                continue;
+            }
+            let force = 0.5 * (self.frame.forces[spring.a] + self.frame.forces[spring.b]);
+            let step = match region {
+                Region::Orbit => 0,
+                // On a slow link the outline keeps its colours: recolouring it is most of a frame.
+                _ if outline && self.scene.lean => 0,
+                _ => step_of(force, self.thresholds),
+            };
+            if step == 0 && region == Region::Fat && self.projection.is_small() {
+                continue;
+            }
+            // Hot springs change from frame to frame, so on a slow link only the hottest are sent.
+            if self.scene.lean && !outline && 2 * step <= self.thresholds.len() {
+                continue;
+            }
+            let (from, to) = (self.place(spring.a), self.place(spring.b));
+            raster.line(from, to, self.ink(region, step));
+            if region == Region::Retina {
+                self.second_line(raster, from, to, step);
+            }
+        }
+    }
+
+    /// The retina lies inside the shell; a second line there tells it from the rest.
+    fn second_line(&self, raster: &mut Raster, from: (f64, f64), to: (f64, f64), step: usize) {
+        let inwards = |(x, y): (f64, f64)| {
+            let (dx, dy) = (self.projection.centre.0 - x, self.projection.centre.1 - y);
+            let length = dx.hypot(dy).max(1.0);
+            (x + dx / length, y + dy / length)
+        };
+        raster.line(inwards(from), inwards(to), self.ink(Region::Retina, step));
+    }
+
+    fn ink(&self, region: Region, step: usize) -> Ink {
+        if step > 0 {
+            let rank = HOT + step as u8;
+            return Ink::solid(self.theme.heat(step), rank, heat_glyph(step));
+        }
+        let style = self.theme.region(region);
+        match region {
+            Region::Interior => Ink::solid(style, COLD, '.').dotted(2),
+            Region::Fat => Ink::solid(style, COLD, ',').dotted(3),
+            Region::Lens => Ink::solid(style, STRUCTURE, 'l'),
+            Region::Shell => Ink::solid(style, STRUCTURE, 'o'),
+            Region::Retina => Ink::solid(style, STRUCTURE + 1, 'R'),
+            Region::Orbit => Ink::solid(style, STRUCTURE, '#'),
+        }
+    }
+
+    fn nodes(&self, raster: &mut Raster) {
+        let level = self.eye.level as usize;
+        for (i, node) in self.eye.nodes.iter().enumerate() {
+            let coarse = node.grid.0.is_multiple_of(level) && node.grid.1.is_multiple_of(level);
+            if node.region == Region::Orbit || !coarse {
+                continue;
+            }
+            let step = step_of(self.frame.forces[i], self.thresholds);
+            let (x, y) = self.place(i);
+            let ink = self.ink(node.region, step);
+            let (x, y) = (x.floor() as i32, y.floor() as i32);
+            raster.dot(x, y, ink);
+            // The hotter, the larger. Without colours a digit takes the place of the dot.
+            if self.theme.is_mono() {
+                continue;
+            }
+            if step > 0 {
+                raster.dot(x + 1, y, ink);
+                raster.dot(x, y + 1, ink);
+                raster.dot(x + 1, y + 1, ink);
+            }
+            if step > self.thresholds.len() / 2 {
+                for (dx, dy) in [
+                    (-1, 0),
+                    (-1, 1),
+                    (2, 0),
+                    (2, 1),
+                    (0, -1),
+                    (1, -1),
+                    (0, 2),
+                    (1, 2),
+                ] {
+                    raster.dot(x + dx, y + dy, ink);
+                }
+            }
+        }
+    }
+
+    /// Without colours, the steps of the hotter nodes as digits, the hottest last; of all nodes
+    /// where only nodes are drawn.
+    fn digits(&self, raster: &Raster) -> Vec<((u16, u16), usize)> {
+        let least = match self.scene.detail {
+            Detail::Nodes => 1,
+            Detail::Edges => self.thresholds.len() / 2 + 1,
+            Detail::Outline => return Vec::new(),
+        };
+        let nodes = self.eye.nodes.iter().enumerate();
+        let mut digits: Vec<_> = nodes
+            .filter_map(|(i, node)| {
+                let step = step_of(self.frame.forces[i], self.thresholds);
+                let (x, y) = self.place(i);
+                let at = raster.cell(x, y)?;
+                (step >= least && node.region != Region::Orbit).then_some((at, step))
+            })
+            .collect();
+        digits.sort_by_key(|(_, step)| *step);
+        digits
+    }
+
+    /// While the load acts, the shell under it is drawn in the load's own style.
+    fn loaded_arc(&self, raster: &mut Raster) {
+        let case = &self.scene.answer.case;
+        if self.scene.time > case.system.load().pulse.duration() {
+            return;
+        }
+        let ink = Ink::solid(self.theme.load(), BLOW, '@');
+        let shell = &self.eye.landmarks.shell;
+        let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
+        for (i, &a) in shell.iter().enumerate() {
+            let b = shell[(i + 1) % shell.len()];
+            if loaded(a) && loaded(b) {
+                raster.line(self.place(a), self.place(b), ink);
+            } else if loaded(a) {
+                let (x, y) = self.place(a);
+                raster.dot(x.floor() as i32, y.floor() as i32, ink);
+            }
+        }
+    }
+}
+
+/// What ASCII shows for a step of heat.
+pub fn heat_glyph(step: usize) -> char {
+    char::from_digit(step as u32, 10).unwrap_or('9')
+}
+
+/// The radius of the globe in mm, for a scale beside the picture.
+pub fn globe_mm() -> f64 {
+    GLOBE_RADIUS_M * 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heat_doubles_from_step_to_step_up_to_the_largest_force() {
+        assert_eq!(thresholds(73.0, 5), [4.0, 8.0, 16.0, 32.0, 64.0]);
+        assert_eq!(thresholds(64.0, 2), [32.0, 64.0]);
+        assert_eq!(thresholds(0.0, 2), [0.5, 1.0]);
+        let steps = thresholds(73.0, 5);
+        let found: Vec<usize> = [0.0, 3.9, 4.0, 63.0, 73.0]
+            .map(|force| step_of(force, &steps))
+            .to_vec();
+        assert_eq!(found, [0, 0, 1, 4, 5]);
+    }
+}

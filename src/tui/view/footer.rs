@@ -1,0 +1,50 @@
+//! The bottom line: what was just done, or the keys that work here.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{fitted, put, width};
+use super::theme::Theme;
+use crate::tui::keys::live;
+use crate::tui::model::{Model, Overlay, Question};
+
+/// Draws it.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    buffer.set_style(area, theme.bar());
+    let mut x = 1;
+    if model.slow_link {
+        x = put(buffer, area, (x, 0), "slow link ", theme.bar_strong());
+    }
+    if let Some(notice) = &model.notice {
+        let text = fitted(notice, usize::from(area.width - x));
+        put(buffer, area, (x, 0), &text, theme.bar_strong());
+        return;
+    }
+    if let Some(Overlay::Question(question)) = &model.overlay {
+        let text = match question {
+            Question::Quit => "Quit without saving the changes?".to_owned(),
+            Question::Replace(name) => format!("Replace the preset {name}?"),
+        };
+        x = put(buffer, area, (x, 0), &text, theme.bar_strong()) + 2;
+    }
+    // The keys for help and for leaving are always there.
+    let is_last = |word: &str| word == "keys" || word == "quit";
+    let (last, first): (Vec<_>, Vec<_>) = live(model.context())
+        .into_iter()
+        .partition(|(_, word)| is_last(word));
+    let wide = |(keys, word): &(String, &str)| width(keys) + width(word) + 3;
+    let reserved: u16 = last.iter().map(wide).sum();
+    let mut show = |entry: &(String, &str), x: u16| {
+        let after = put(buffer, area, (x, 0), &entry.0, theme.bar_strong());
+        put(buffer, area, (after + 1, 0), entry.1, theme.bar()) + 2
+    };
+    for entry in first {
+        if x + wide(&entry) + reserved <= area.width + 2 {
+            x = show(&entry, x);
+        }
+    }
+    for entry in last {
+        x = show(&entry, x);
+    }
+}

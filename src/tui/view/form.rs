@@ -1,0 +1,224 @@
+//! The form at the left of the main screen.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{fitted, put, put_right, width, wrapped};
+use super::theme::Theme;
+use crate::scenario::Model as Material;
+use crate::scenario::fields::{FIELDS, Field, Kind};
+use crate::tui::form::{Row, Typing, rows};
+use crate::tui::keys::Context;
+use crate::tui::model::{Model, Run};
+
+/// Said once, plainly.
+pub const PURPOSE: &str = "Research and education, not diagnosis";
+
+/// The model in words.
+pub fn material(model: &Model) -> &'static str {
+    match model.work.scenario.model {
+        Material::Paper => "Paper model, unit depth",
+    }
+}
+
+/// Draws the form.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let focused = matches!(model.context(), Context::Form | Context::Typing);
+    let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
+    let foot = purpose.len() as u16 + 1;
+    let note = note(model);
+    let said = wrapped(&note.0, usize::from(area.width - 2));
+    let said_height = (said.len() as u16).min(5);
+    let room = area.height.saturating_sub(foot + said_height + 1);
+
+    let rows = rows(&model.work.scenario, model.form.advanced);
+    let here = rows.iter().position(|row| *row == model.form.selected);
+    let first = here
+        .unwrap_or(0)
+        .saturating_sub(usize::from(room).saturating_sub(1));
+    for (y, row) in rows.iter().skip(first).take(usize::from(room)).enumerate() {
+        let chosen = *row == model.form.selected;
+        let line = Rect::new(area.x, area.y + y as u16, area.width, 1);
+        draw_row(model, *row, (chosen, focused), line, buffer);
+    }
+    let used = (rows.len() - first).min(usize::from(room)) as u16;
+    let style = match note.1 {
+        Tone::Quiet => theme.quiet(),
+        Tone::Error => theme.error(),
+        Tone::Warning => theme.warning(),
+    };
+    for (i, line) in said.iter().take(usize::from(said_height)).enumerate() {
+        put(buffer, area, (1, used + 1 + i as u16), line, style);
+    }
+    let bottom = area.height - foot;
+    put(buffer, area, (1, bottom), material(model), theme.text());
+    for (i, line) in purpose.iter().enumerate() {
+        put(
+            buffer,
+            area,
+            (1, bottom + 1 + i as u16),
+            line,
+            theme.quiet(),
+        );
+    }
+}
+
+enum Tone {
+    Quiet,
+    Error,
+    Warning,
+}
+
+/// What there is to say about the newest edit, or about the chosen field.
+fn note(model: &Model) -> (String, Tone) {
+    if let Some(Typing {
+        error: Some(why), ..
+    }) = &model.form.typing
+    {
+        return (why.clone(), Tone::Error);
+    }
+    if let Some(why) = &model.form.complaint {
+        return (why.clone(), Tone::Error);
+    }
+    match &model.run {
+        Run::Refused(why) => (why.clone(), Tone::Error),
+        Run::Running(_, Some(share)) => {
+            let text = format!("simulating {:.0} %, Esc cancels", share * 100.0);
+            (text, Tone::Warning)
+        }
+        _ => (help(model), Tone::Quiet),
+    }
+}
+
+fn help(model: &Model) -> String {
+    match model.form.selected {
+        Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
+        Row::Fold => "mesh, materials, numerics".to_owned(),
+        Row::Field(field) => match field.path {
+            "impact.half_width_deg" => {
+                format!("half of the impact area; {}", field.allowed())
+            }
+            _ => field.allowed(),
+        },
+    }
+}
+
+fn draw_row(
+    model: &Model,
+    row: Row,
+    (chosen, focused): (bool, bool),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let theme = Theme::of(model.look);
+    let mark = if chosen && focused { "▸" } else { " " };
+    put(buffer, area, (0, 0), mark, theme.strong());
+    let style = if chosen && focused {
+        theme.strong()
+    } else {
+        theme.text()
+    };
+    match row {
+        Row::Preset => {
+            put(buffer, area, (1, 0), "Preset", style);
+            let mark = if model.is_edited() { " *" } else { "" };
+            let name = format!("{}{mark}", model.work.source);
+            let name = fitted(&name, usize::from(area.width - 9));
+            value(model, &name, chosen && focused, area, buffer);
+        }
+        Row::Fold => {
+            let count = FIELDS.len();
+            let sign = if model.form.advanced { "▾" } else { "▸" };
+            let shown =
+                rows(&model.work.scenario, true).len() - rows(&model.work.scenario, false).len();
+            debug_assert!(shown < count);
+            let text = format!("{sign} Advanced ({shown} more)");
+            let style = if chosen && focused {
+                theme.focus()
+            } else {
+                theme.text()
+            };
+            put(buffer, area, (1, 0), &text, style);
+        }
+        Row::Field(field) => {
+            put(buffer, area, (1, 0), field.label, style);
+            match &model.form.typing {
+                Some(typing) if chosen => typed(model, typing, area, buffer),
+                _ => {
+                    let text = shown_value(model, field);
+                    let label = width(field.label) + 2;
+                    let room = usize::from(area.width.saturating_sub(label));
+                    value(model, &fitted(&text, room), chosen && focused, area, buffer);
+                }
+            }
+        }
+    }
+}
+
+fn value(model: &Model, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let style = if lit { theme.focus() } else { theme.text() };
+    put_right(buffer, area, (area.width, 0), text, style);
+}
+
+/// A value with its unit, in a person's words.
+fn shown_value(model: &Model, field: &Field) -> String {
+    let text = field.text(&model.work.scenario).unwrap_or_default();
+    let text = match (&field.kind, text.as_str()) {
+        (Kind::Toggle(_), "true") => "yes".to_owned(),
+        (Kind::Toggle(_), _) => "no".to_owned(),
+        (Kind::OptionalNumber(..), "None") => match &model.shown {
+            Some(shown) if field.path == "numerics.step_us" => {
+                format!("auto, {:.3}", shown.answer.plan.step * 1e6)
+            }
+            _ => "auto".to_owned(),
+        },
+        (Kind::Choice(_), name) => spaced(name),
+        _ => text,
+    };
+    if field.unit.is_empty() {
+        text
+    } else {
+        format!("{text} {}", field.unit)
+    }
+}
+
+/// `SmoothRectangle` as "smooth rectangle".
+fn spaced(name: &str) -> String {
+    let mut text = String::new();
+    for (i, c) in name.chars().enumerate() {
+        if i > 0 && c.is_uppercase() {
+            text.push(' ');
+        }
+        if i > 0 {
+            text.extend(c.to_lowercase());
+        } else {
+            text.push(c);
+        }
+    }
+    text
+}
+
+/// A value being typed, with its cursor.
+fn typed(model: &Model, typing: &Typing, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let label = width(typing.field.label) + 2;
+    let room = area.width.saturating_sub(label).max(8).min(area.width - 1);
+    let field = Rect::new(area.x + area.width - room, area.y, room, 1);
+    let style = if typing.error.is_some() {
+        theme.error()
+    } else {
+        theme.strong()
+    };
+    super::overlay::input(&typing.input, style, theme.focus(), field, buffer);
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn variants_are_written_in_words() {
+        assert_eq!(super::spaced("SmoothRectangle"), "Smooth rectangle");
+        assert_eq!(super::spaced("Srkn6b"), "Srkn6b");
+    }
+}

@@ -1,0 +1,84 @@
+//! Drawing: a pure function of the model.
+//!
+//! One module a screen or a part of one. All of them draw with Unicode; where the terminal has
+//! only ASCII, the finished screen is rewritten once, at the end.
+
+pub mod chart;
+pub mod compare;
+pub mod eye;
+pub mod footer;
+pub mod form;
+pub mod main;
+pub mod overlay;
+pub mod profiles;
+pub mod raster;
+pub mod replay;
+pub mod score;
+pub mod text;
+pub mod theme;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::model::Model;
+use super::screens::SCREENS;
+use super::terminal::caps::Symbols;
+use text::put;
+use theme::Theme;
+
+/// The smallest screen that shows anything but a request for a larger one.
+pub const SMALLEST: (u16, u16) = (60, 20);
+
+/// Draws the whole screen.
+pub fn draw(model: &Model, buffer: &mut Buffer) {
+    let area = buffer.area;
+    buffer.reset();
+    if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
+        too_small(area, buffer);
+    } else {
+        let body = Rect::new(0, 1, area.width, area.height - 2);
+        title(model, area, buffer);
+        (model.screen.listed().draw)(model, body, buffer);
+        footer::draw(model, Rect::new(0, area.height - 1, area.width, 1), buffer);
+        overlay::draw(model, body, buffer);
+    }
+    if model.look.symbols == Symbols::Ascii {
+        text::to_ascii(buffer);
+    }
+}
+
+fn too_small(area: Rect, buffer: &mut Buffer) {
+    let lines = [
+        "terminal too small".to_owned(),
+        format!("need {}x{}", SMALLEST.0, SMALLEST.1),
+        format!("have {}x{}", area.width, area.height),
+    ];
+    let top = area.height.saturating_sub(3) / 2;
+    for (i, line) in lines.iter().enumerate() {
+        let left = area.width.saturating_sub(line.len() as u16) / 2;
+        let style = ratatui::style::Style::new();
+        put(buffer, area, (left, top + i as u16), line, style);
+    }
+}
+
+/// The name of the program, the screens with their keys, and the preset.
+fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let row = Rect::new(0, 0, area.width, 1);
+    buffer.set_style(row, theme.bar());
+    let mut x = put(buffer, row, (1, 0), "contrecoup ", theme.bar_strong());
+    for listed in SCREENS {
+        let style = if listed.screen == model.screen {
+            theme.bar_chosen()
+        } else {
+            theme.bar()
+        };
+        let label = format!(" {} {} ", listed.key, listed.title);
+        x = put(buffer, row, (x, 0), &label, style);
+    }
+    let name = model.title();
+    let room = usize::from(area.width.saturating_sub(x + 2));
+    let name = text::fitted(&name, room);
+    let left = area.width.saturating_sub(text::width(&name) + 1);
+    put(buffer, row, (left, 0), &name, theme.bar());
+}

@@ -1,0 +1,161 @@
+//! Curves over time with axes, and a cursor that reads their values. The cursor is the clock.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::chart::{Chart, Curve, value_at};
+use super::raster::Ink;
+use super::text::{put, put_right};
+use super::theme::Theme;
+use crate::recording::Traces;
+use crate::report::text::significant;
+use crate::tui::clock::peak_at;
+use crate::tui::model::{Model, Shown};
+
+/// A curve that can be drawn.
+pub struct Profile {
+    /// Its name.
+    pub label: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Where it comes from.
+    pub values: fn(&Traces) -> &[f64],
+    /// From SI to its unit.
+    pub factor: f64,
+}
+
+const fn profile(
+    label: &'static str,
+    unit: &'static str,
+    factor: f64,
+    values: fn(&Traces) -> &[f64],
+) -> Profile {
+    Profile {
+        label,
+        unit,
+        values,
+        factor,
+    }
+}
+
+/// Every curve; the first four are the monitored forces.
+#[rustfmt::skip]
+pub static CURVES: &[Profile] = &[
+    profile("centre", "N", 1.0, |t| &t.force[0]),
+    profile("front", "N", 1.0, |t| &t.force[1]),
+    profile("right", "N", 1.0, |t| &t.force[2]),
+    profile("top", "N", 1.0, |t| &t.force[3]),
+    profile("load", "N", 1.0, |t| &t.load),
+    profile("apex", "mm", 1e3, |t| &t.apex),
+    profile("shell growth S", "%", 1e2, |t| &t.shell_growth),
+    profile("meridian growth M", "%", 1e2, |t| &t.meridian_growth),
+    profile("work in", "J", 1.0, |t| &t.work),
+    profile("kinetic", "J", 1.0, |t| &t.kinetic),
+    profile("elastic", "J", 1.0, |t| &t.elastic),
+    profile("dissipated", "J", 1.0, |t| &t.dissipated),
+];
+
+/// What the force screen can show: charts, each with the curves in it.
+pub static VIEWS: &[&[&[usize]]] = &[
+    &[&[0], &[1], &[2], &[3]],
+    &[&[0]],
+    &[&[1]],
+    &[&[2]],
+    &[&[3]],
+    &[&[4], &[5], &[6], &[7]],
+    &[&[8, 9, 10, 11]],
+];
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some(shown) = &model.shown else {
+        put(buffer, area, (1, 1), "no result yet", theme.text());
+        return;
+    };
+    let time = model.time();
+    let mut text = format!(" cursor {:.4} ms", time * 1e3);
+    if let Some(peak) = peak_at(&shown.answer, time) {
+        text.push_str("  peak ");
+        text.push_str(&peak);
+    }
+    let end = put(buffer, area, (0, 0), &text, theme.strong());
+    let said = model.stale().unwrap_or(super::form::material(model));
+    let style = if model.stale().is_some() {
+        theme.warning()
+    } else {
+        theme.quiet()
+    };
+    if end + (said.len() as u16) + 2 < area.width {
+        put_right(buffer, area, (area.width - 1, 0), said, style);
+    }
+    let view = VIEWS[model.curves % VIEWS.len()];
+    let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
+    let (columns, rows) = if view.len() > 1 { (2, 2) } else { (1, 1) };
+    let (width, height) = (charts.width / columns, charts.height / rows);
+    for (i, curves) in view.iter().enumerate() {
+        let (column, row) = (i as u16 % columns, i as u16 / columns);
+        let place = Rect::new(
+            charts.x + column * width,
+            charts.y + row * height,
+            width - 1,
+            height,
+        );
+        chart(model, shown, curves, place, buffer);
+    }
+}
+
+fn chart(model: &Model, shown: &Shown, which: &[usize], area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some(traces) = &shown.answer.recording.traces else {
+        return;
+    };
+    let time = model.time();
+    let profiles: Vec<&Profile> = which.iter().filter_map(|i| CURVES.get(*i)).collect();
+    let curves = profiles
+        .iter()
+        .enumerate()
+        .map(|(i, profile)| Curve {
+            time: &traces.time,
+            values: (profile.values)(traces),
+            factor: profile.factor,
+            ink: Ink::solid(
+                theme.curve(if which.len() == 1 { which[0] } else { i }),
+                2 + i as u8,
+                mark(i),
+            ),
+        })
+        .collect();
+    let reading = |profile: &Profile| {
+        let value = value_at(&traces.time, (profile.values)(traces), time)?;
+        Some(significant(value * profile.factor))
+    };
+    let (title, now) = if let [only] = profiles[..] {
+        let now = reading(only).map_or(String::new(), |v| format!("{v} {}", only.unit));
+        (format!("{}, {}", only.label, only.unit), now)
+    } else {
+        (String::new(), String::new())
+    };
+    Chart {
+        title: &title,
+        reading: &now,
+        curves,
+        window: shown.answer.case.window,
+        cursor: time,
+        look: model.look,
+    }
+    .draw(area, buffer);
+    if profiles.len() > 1 {
+        let mut x = 8;
+        for (i, profile) in profiles.iter().enumerate() {
+            let now = reading(profile).unwrap_or_default();
+            let text = format!("{} {} {now} {}  ", mark(i), profile.label, profile.unit);
+            x = put(buffer, area, (x, 0), &text, theme.curve(i));
+        }
+    }
+}
+
+/// Tells curves apart in ASCII and in legends without colour.
+pub fn mark(index: usize) -> char {
+    ['1', '2', '3', '4', '5', '6'][index % 6]
+}

@@ -1,0 +1,227 @@
+//! Dots and lines in characters: braille, blocks or plain ASCII.
+//!
+//! A cell has one colour, so each dot carries a rank and the highest rank in a cell gives its
+//! style: a hot spring is never hidden by a cold one that happens to be drawn later.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use crate::tui::terminal::caps::Symbols;
+
+/// How a dot looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ink {
+    /// Colour and weight of its cell.
+    pub style: Style,
+    /// Wins over lower ranks.
+    pub rank: u8,
+    /// What ASCII shows.
+    pub glyph: char,
+    /// Draws every such dot of a line; 1 is solid.
+    pub every: u8,
+}
+
+impl Ink {
+    /// A solid line.
+    pub fn solid(style: Style, rank: u8, glyph: char) -> Self {
+        Self {
+            style,
+            rank,
+            glyph,
+            every: 1,
+        }
+    }
+
+    /// The same with gaps.
+    #[must_use]
+    pub fn dotted(self, every: u8) -> Self {
+        Self { every, ..self }
+    }
+}
+
+#[derive(Clone, Copy, Default)]
+struct Spot {
+    bits: u8,
+    ink: Option<Ink>,
+}
+
+/// A field of dots over an area of cells.
+pub struct Raster {
+    area: Rect,
+    symbols: Symbols,
+    spots: Vec<Spot>,
+}
+
+impl Raster {
+    /// An empty field over `area`.
+    pub fn new(area: Rect, symbols: Symbols) -> Self {
+        Self {
+            area,
+            symbols,
+            spots: vec![Spot::default(); usize::from(area.width) * usize::from(area.height)],
+        }
+    }
+
+    /// Dots across and down a cell.
+    fn grain(&self) -> (i32, i32) {
+        match self.symbols {
+            Symbols::Braille => (2, 4),
+            Symbols::Block => (2, 2),
+            Symbols::Ascii => (1, 1),
+        }
+    }
+
+    /// Width and height in dots.
+    pub fn size(&self) -> (i32, i32) {
+        let (across, down) = self.grain();
+        (
+            across * i32::from(self.area.width),
+            down * i32::from(self.area.height),
+        )
+    }
+
+    /// Height of a dot over its width, taking a cell to be twice as high as wide.
+    pub fn aspect(&self) -> f64 {
+        let (across, down) = self.grain();
+        2.0 * f64::from(across) / f64::from(down)
+    }
+
+    /// The cell of the buffer that holds a dot.
+    pub fn cell(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+        let (width, height) = self.size();
+        let inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
+        let (across, down) = self.grain();
+        let column = (x / f64::from(across)) as u16;
+        let row = (y / f64::from(down)) as u16;
+        inside.then_some((self.area.x + column, self.area.y + row))
+    }
+
+    /// Sets a dot; outside the area nothing happens.
+    pub fn dot(&mut self, x: i32, y: i32, ink: Ink) {
+        let (width, height) = self.size();
+        if x < 0 || y < 0 || x >= width || y >= height {
+            return;
+        }
+        let (across, down) = self.grain();
+        let (column, row) = (x / across, y / down);
+        let (dx, dy) = (x % across, y % down);
+        let bit = match self.symbols {
+            Symbols::Braille if dy == 3 => 0x40 << dx,
+            Symbols::Braille => 1 << (dy + 3 * dx),
+            Symbols::Block => 1 << (2 * dy + dx),
+            Symbols::Ascii => 1,
+        };
+        let index = (row * i32::from(self.area.width) + column) as usize;
+        let spot = &mut self.spots[index];
+        spot.bits |= bit;
+        if spot.ink.is_none_or(|old| old.rank <= ink.rank) {
+            spot.ink = Some(ink);
+        }
+    }
+
+    /// Draws a line between two points in dots.
+    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), ink: Ink) {
+        let (width, height) = self.size();
+        let reach = f64::from(width + height) * 2.0;
+        let sane = |v: f64| v.is_finite() && v.abs() < reach;
+        if ![from.0, from.1, to.0, to.1].into_iter().all(sane) {
+            return;
+        }
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let count = dx.abs().max(dy.abs()).round().max(1.0) as i32;
+        for i in 0..=count {
+            let s = f64::from(i) / f64::from(count);
+            let x = (from.0 + dx * s).floor() as i32;
+            let y = (from.1 + dy * s).floor() as i32;
+            // Gaps follow the place, not the line, so that short lines in a row look like one.
+            let along = if dx.abs() >= dy.abs() { x } else { y };
+            if along.rem_euclid(i32::from(ink.every)) != 0 {
+                continue;
+            }
+            self.dot(x, y, ink);
+        }
+    }
+
+    /// Puts the dots into the cells; cells without dots stay as they are.
+    pub fn paint(&self, buffer: &mut Buffer) {
+        for (i, spot) in self.spots.iter().enumerate() {
+            let Some(ink) = spot.ink else { continue };
+            let (column, row) = (
+                i % usize::from(self.area.width),
+                i / usize::from(self.area.width),
+            );
+            let symbol = match self.symbols {
+                Symbols::Braille => char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' '),
+                Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
+                Symbols::Ascii => ink.glyph,
+            };
+            let at = (self.area.x + column as u16, self.area.y + row as u16);
+            buffer[at].set_char(symbol).set_style(ink.style);
+        }
+    }
+}
+
+/// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+const QUADRANTS: [char; 16] = [
+    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ratatui::style::Color;
+
+    fn drawn(symbols: Symbols, draw: impl FnOnce(&mut Raster)) -> String {
+        let area = Rect::new(0, 0, 2, 1);
+        let mut raster = Raster::new(area, symbols);
+        draw(&mut raster);
+        let mut buffer = Buffer::empty(area);
+        raster.paint(&mut buffer);
+        buffer
+            .content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect()
+    }
+
+    fn ink(rank: u8, colour: Color) -> Ink {
+        Ink::solid(Style::new().fg(colour), rank, '#')
+    }
+
+    #[test]
+    fn dots_land_where_the_symbols_have_them() {
+        let corner = |symbols| {
+            drawn(symbols, |raster| {
+                let (width, height) = raster.size();
+                raster.dot(0, 0, ink(0, Color::Red));
+                raster.dot(width - 1, height - 1, ink(0, Color::Red));
+                raster.dot(width, 0, ink(0, Color::Red));
+                raster.dot(-1, 0, ink(0, Color::Red));
+            })
+        };
+        assert_eq!(corner(Symbols::Braille), "⠁⢀");
+        assert_eq!(corner(Symbols::Block), "▘▗");
+        assert_eq!(corner(Symbols::Ascii), "##");
+    }
+
+    #[test]
+    fn the_highest_rank_owns_the_cell() {
+        let area = Rect::new(0, 0, 1, 1);
+        let mut raster = Raster::new(area, Symbols::Braille);
+        raster.dot(0, 0, ink(5, Color::Red));
+        raster.dot(1, 3, ink(1, Color::Blue));
+        let mut buffer = Buffer::empty(area);
+        raster.paint(&mut buffer);
+        assert_eq!(buffer[(0, 0)].fg, Color::Red);
+    }
+
+    #[test]
+    fn a_line_to_nowhere_is_not_drawn() {
+        let text = drawn(Symbols::Ascii, |raster| {
+            raster.line((0.0, 0.0), (f64::NAN, 1.0), ink(0, Color::Red));
+            raster.line((0.0, 0.0), (1e30, 1.0), ink(0, Color::Red));
+        });
+        assert_eq!(text, "  ");
+    }
+}

@@ -1,0 +1,186 @@
+//! The replay in full size: the eye, its legend, the readings, and time with the pulse in it.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::chart::{Curve, value_at};
+use super::eye::{Scene, heat_glyph, thresholds};
+use super::raster::{Ink, Raster};
+use super::text::{put, put_right, wrapped};
+use super::theme::Theme;
+use crate::eye::{Monitor, Region};
+use crate::report::text::significant;
+use crate::tui::clock::peak_at;
+use crate::tui::model::{Model, Shown};
+use crate::tui::terminal::caps::Symbols;
+
+/// Room at the right for legend and readings.
+const SIDE: u16 = 24;
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some(shown) = &model.shown else {
+        put(buffer, area, (1, 1), "no result yet", theme.text());
+        return;
+    };
+    let bar = Rect::new(area.x, area.y + area.height - 3, area.width, 3);
+    let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
+    let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
+    Scene {
+        answer: &shown.answer,
+        time: model.time(),
+        largest: shown.hottest,
+        zoom: model.clock.zoom(),
+        detail: model.clock.detail,
+        blow: Some(&shown.scenario),
+        aiming: false,
+        lean: model.is_lean(),
+        look: model.look,
+    }
+    .draw(picture, buffer);
+    if model.clock.zoom() > 1 {
+        let text = format!(" displacement ×{} ", model.clock.zoom());
+        put(buffer, picture, (0, 0), &text, theme.warning());
+    }
+    if let Some(why) = model.stale() {
+        let text = format!(" {why} ");
+        put(
+            buffer,
+            picture,
+            (0, picture.height - 1),
+            &text,
+            theme.warning(),
+        );
+    }
+    side_panel(model, shown, side, buffer);
+    time_bar(model, shown, bar, buffer);
+}
+
+fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let time = model.time();
+    let mut y = 0;
+    put(buffer, area, (0, y), "Node force", theme.heading());
+    y += 1;
+    let ascii = model.look.symbols == Symbols::Ascii;
+    legend(shown, (theme, ascii), area, &mut y, buffer);
+    let traces = shown.answer.recording.traces.as_ref();
+    let now = |values: Option<&Vec<f64>>| {
+        let traces = traces?;
+        value_at(&traces.time, values?, time)
+    };
+    put(buffer, area, (0, y), "Now", theme.heading());
+    y += 1;
+    let mut reading = |label: &str, value: Option<f64>, unit: &str| {
+        put(buffer, area, (0, y), label, theme.text());
+        let text = value.map_or("-".to_owned(), |v| format!("{} {unit}", significant(v)));
+        put_right(buffer, area, (20, y), &text, theme.strong());
+        y += 1;
+    };
+    reading("load", now(traces.map(|t| &t.load)), "N");
+    for (i, monitor) in Monitor::ALL.iter().enumerate() {
+        reading(monitor.name(), now(traces.map(|t| &t.force[i])), "N");
+    }
+    let apex = now(traces.map(|t| &t.apex)).map(|v| v * 1e3);
+    reading("apex", apex, "mm");
+    if let Some(peak) = peak_at(&shown.answer, time) {
+        for line in wrapped(&format!("peak {peak}"), usize::from(area.width - 1)) {
+            put(buffer, area, (0, y), &line, theme.cursor());
+            y += 1;
+        }
+    }
+    let material = super::form::material(model);
+    put(buffer, area, (0, area.height - 1), material, theme.quiet());
+}
+
+/// Steps of force with their colours, and the parts of the eye with theirs.
+fn legend(
+    shown: &Shown,
+    (theme, ascii): (Theme, bool),
+    area: Rect,
+    y: &mut u16,
+    buffer: &mut Buffer,
+) {
+    let steps = thresholds(shown.hottest, theme.heat_steps());
+    let mut x = 0;
+    for (i, force) in steps.iter().enumerate().rev() {
+        let text = format!(">{force}N ");
+        let wide = text.len() as u16 + 1;
+        if x + wide > area.width {
+            x = 0;
+            *y += 1;
+        }
+        let style = theme.heat(i + 1);
+        let sign = if theme.is_mono() || ascii {
+            heat_glyph(i + 1).to_string()
+        } else {
+            "█".to_owned()
+        };
+        x = put(buffer, area, (x, *y), &sign, style);
+        x = put(buffer, area, (x, *y), &text, theme.text());
+    }
+    *y += 1;
+    let parts = [
+        (Region::Shell, "shell", "━"),
+        (Region::Retina, "retina", "█"),
+        (Region::Lens, "lens", "━"),
+        (Region::Interior, "globe", "╌"),
+        (Region::Fat, "fat", "·"),
+        (Region::Orbit, "orbit", "━"),
+    ];
+    for (i, (region, name, mut sign)) in parts.into_iter().enumerate() {
+        if ascii {
+            sign = match region {
+                Region::Shell => "o",
+                Region::Retina => "R",
+                Region::Lens => "l",
+                Region::Interior => ".",
+                Region::Fat => ",",
+                Region::Orbit => "#",
+            };
+        }
+        let x = (i as u16 % 3) * 8;
+        let after = put(buffer, area, (x, *y), sign, theme.region(region));
+        put(buffer, area, (after, *y), name, theme.text());
+        if i % 3 == 2 {
+            *y += 1;
+        }
+    }
+}
+
+/// Time from 0 to the end of the window, with the pulse drawn in it.
+fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let time = model.time();
+    let window = shown.answer.case.window;
+    let state = if model.clock.playing {
+        "▶ playing"
+    } else {
+        "paused"
+    };
+    let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
+    let end = put(buffer, area, (1, 0), &text, theme.strong());
+    let rest = format!(
+        "  {state}  {} ms/s  {}",
+        model.clock.speed(),
+        model.clock.detail.name()
+    );
+    put(buffer, area, (end, 0), &rest, theme.text());
+    let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
+    if let Some(traces) = &shown.answer.recording.traces {
+        let mut raster = Raster::new(field, model.look.symbols);
+        let curve = Curve {
+            time: &traces.time,
+            values: &traces.load,
+            factor: 1.0,
+            ink: Ink::solid(theme.load(), 1, '#'),
+        };
+        super::chart::fill(&mut raster, curve, window);
+        raster.paint(buffer);
+    }
+    let last = f64::from(field.width - 1);
+    let x = ((time / window).clamp(0.0, 1.0) * last).round() as u16;
+    put(buffer, field, (x, 0), "│", theme.cursor());
+    put(buffer, field, (x, 1), "▲", theme.cursor());
+}

@@ -1,0 +1,165 @@
+//! The damage index as a gauge, its three parts against their thresholds, errors and flags.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::text::{fitted, put, put_right, wrapped};
+use super::theme::Theme;
+use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::report::text::{percent, significant};
+use crate::study::{Flag, FlagKind};
+use crate::tui::model::{Model, Shown};
+
+/// How many rows it takes of so many.
+pub fn height(of: u16) -> u16 {
+    match of {
+        ..20 => 7,
+        20..28 => 8,
+        _ => 10,
+    }
+}
+
+/// A bar of a share of its width, the threshold at its end.
+fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let cells = f64::from(area.width);
+    let filled = (share.clamp(0.0, 1.0) * cells).round() as u16;
+    for x in 0..area.width {
+        if x < filled {
+            put(buffer, area, (x, 0), "█", style);
+        } else {
+            put(buffer, area, (x, 0), "░", theme.quiet());
+        }
+    }
+    if share > 1.0 {
+        put(buffer, area, (area.width - 1, 0), "▶", style);
+    }
+}
+
+/// Draws it.
+pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let index = &shown.answer.index;
+    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
+    for x in 0..area.width {
+        put(buffer, line(0), (x, 0), "─", theme.line());
+    }
+    let heading = match model.stale() {
+        Some(why) => format!(" {why} "),
+        None => String::new(),
+    };
+    put(buffer, line(0), (1, 0), &heading, theme.warning());
+
+    let damage = index.damage();
+    put(buffer, line(1), (0, 0), "Damage", theme.heading());
+    let number = format!("{} %", significant(damage));
+    put_right(buffer, line(1), (17, 0), &number, theme.strong());
+    let gauge = Rect::new(area.x + 18, area.y + 1, area.width - 18, 1);
+    bar(
+        damage / 100.0,
+        theme.gauge(damage / 100.0),
+        theme,
+        gauge,
+        buffer,
+    );
+
+    part(
+        ("S shell", "%", index.shell_growth, SHELL),
+        theme,
+        line(2),
+        buffer,
+    );
+    part(
+        ("M meridian", "%", index.meridian_growth, MERIDIAN),
+        theme,
+        line(3),
+        buffer,
+    );
+    part(
+        ("E energy", "J", index.energy, ENERGY),
+        theme,
+        line(4),
+        buffer,
+    );
+
+    let errors = &shown.answer.errors;
+    let mesh = errors
+        .mesh_percent()
+        .map_or_else(|| "unknown".to_owned(), percent);
+    let text = format!(
+        "Error: step {}, mesh {mesh}",
+        percent(errors.time_step_percent())
+    );
+    let end = put(buffer, line(5), (0, 0), &text, theme.text());
+    let apex = shown.answer.recording.extremes.apex;
+    let apex = format!("apex {} mm", significant(apex.value * 1e3));
+    if end + 2 + apex.len() as u16 <= area.width {
+        put_right(buffer, line(5), (area.width, 0), &apex, theme.text());
+    }
+    flags(shown, theme, area, buffer);
+}
+
+/// One part of the index: its value, its threshold, and how near it comes.
+fn part(
+    (label, unit, value, term): (&str, &str, f64, Term),
+    theme: Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    put(buffer, area, (0, 0), label, theme.text());
+    let number = format!("{} {unit}", significant(value));
+    put_right(buffer, area, (20, 0), &number, theme.strong());
+    let limit = if area.width < 40 {
+        format!("of {}", term.threshold)
+    } else {
+        format!("of {} {unit}", term.threshold)
+    };
+    put(buffer, area, (21, 0), &limit, theme.quiet());
+    let points = format!("{:.1}/{:.0}", term.points(value), term.weight);
+    put_right(buffer, area, (area.width, 0), &points, theme.quiet());
+    let (left, right) = (31, area.width.saturating_sub(8));
+    if right > left + 3 {
+        let share = value / term.threshold;
+        let field = Rect::new(area.x + left, area.y, right - left, 1);
+        bar(share, theme.gauge(share), theme, field, buffer);
+    }
+}
+
+fn name(kind: FlagKind) -> String {
+    kind.name().replace('_', " ")
+}
+
+/// A flag's name and its sentence, the name once.
+fn sentence(flag: &Flag) -> String {
+    let name = name(flag.kind);
+    if flag.message.starts_with(&name) {
+        format!("FLAG {}", flag.message)
+    } else {
+        format!("FLAG {name}: {}", flag.message)
+    }
+}
+
+/// Every flag by name; the sentence where there is room.
+fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let rows = usize::from(area.height.saturating_sub(6));
+    let flags = &shown.answer.flags;
+    if flags.is_empty() {
+        let style = theme.quiet();
+        put(buffer, area, (0, 6), "No flags raised", style);
+        return;
+    }
+    let room = usize::from(area.width);
+    let whole: Vec<String> = flags.iter().map(sentence).collect();
+    let broken: Vec<String> = whole.iter().flat_map(|text| wrapped(text, room)).collect();
+    let lines = if broken.len() <= rows {
+        broken
+    } else if whole.len() <= rows {
+        whole.iter().map(|text| fitted(text, room)).collect()
+    } else {
+        let names: Vec<String> = flags.iter().map(|flag| name(flag.kind)).collect();
+        wrapped(&format!("FLAGS {}", names.join(", ")), room)
+    };
+    for (i, line) in lines.iter().take(rows).enumerate() {
+        put(buffer, area, (0, 6 + i as u16), line, theme.warning());
+    }
+}

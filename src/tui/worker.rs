@@ -1,0 +1,219 @@
+//! The thread that simulates while the app stays awake.
+//!
+//! It runs one job and holds at most one more; a newer job takes the place of the held one and
+//! stops the running one. Each job has a ticket, by which a late answer is known.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::recording::Keep;
+use crate::scenario::Scenario;
+use crate::study::{Answer, Refusal, solve};
+
+/// Progress is reported this often at most, and not at all by runs that are shorter.
+const REPORT_EVERY: Duration = Duration::from_millis(150);
+/// Frames that a replay keeps.
+const FRAMES: f64 = 400.0;
+/// Numbers of nodes times frames that a replay may keep: some 100 MB.
+const MOST_KEPT: f64 = 4e6;
+
+/// Known by this number.
+pub type Ticket = u64;
+
+/// What a worker says.
+#[derive(Debug)]
+pub enum Report {
+    /// This share of the job is done.
+    Progress(Ticket, f64),
+    /// The job is done, or was refused.
+    Done(Ticket, Box<Result<Answer, Refusal>>),
+}
+
+struct Slot {
+    job: Option<(Ticket, Scenario)>,
+    closed: bool,
+}
+
+struct Shared {
+    slot: Mutex<Slot>,
+    filled: Condvar,
+    /// Jobs with a lower ticket must stop.
+    wanted: AtomicU64,
+}
+
+/// A thread with room for one running and one pending job.
+pub struct Worker(Arc<Shared>);
+
+impl Worker {
+    /// Starts the thread; `say` is called on it.
+    pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
+        let shared = Arc::new(Shared {
+            slot: Mutex::new(Slot {
+                job: None,
+                closed: false,
+            }),
+            filled: Condvar::new(),
+            wanted: AtomicU64::new(0),
+        });
+        let own = Arc::clone(&shared);
+        thread::spawn(move || work(&own, &say));
+        Self(shared)
+    }
+
+    /// Hands in a job. Tickets must rise.
+    pub fn submit(&self, ticket: Ticket, scenario: Scenario) {
+        self.0.wanted.store(ticket, Ordering::Relaxed);
+        self.lock().job = Some((ticket, scenario));
+        self.0.filled.notify_one();
+    }
+
+    /// Stops every job up to this ticket.
+    pub fn cancel(&self, ticket: Ticket) {
+        self.0.wanted.fetch_max(ticket + 1, Ordering::Relaxed);
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Slot> {
+        self.0.slot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.0.wanted.store(u64::MAX, Ordering::Relaxed);
+        self.lock().closed = true;
+        self.0.filled.notify_one();
+    }
+}
+
+fn work(shared: &Shared, say: &impl Fn(Report)) {
+    loop {
+        let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
+        let (ticket, scenario) = loop {
+            if slot.closed {
+                return;
+            }
+            if let Some(job) = slot.job.take() {
+                break job;
+            }
+            slot = shared
+                .filled
+                .wait(slot)
+                .unwrap_or_else(PoisonError::into_inner);
+        };
+        drop(slot);
+        say(run(shared, ticket, &scenario, say));
+    }
+}
+
+fn run(shared: &Shared, ticket: Ticket, scenario: &Scenario, say: &impl Fn(Report)) -> Report {
+    let mut reported = Instant::now();
+    let (mut second, mut last) = (false, 0.0);
+    let answer = solve(scenario, keep(scenario), &mut |share| {
+        if shared.wanted.load(Ordering::Relaxed) > ticket {
+            return ControlFlow::Break(());
+        }
+        // The second run, for the error, begins anew and takes larger steps.
+        second |= share < last;
+        last = share;
+        if reported.elapsed() >= REPORT_EVERY {
+            reported = Instant::now();
+            let whole = if second {
+                0.7 + 0.3 * share
+            } else {
+                0.7 * share
+            };
+            say(Report::Progress(ticket, whole));
+        }
+        ControlFlow::Continue(())
+    });
+    Report::Done(ticket, Box::new(answer))
+}
+
+/// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
+pub fn keep(scenario: &Scenario) -> Keep {
+    let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
+    let frames = FRAMES.min(MOST_KEPT / (side * side)).max(20.0);
+    Keep {
+        traces: true,
+        frames_every: Some(scenario.window_ms * 1e-3 / frames),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::{Receiver, channel};
+
+    const PATIENCE: Duration = Duration::from_secs(30);
+
+    fn worker() -> (Worker, Receiver<Report>) {
+        let (say, heard) = channel();
+        let worker = Worker::start(move |report| {
+            let _ = say.send(report);
+        });
+        (worker, heard)
+    }
+
+    fn long() -> Scenario {
+        let mut scenario = Scenario {
+            window_ms: 1000.0,
+            ..Scenario::default()
+        };
+        scenario.eye.level = 4;
+        scenario
+    }
+
+    fn done(heard: &Receiver<Report>) -> (Ticket, Result<Answer, Refusal>) {
+        loop {
+            if let Report::Done(ticket, answer) = heard.recv_timeout(PATIENCE).unwrap() {
+                return (ticket, *answer);
+            }
+        }
+    }
+
+    #[test]
+    fn a_newer_job_stops_the_running_one_and_replaces_the_pending_one() {
+        let (worker, heard) = worker();
+        worker.submit(1, long());
+        // Progress shows that the first is running.
+        let first = heard.recv_timeout(PATIENCE).unwrap();
+        assert!(matches!(first, Report::Progress(1, _)));
+        for ticket in 2..=9 {
+            worker.submit(ticket, long());
+        }
+        worker.submit(10, Scenario::default());
+        let (ticket, answer) = done(&heard);
+        assert_eq!((ticket, answer.unwrap_err()), (1, Refusal::Cancelled));
+        let mut last = done(&heard);
+        // The second may have been taken up before the tenth came.
+        while last.0 != 10 {
+            assert_eq!(last.1.unwrap_err(), Refusal::Cancelled);
+            last = done(&heard);
+        }
+        let answer = last.1.unwrap();
+        assert!(answer.recording.frames.len() > 300 && answer.recording.traces.is_some());
+    }
+
+    #[test]
+    fn a_cancelled_job_ends_and_the_worker_goes_on() {
+        let (worker, heard) = worker();
+        worker.submit(1, long());
+        worker.cancel(1);
+        assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
+        worker.submit(2, Scenario::default());
+        assert!(done(&heard).1.is_ok());
+    }
+
+    #[test]
+    fn dropping_the_worker_stops_its_job() {
+        let (worker, heard) = worker();
+        worker.submit(1, long());
+        drop(worker);
+        let begun = Instant::now();
+        while heard.recv_timeout(PATIENCE).is_ok() {}
+        assert!(begun.elapsed() < PATIENCE);
+    }
+}

@@ -1,0 +1,222 @@
+//! Every screen as text, at three sizes, without colours and with sixteen.
+//!
+//! `INSTA_UPDATE=always cargo test --test tui_screens` takes what is drawn now for right.
+
+use std::sync::Arc;
+
+use contrecoup::scenario::Scenario;
+use contrecoup::study::{Refusal, solve, unwatched};
+use contrecoup::tui::model::{Look, Model};
+use contrecoup::tui::prepare;
+use contrecoup::tui::terminal::caps::{Depth, Symbols};
+use contrecoup::tui::terminal::input::{Input, Parser};
+use contrecoup::tui::update::{Effect, Message, begin, update};
+use contrecoup::tui::view;
+use contrecoup::tui::worker::{Report, keep};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
+
+fn look(depth: Depth) -> Look {
+    Look {
+        depth,
+        symbols: Symbols::Braille,
+    }
+}
+
+/// Does what the app's threads would do.
+fn settle(model: &mut Model, effects: Vec<Effect>) {
+    let mut open = effects;
+    while let Some(effect) = open.pop() {
+        let answer = |scenario: &Scenario| -> Box<Result<_, Refusal>> {
+            Box::new(solve(scenario, keep(scenario), &mut unwatched))
+        };
+        let message = match effect {
+            Effect::Solve(ticket, scenario) => {
+                Message::Form(Report::Done(ticket, answer(&scenario)))
+            }
+            Effect::Compare(ticket, scenario) => {
+                Message::Comparison(Report::Done(ticket, answer(&scenario)))
+            }
+            _ => continue,
+        };
+        open.extend(update(model, message));
+    }
+}
+
+fn model(sources: &[&str], depth: Depth) -> Model {
+    let sources: Vec<String> = sources.iter().map(|s| (*s).to_owned()).collect();
+    let mut model = prepare(&sources, look(depth)).unwrap();
+    // A person's own presets would change the pictures.
+    model.choices.retain(|choice| choice.origin != "own");
+    let effects = begin(&mut model);
+    settle(&mut model, effects);
+    model
+}
+
+fn press(model: &mut Model, keys: &str) {
+    let mut parser = Parser::default();
+    let mut inputs = parser.feed(keys.as_bytes());
+    inputs.extend(parser.flush());
+    for input in inputs {
+        if let Input::Key(event) = input {
+            let effects = update(model, Message::Key(event));
+            settle(model, effects);
+        }
+    }
+}
+
+/// The text of a screen, then a letter for the style of each cell, then what the letters mean.
+fn picture(model: &Model, (width, height): (u16, u16)) -> String {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, width, height));
+    view::draw(model, &mut buffer);
+    let mut styles: Vec<Style> = vec![Style::reset()];
+    let (mut text, mut map) = (String::new(), String::new());
+    for y in 0..height {
+        for x in 0..width {
+            let cell = &buffer[(x, y)];
+            text += cell.symbol();
+            let style = Style {
+                underline_color: None,
+                ..cell.style()
+            };
+            let plain = cell.symbol() == " " && style.bg == Some(ratatui::style::Color::Reset);
+            if plain && style.add_modifier.is_empty() {
+                map.push(' ');
+                continue;
+            }
+            let at = styles.iter().position(|known| *known == style);
+            let at = at.unwrap_or_else(|| {
+                styles.push(style);
+                styles.len() - 1
+            });
+            map.push(char::from(b'`' + u8::try_from(at).unwrap()));
+        }
+        text.truncate(text.trim_end().len());
+        map.truncate(map.trim_end().len());
+        text.push('\n');
+        map.push('\n');
+    }
+    for (i, style) in styles.iter().enumerate().skip(1) {
+        let line = format!(
+            "{} {:?} on {:?} {:?}\n",
+            char::from(b'`' + i as u8),
+            style.fg.unwrap_or_default(),
+            style.bg.unwrap_or_default(),
+            style.add_modifier
+        );
+        map.push_str(&line);
+    }
+    format!("{text}\n{map}")
+}
+
+/// Takes a picture at every size and in both numbers of colours.
+fn pictures(name: &str, sources: &[&str], keys: &str) {
+    for depth in [Depth::Mono, Depth::Sixteen] {
+        let mut model = model(sources, depth);
+        press(&mut model, keys);
+        for (width, height) in SIZES {
+            let name = format!("{name}_{width}x{height}_{depth:?}").to_lowercase();
+            insta::assert_snapshot!(name, picture(&model, (width, height)));
+        }
+    }
+}
+
+#[test]
+fn main_screen() {
+    pictures("main", &[], "");
+}
+
+#[test]
+fn main_screen_with_the_dial_in_hand_and_a_folded_mesh() {
+    let keys = "L".repeat(30) + "\tKK";
+    pictures("main_dial", &["paper-600n"], &keys);
+}
+
+#[test]
+fn main_screen_with_advanced_fields_and_a_bad_value() {
+    pictures("main_bad_value", &[], "ajjjjjjjj\r-");
+}
+
+#[test]
+fn replay_screen() {
+    pictures("replay", &[], "2");
+}
+
+#[test]
+fn replay_screen_under_load_with_nodes_and_exaggeration() {
+    pictures("replay_nodes", &["off-axis-triangle"], "2gez");
+}
+
+#[test]
+fn force_screen() {
+    pictures("forces", &[], "3");
+}
+
+#[test]
+fn comparison_screens() {
+    let sources = &["paper-300n", "paper-100n", "paper-600n"];
+    pictures("compare_list", sources, "4\x1b[Z");
+    pictures("compare_table", sources, "4lo");
+    pictures("compare_replays", sources, "4\t");
+}
+
+#[test]
+fn overlays() {
+    for (name, keys) in [
+        ("help", "?"),
+        ("picker", "p"),
+        ("save", "s"),
+        ("quit", "lq"),
+    ] {
+        let mut model = model(&[], Depth::Mono);
+        press(&mut model, keys);
+        insta::assert_snapshot!(name, picture(&model, (80, 24)));
+    }
+}
+
+#[test]
+fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
+    let mut model = model(&[], Depth::Mono);
+    let good = Arc::clone(&model.shown.as_ref().unwrap().answer);
+    // A step above the stability limit.
+    press(&mut model, "a");
+    press(&mut model, &"j".repeat(40));
+    press(&mut model, "\r\x15900\r");
+    assert!(Arc::ptr_eq(&good, &model.shown.as_ref().unwrap().answer));
+    let text = picture(&model, (80, 24));
+    assert!(text.contains("last good result") && text.contains("above the"));
+}
+
+#[test]
+fn no_size_and_no_screen_makes_the_drawing_fail() {
+    let mut model = model(&["paper-300n", "wide-area"], Depth::Sixteen);
+    for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
+        model.look.symbols = symbols;
+        for keys in ["1", "2", "3", "v", "4", "\t", "\t", "1?", "?p", "\x1bs"] {
+            press(&mut model, keys);
+            for width in [1, 20, 59, 60, 61, 79, 100, 300] {
+                for height in [1, 5, 19, 20, 21, 50, 100] {
+                    let area = Rect::new(0, 0, width, height);
+                    let mut buffer = Buffer::empty(area);
+                    view::draw(&model, &mut buffer);
+                    if symbols == Symbols::Ascii {
+                        assert!(buffer.content.iter().all(|c| c.symbol().is_ascii()));
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_a_name_holds_never_reaches_the_terminal_as_a_command() {
+    let mut model = model(&[], Depth::Mono);
+    model.work.source = "\u{1b}[2J\u{202e}evil".to_owned();
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(!text.contains(['\u{1b}', '\u{202e}']));
+    }
+}

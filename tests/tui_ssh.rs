@@ -1,0 +1,272 @@
+//! The app through a real secure shell server on the loopback, also over a narrow link.
+
+mod support;
+
+use std::fs;
+use std::io::{Read, Write};
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::channel;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use portable_pty::CommandBuilder;
+use support::{Replies, Term, plain};
+
+const SERVER: &str = "/usr/sbin/sshd";
+
+/// A server of our own, with keys of its own, for as long as a test takes.
+struct Server {
+    folder: tempfile::TempDir,
+    process: Child,
+    port: u16,
+    user: String,
+}
+
+fn run(program: &str, arguments: &[&str]) -> String {
+    let output = Command::new(program).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{program} {arguments:?}");
+    String::from_utf8(output.stdout).unwrap().trim().to_owned()
+}
+
+fn free_port() -> u16 {
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
+    listener.local_addr().unwrap().port()
+}
+
+impl Server {
+    /// Starts a server that runs `command` for whoever comes; `None` where there is no server.
+    fn start(command: &str) -> Option<Self> {
+        if !Path::new(SERVER).exists() {
+            eprintln!("SKIPPED: openssh-server is not installed");
+            return None;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name).display().to_string();
+        for key in ["hostkey", "id"] {
+            run(
+                "ssh-keygen",
+                &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)],
+            );
+        }
+        let read = |name: &str| fs::read_to_string(path(name)).unwrap();
+        let own = format!("restrict,pty,command=\"{command}\" {}", read("id.pub"));
+        fs::write(path("authorized_keys"), own).unwrap();
+        let user = run("id", &["-un"]);
+        if user == "root" {
+            fs::create_dir_all("/run/sshd").unwrap();
+        }
+        let port = free_port();
+        fs::write(
+            path("sshd_config"),
+            format!(
+                "Port {port}\nListenAddress 127.0.0.1\nHostKey {}\nPidFile none\n\
+                 AuthorizedKeysFile {}\nPasswordAuthentication no\n\
+                 KbdInteractiveAuthentication no\nUsePAM no\nStrictModes no\n\
+                 PermitRootLogin prohibit-password\nPrintMotd no\n",
+                path("hostkey"),
+                path("authorized_keys")
+            ),
+        )
+        .unwrap();
+        let key = read("hostkey.pub");
+        let key: Vec<&str> = key.split_whitespace().take(2).collect();
+        fs::write(path("known_hosts"), format!("test {}\n", key.join(" "))).unwrap();
+        let process = Command::new(SERVER)
+            .args(["-D", "-e", "-f", &path("sshd_config")])
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        while TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_err() {
+            assert!(
+                begun.elapsed() < support::PATIENCE,
+                "the server never listens"
+            );
+            thread::sleep(Duration::from_millis(20));
+        }
+        Some(Self {
+            folder,
+            process,
+            port,
+            user,
+        })
+    }
+
+    /// A client of this server, by way of `port`.
+    fn client(&self, port: u16) -> CommandBuilder {
+        let path = |name: &str| self.folder.path().join(name).display().to_string();
+        let mut command = CommandBuilder::new("ssh");
+        command.args(["-F", "/dev/null", "-tt", "-p", &port.to_string()]);
+        for option in [
+            format!("User={}", self.user),
+            format!("IdentityFile={}", path("id")),
+            format!("UserKnownHostsFile={}", path("known_hosts")),
+            "IdentitiesOnly=yes".to_owned(),
+            "HostKeyAlias=test".to_owned(),
+            "StrictHostKeyChecking=yes".to_owned(),
+            "BatchMode=yes".to_owned(),
+        ] {
+            command.args(["-o", &option]);
+        }
+        command.arg("127.0.0.1");
+        plain(&mut command);
+        command
+    }
+
+    fn open(&self) -> Term {
+        let term = Term::start(self.client(self.port));
+        term.wait_for("26.42 %");
+        term
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+fn app_server() -> Option<Server> {
+    Server::start(&format!("{} tui", env!("CARGO_BIN_EXE_contrecoup")))
+}
+
+/// Passes bytes on after `delay`, at no more than `rate` bytes a second.
+fn pass(mut from: TcpStream, mut to: TcpStream, rate: Option<f64>, delay: Duration) {
+    let (send, parcels) = channel::<(Instant, Vec<u8>)>();
+    thread::spawn(move || {
+        for (due, bytes) in parcels {
+            thread::sleep(due.saturating_duration_since(Instant::now()));
+            if to.write_all(&bytes).is_err() {
+                return;
+            }
+        }
+        let _ = to.shutdown(std::net::Shutdown::Both);
+    });
+    let mut free = Instant::now();
+    let mut bytes = [0; 256];
+    while let Ok(count @ 1..) = from.read(&mut bytes) {
+        let now = Instant::now();
+        if let Some(rate) = rate {
+            free = free.max(now) + Duration::from_secs_f64(count as f64 / rate);
+        }
+        if send
+            .send((free.max(now) + delay, bytes[..count].to_vec()))
+            .is_err()
+        {
+            return;
+        }
+    }
+}
+
+/// A port that leads to the server over a link of `rate` bytes a second towards the client.
+fn narrow(server: u16, rate: f64, round_trip: Duration) -> u16 {
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
+    let port = listener.local_addr().unwrap().port();
+    thread::spawn(move || {
+        let (client, _) = listener.accept().unwrap();
+        let server = TcpStream::connect((Ipv4Addr::LOCALHOST, server)).unwrap();
+        for stream in [&client, &server] {
+            stream.set_nodelay(true).unwrap();
+        }
+        let (from, to) = (client.try_clone().unwrap(), server.try_clone().unwrap());
+        thread::spawn(move || pass(from, to, None, round_trip / 2));
+        pass(server, client, Some(rate), round_trip / 2);
+    });
+    port
+}
+
+#[test]
+fn the_app_starts_answers_keys_and_leaves_through_ssh() {
+    let Some(server) = app_server() else { return };
+    let mut term = server.open();
+    term.keys("\x1b[C");
+    term.wait_for("310 N");
+    term.resize(120, 40);
+    term.keys("2");
+    term.wait_for("Node force");
+    term.resize(80, 24);
+    // Without a shell there is nothing to stop for: the app stays.
+    term.keys("1\x1a");
+    term.keys("u");
+    term.wait_for("26.42 %");
+    term.keys("q");
+    assert_eq!(term.exit_code(), 0);
+    term.assert_restored();
+}
+
+#[test]
+fn a_dropped_connection_leaves_no_process_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pid");
+    let app = env!("CARGO_BIN_EXE_contrecoup");
+    let command = format!("echo $$ > {}; exec {app} tui", file.display());
+    let Some(server) = Server::start(&command) else {
+        return;
+    };
+    let term = server.open();
+    let pid = fs::read_to_string(&file).unwrap();
+    let process = Path::new("/proc").join(pid.trim());
+    assert!(process.exists());
+    drop(term);
+    let begun = Instant::now();
+    while process.exists() {
+        assert!(begun.elapsed() < Duration::from_secs(5), "still running");
+        thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn through_ssh_idle_is_silent_and_replay_frames_keep_their_budget() {
+    let Some(server) = app_server() else { return };
+    let term = server.open();
+    // Slowly, so that the frames show the blow and not the rest after it.
+    term.keys("2-");
+    term.settle();
+    let before = term.traffic();
+    thread::sleep(Duration::from_secs(2));
+    assert_eq!(term.traffic(), before, "not silent");
+    term.keys(" ");
+    thread::sleep(Duration::from_secs(4));
+    term.keys(" ");
+    let after = term.traffic();
+    let frames = after.1 - before.1;
+    let mean = (after.0 - before.0) / frames.max(1);
+    println!("ssh, replay, 16 colours, 80x24: {mean} bytes a frame over {frames} frames");
+    assert!(frames >= 15, "only {frames} frames");
+    assert!(mean <= 3500, "{mean} bytes a frame");
+}
+
+#[test]
+fn over_a_narrow_link_a_key_is_answered_while_a_replay_plays() {
+    let Some(server) = app_server() else { return };
+    let port = narrow(server.port, 8000.0, Duration::from_millis(200));
+    let term = Term::open(server.client(port), (80, 24), Replies::Prompt);
+    term.wait_for("26.42 %");
+    term.keys("2--");
+    term.wait_for("Node force");
+    term.keys(" ");
+    term.wait_for("playing");
+    thread::sleep(Duration::from_secs(1));
+    let mut delays = Vec::new();
+    let before = term.traffic();
+    let begun = Instant::now();
+    for shown in ["×2 ", "×5 ", "×10 "] {
+        term.keys("z");
+        delays.push(
+            term.wait_for(&format!("displacement {shown}"))
+                .as_secs_f64(),
+        );
+        thread::sleep(Duration::from_millis(1370));
+    }
+    let after = term.traffic();
+    println!(
+        "8 kB/s, 200 ms: keys answered after {delays:.2?} s; {:.1} frames a second of {} bytes",
+        (after.1 - before.1) as f64 / begun.elapsed().as_secs_f64(),
+        (after.0 - before.0) / (after.1 - before.1).max(1),
+    );
+    let worst = delays.iter().copied().fold(0.0, f64::max);
+    assert!(worst <= 0.5, "a key took {worst:.2} s");
+}
