@@ -12,6 +12,7 @@ mod generate;
 mod presets;
 mod progress;
 mod run;
+mod stability;
 
 pub use arguments::{Assignment, ScenarioArgs};
 pub use error::CliError;
@@ -41,6 +42,8 @@ pub enum Command {
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
     Export(ExportArgs),
+    /// Run the hard cases against references and print what the program made of each
+    Stability(StabilityArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -89,6 +92,14 @@ pub struct ExportArgs {
     /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
     pub every_us: Option<f64>,
+}
+
+/// Arguments of `stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `presets`.
@@ -143,6 +154,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
+        Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         None => Err(CliError::Input(

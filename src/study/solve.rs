@@ -90,8 +90,20 @@ pub struct Answer {
 /// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
 /// watch stops.
 pub fn solve(scenario: &Scenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
+    solve_case(Case::new(scenario), scenario, keep, watch)
+}
+
+/// Answers `case`, which was compiled from `scenario`.
+///
+/// # Errors
+/// As [`solve`].
+pub(super) fn solve_case(
+    case: Case,
+    scenario: &Scenario,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Answer, Refusal> {
     let begun = Instant::now();
-    let case = Case::new(scenario);
     let mut plan = case.plan(scenario)?;
     let mut solved = measured(&case, &plan, keep, watch)?;
     if scenario.numerics.step_us.is_none() {
@@ -129,6 +141,8 @@ struct Measured {
     recording: Recording,
     cost: Cost,
     errors: Errors,
+    /// Largest difference between the leading results of the two runs, in %.
+    disagreement: f64,
     time: Duration,
     total_time: Duration,
 }
@@ -138,8 +152,10 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     let Solution { recording, cost } = case.run(plan, keep, watch)?;
     let time = started.elapsed();
     let limit = case.step_limit(plan.integrator);
+    let (time_step, disagreement) =
+        step_error(case, plan, limit, &values(&recording.extremes), watch)?;
     let errors = Errors {
-        time_step: step_error(case, plan, limit, &values(&recording.extremes), watch)?,
+        time_step,
         mesh: None,
         energy_balance: 100.0 * recording.extremes.energy_residual,
     };
@@ -147,6 +163,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         recording,
         cost,
         errors,
+        disagreement,
         time,
         total_time: started.elapsed(),
     })
@@ -157,12 +174,14 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
         recording,
         cost,
         errors,
+        disagreement,
         time,
         total_time,
     } = solved;
     let flags = flags::raise(
         &recording.extremes,
         errors.time_step_percent(),
+        disagreement,
         case.window,
         case.system.load().pulse.duration(),
         &case.load,
@@ -193,13 +212,14 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
+/// The step error of each result, and how far the leading results of the second run lie off, in %.
 fn step_error(
     case: &Case,
     plan: &Plan,
     limit: f64,
     results: &PerQuantity,
     watch: Watch,
-) -> Result<PerQuantity, Refusal> {
+) -> Result<(PerQuantity, f64), Refusal> {
     let order = plan.integrator.order();
     let pulse = &case.system.load().pulse;
     let coarser = Plan {
@@ -229,5 +249,8 @@ fn step_error(
     };
     let second = case.run(&second, Keep::default(), watch)?;
     let difference = difference_percent(&values(&second.recording.extremes), results);
-    Ok(difference.map(|d| SAFETY * share * d + FLOOR_PERCENT))
+    Ok((
+        difference.map(|d| SAFETY * share * d + FLOOR_PERCENT),
+        headline(&difference),
+    ))
 }
