@@ -283,9 +283,10 @@ impl HardCase {
             .filter(beyond)
             .max_by(|&a, &b| truth[a].total_cmp(&truth[b]));
         let within = worst.is_none_or(|q| truth[q] <= ACCURATE_PERCENT);
+        let unproven = !known || !within;
         let verdict = if answer.flags.iter().any(of(FlagKind::NotPredictable)) {
             Verdict::NotPredictable
-        } else if !(known && within) && !answer.flags.iter().any(doubts_numbers) {
+        } else if unproven && !answer.flags.iter().any(doubts_numbers) {
             Verdict::Wrong
         } else if answer.flags.is_empty() {
             Verdict::Accurate
