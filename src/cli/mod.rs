@@ -13,6 +13,7 @@ mod generate;
 mod presets;
 mod progress;
 mod run;
+mod stability;
 
 pub use arguments::{Assignment, ScenarioArgs};
 pub use error::CliError;
@@ -48,6 +49,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Measure speed against error: every integrator over its steps, and the mesh levels
     Accuracy(AccuracyArgs),
+    /// Run the hard cases against references and print what the program made of each
+    Stability(StabilityArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -110,6 +113,14 @@ pub struct ExportArgs {
     /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
     pub every_us: Option<f64>,
+}
+
+/// Arguments of `stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `presets`.
@@ -176,6 +187,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Export(args)) => export::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
+        Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         // The app has been run already.

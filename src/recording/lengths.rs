@@ -44,7 +44,13 @@ impl Measure {
                 .iter()
                 .map(|&(a, b)| {
                     let d = position(b) - position(a);
-                    d.dot(&(velocity(b) - velocity(a))) / d.norm()
+                    let length = d.norm();
+                    if length > 0.0 {
+                        d.dot(&(velocity(b) - velocity(a))) / length
+                    } else {
+                        // Two nodes in one place have no direction; their length cannot shrink.
+                        0.0
+                    }
                 })
                 .sum(),
             Self::MeanX(nodes) => {

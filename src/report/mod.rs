@@ -2,4 +2,5 @@
 
 pub mod accuracy;
 pub mod json;
+pub mod stability;
 pub mod text;

@@ -110,6 +110,8 @@ pub struct Case {
     pub system: System,
     /// Simulated time, in s.
     pub window: f64,
+    /// What it starts from: rest, unless a test moves it.
+    pub start: State,
 }
 
 /// What one march gave and cost.
@@ -137,6 +139,7 @@ impl Case {
         let load = ArcLoad::new(pulse, &eye);
         let system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
         Self {
+            start: State::at_rest(&system),
             eye,
             load,
             system,
@@ -213,7 +216,7 @@ impl Case {
             steps: 0,
             cancelled: false,
         };
-        let mut state = State::at_rest(&self.system);
+        let mut state = self.start.clone();
         let cost = march(&self.system, plan, &mut state, &mut observer)?;
         if observer.cancelled {
             return Err(Refusal::Cancelled);

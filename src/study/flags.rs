@@ -25,6 +25,8 @@ pub enum FlagKind {
     FinerMeshFolds,
     /// The energies do not add up.
     EnergyImbalance,
+    /// The mesh folded and a slightly different step gives another answer.
+    NotPredictable,
     /// The step error is large.
     Unconverged,
     /// The window ended while a result still grew.
@@ -45,6 +47,7 @@ impl FlagKind {
             Self::MeshNearlyFolded => "mesh_nearly_folded",
             Self::FinerMeshFolds => "finer_mesh_folds",
             Self::EnergyImbalance => "energy_imbalance",
+            Self::NotPredictable => "not_predictable",
             Self::Unconverged => "unconverged",
             Self::WindowShort => "window_short",
             Self::PulseCut => "pulse_cut",
@@ -60,14 +63,18 @@ const NEARLY_FOLDED: f64 = 0.2;
 const ENERGY_ALARM: f64 = 0.01;
 /// A step error above this many percent is called unconverged.
 const UNCONVERGED_PERCENT: f64 = 10.0;
+/// Two runs of a folded mesh that differ by more than this many percent predict nothing.
+const UNPREDICTABLE_PERCENT: f64 = 5.0;
 
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Flags of a result; times in s, angles in radians.
+/// Flags of a result; times in s, angles in radians. `disagreement` is the largest difference, in %,
+/// between the leading results of the run and those of the second run.
 pub(super) fn raise(
     extremes: &Extremes,
     step_error_percent: f64,
+    disagreement: f64,
     window: f64,
     pulse: f64,
     load: &ArcLoad,
@@ -91,6 +98,13 @@ pub(super) fn raise(
             ),
             Some(time),
         );
+        if disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan() {
+            raise(
+                FlagKind::NotPredictable,
+                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
+                Some(time),
+            );
+        }
     } else if extremes.least_quad_ratio < NEARLY_FOLDED {
         raise(
             FlagKind::MeshNearlyFolded,

@@ -6,6 +6,7 @@ mod case;
 pub mod choose;
 pub mod coverage;
 mod flags;
+pub mod hard_cases;
 mod mesh_error;
 mod quantity;
 mod solve;

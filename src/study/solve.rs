@@ -95,8 +95,20 @@ pub struct Answer {
 /// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
 /// watch stops.
 pub fn solve(scenario: &Scenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
+    solve_case(Case::new(scenario), scenario, keep, watch)
+}
+
+/// Answers `case`, which was compiled from `scenario`.
+///
+/// # Errors
+/// As [`solve`].
+pub(super) fn solve_case(
+    case: Case,
+    scenario: &Scenario,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Answer, Refusal> {
     let begun = Instant::now();
-    let case = Case::new(scenario);
     let mut plan = case.plan(scenario)?;
     let mut solved = measured(&case, &plan, keep, watch)?;
     if scenario.numerics.step_us.is_none() {
@@ -135,6 +147,8 @@ struct Measured {
     cost: Cost,
     simulated: f64,
     errors: Errors,
+    /// Largest difference between the leading results of the two runs, in %.
+    disagreement: f64,
     time: Duration,
     total_time: Duration,
 }
@@ -169,6 +183,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     } = first?;
     let results = values(&recording.extremes);
     let difference = difference_percent(&values(&second?.recording.extremes), &results);
+    let disagreement = headline(&difference);
     let errors = Errors {
         time_step: difference.map(|d| factor * d + FLOOR_PERCENT),
         mesh: None,
@@ -179,6 +194,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         cost,
         simulated,
         errors,
+        disagreement,
         time,
         total_time: started.elapsed(),
     })
@@ -190,12 +206,14 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
         cost,
         simulated,
         errors,
+        disagreement,
         time,
         total_time,
     } = solved;
     let flags = flags::raise(
         &recording.extremes,
         errors.time_step_percent(),
+        disagreement,
         case.window,
         case.system.load().pulse.duration(),
         &case.load,

@@ -1,0 +1,46 @@
+//! `contrecoup stability`: the hard cases and what the program makes of them.
+
+use std::io::{self, Write};
+use std::sync::Mutex;
+
+use super::progress::Progress;
+use super::{CliError, StabilityArgs};
+use crate::report::stability;
+use crate::study::hard_cases::{self, Verdict};
+
+/// Runs the hard cases and prints a table or JSON.
+///
+/// # Errors
+/// Where a case is silently wrong, after printing, and where the output cannot be written.
+pub fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let progress = Mutex::new(Progress::new());
+    let outcomes = hard_cases::run(|done, of| {
+        if let Ok(mut progress) = progress.lock() {
+            progress.show("hard cases", done as f64 / of as f64);
+        }
+    });
+    if let Ok(mut progress) = progress.lock() {
+        progress.clear();
+    }
+    if args.json {
+        let object = stability::json(&outcomes);
+        serde_json::to_writer_pretty(&mut *out, &object).map_err(io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        stability::table(&outcomes, out)?;
+    }
+    out.flush()?;
+    let wrong: Vec<&str> = outcomes
+        .iter()
+        .filter(|outcome| outcome.verdict == Verdict::Wrong)
+        .map(|outcome| outcome.name)
+        .collect();
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        Err(CliError::Failed(format!(
+            "silently wrong: {}",
+            wrong.join(", ")
+        )))
+    }
+}

@@ -1,0 +1,113 @@
+//! The hard cases as a table of 80 columns and as JSON. The names are a contract.
+
+use super::text::percent;
+use crate::study::hard_cases::{Outcome, Verdict};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// Columns of a line.
+const WIDTH: usize = 80;
+/// Columns that a note is moved in.
+const INDENT: usize = 4;
+
+/// `text` in lines of at most `width` characters, broken between words.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+fn flags(outcome: &Outcome) -> Vec<&'static str> {
+    outcome.flags.iter().map(|kind| kind.name()).collect()
+}
+
+/// Prints the table.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn table(outcomes: &[Outcome], out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "{:<29}{:<16}{:>11}{:>12}{:>12}",
+        "case", "verdict", "true error", "claimed", "energy"
+    )?;
+    let shown = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), percent);
+    for outcome in outcomes {
+        writeln!(
+            out,
+            "{:<29}{:<16}{:>11}{:>12}{:>12}",
+            outcome.name,
+            outcome.verdict.name(),
+            shown(outcome.true_error),
+            shown(outcome.claimed_error),
+            shown(outcome.energy_balance),
+        )?;
+        let mut parts = flags(outcome).join(", ");
+        if !outcome.note.is_empty() {
+            if !parts.is_empty() {
+                parts.push_str("; ");
+            }
+            parts.push_str(&outcome.note);
+        }
+        for line in wrapped(&parts, WIDTH - INDENT) {
+            writeln!(out, "{:INDENT$}{line}", "")?;
+        }
+    }
+    let count = |verdict| outcomes.iter().filter(|o| o.verdict == verdict).count();
+    writeln!(
+        out,
+        "\n{} cases: {} accurate, {} flagged, {} not predictable, {} refused, {} wrong",
+        outcomes.len(),
+        count(Verdict::Accurate),
+        count(Verdict::Flagged),
+        count(Verdict::NotPredictable),
+        count(Verdict::Refused),
+        count(Verdict::Wrong),
+    )?;
+    writeln!(
+        out,
+        "True error: the largest of damage, apex displacement and four peak forces,\n\
+         against references of much shorter steps on the same mesh. Claimed: step error.\n\
+         Energy: what the energies miss of the work in."
+    )
+}
+
+/// The same as one object.
+pub fn json(outcomes: &[Outcome]) -> Value {
+    let cases: Vec<Value> = outcomes
+        .iter()
+        .map(|outcome| {
+            json!({
+                "name": outcome.name,
+                "stresses": outcome.stresses,
+                "verdict": outcome.verdict.name(),
+                "true_error_percent": outcome.true_error,
+                "claimed_error_percent": outcome.claimed_error,
+                "energy_balance_percent": outcome.energy_balance,
+                "flags": flags(outcome),
+                "note": outcome.note,
+            })
+        })
+        .collect();
+    json!({ "cases": cases })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_break_between_words() {
+        assert_eq!(wrapped("one two three", 8), ["one two", "three"]);
+        assert_eq!(wrapped("", 8), Vec::<String>::new());
+        assert_eq!(wrapped("longer-than-that", 8), ["longer-than-that"]);
+    }
+}
