@@ -6,6 +6,7 @@
 //! the registry of fields decides for files, flags and forms alike.
 
 mod arguments;
+mod coverage;
 mod error;
 mod export;
 mod generate;
@@ -22,6 +23,8 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+
+use crate::study::coverage::MOST_SCENES;
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
@@ -41,6 +44,8 @@ pub enum Command {
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
     Export(ExportArgs),
+    /// Check on random scenes how often the stated step errors hold
+    Coverage(CoverageArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -89,6 +94,21 @@ pub struct ExportArgs {
     /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
     pub every_us: Option<f64>,
+}
+
+/// Arguments of `coverage`.
+#[derive(Debug, Args)]
+pub struct CoverageArgs {
+    /// How many scenes
+    #[arg(long, value_name = "N", default_value_t = 200,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SCENES)))]
+    pub scenes: u32,
+    /// Which scenes: a seed gives the same ones for good
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u32,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `presets`.
@@ -142,6 +162,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
     match &cli.command {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
+        Some(Command::Coverage(args)) => coverage::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
