@@ -7,6 +7,7 @@
 
 mod accuracy;
 mod arguments;
+mod coverage;
 mod error;
 mod export;
 mod generate;
@@ -25,6 +26,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::study::coverage::MOST_SCENES;
 use crate::tui;
 
 /// Simulate a blow to a human eye.
@@ -51,6 +53,8 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Run the hard cases against references and print what the program made of each
     Stability(StabilityArgs),
+    /// Check on random scenes how often the stated step errors hold
+    Coverage(CoverageArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -123,6 +127,21 @@ pub struct StabilityArgs {
     pub json: bool,
 }
 
+/// Arguments of `coverage`.
+#[derive(Debug, Args)]
+pub struct CoverageArgs {
+    /// How many scenes
+    #[arg(long, value_name = "N", default_value_t = 200,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SCENES)))]
+    pub scenes: u32,
+    /// Which scenes: a seed gives the same ones for good
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u32,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `presets`.
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true)]
@@ -185,6 +204,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
     match &cli.command {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
+        Some(Command::Coverage(args)) => coverage::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Stability(args)) => stability::run(args, out),

@@ -1,6 +1,7 @@
 //! Results for people and for programs. It only prints what it is given.
 
 pub mod accuracy;
+pub mod coverage;
 pub mod json;
 pub mod stability;
 pub mod text;

@@ -1,20 +1,24 @@
 //! Whether the stated step errors hold: many random scenes, each against a reference.
 //!
 //! A scene draws force, duration, angle, width, shape and filaments from a scrambled Sobol
-//! sequence, so a seed names it for good. The reference takes steps a hundred times shorter. A
-//! scene whose mesh folds promises nothing and is counted apart.
+//! sequence, so a seed names it for good. The reference takes a hundred times as many steps in every
+//! segment of the load. A scene whose mesh folds promises nothing and is counted apart.
 
-use super::case::{Case, Refusal, unwatched};
+use super::case::{Refusal, unwatched};
 use super::flags::FlagKind;
 use super::quantity::{PerQuantity, Quantity, difference_percent, values};
 use super::solve::solve;
-use crate::dynamics::{Integrator, Plan};
+use crate::dynamics::Plan;
 use crate::recording::Keep;
 use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU32, Ordering};
 
-/// How much shorter the steps of the reference are.
+/// How many times as many steps the reference takes.
 pub const REFERENCE_FINENESS: f64 = 100.0;
+/// Most scenes that the sequence has for one seed.
+pub const MOST_SCENES: u32 = 1 << 16;
 
 /// A draw from 0 to 1: number `index`, dimension `dimension`.
 fn draw(index: u32, dimension: u32, seed: u32) -> f64 {
@@ -80,7 +84,7 @@ pub struct Coverage {
     pub quantity: Quantity,
     /// Scenes whose true error lies within the stated one, in %.
     pub within: f64,
-    /// Median of stated over true error.
+    /// Median of stated over true error; where no true error is seen the ratio counts as infinite.
     pub median_ratio: f64,
     /// Median true error, in %.
     pub median_truth: f64,
@@ -88,60 +92,155 @@ pub struct Coverage {
     pub largest_truth: f64,
 }
 
-/// Solves scenes 0 to `count` of `seed`, each with its reference.
+/// A stated error that did not hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Miss {
+    /// Number of the scene.
+    pub index: u32,
+    /// The result.
+    pub quantity: Quantity,
+    /// Stated error, in %.
+    pub claimed: f64,
+    /// True error, in %.
+    pub truth: f64,
+}
+
+/// Solves scenes 0 to `count` of `seed`, each with its reference, on all threads of the present
+/// pool. The order and every bit of the result are the same for any number of threads. `watch` is
+/// told the share of scenes done after each, and may stop the rest.
 ///
 /// # Errors
-/// Whatever a scene refuses; none should.
-pub fn check(count: u32, seed: u32) -> Result<Vec<Checked>, Refusal> {
+/// Whatever a scene refuses; none should. [`Refusal::Cancelled`] if the watch stopped it.
+pub fn check(
+    count: u32,
+    seed: u32,
+    watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
+) -> Result<Vec<Checked>, Refusal> {
+    let done = AtomicU32::new(0);
     (0..count)
         .into_par_iter()
         .map(|index| {
-            let scenario = scene(index, seed);
-            let answer = solve(&scenario, Keep::default(), &mut unwatched)?;
-            let case = Case::new(&scenario);
-            let fine = Plan {
-                integrator: Integrator::Srkn6b,
-                step: answer.plan.step / REFERENCE_FINENESS,
-                ..answer.plan
-            };
-            let reference = case.run(&fine, Keep::default(), &mut unwatched)?;
-            let reference = values(&reference.recording.extremes);
-            Ok(Checked {
-                index,
-                claimed: answer.errors.time_step,
-                truth: difference_percent(&values(&answer.recording.extremes), &reference),
-                folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
-            })
+            let checked = check_one(index, seed)?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            match watch(f64::from(done) / f64::from(count)) {
+                ControlFlow::Continue(()) => Ok(checked),
+                ControlFlow::Break(()) => Err(Refusal::Cancelled),
+            }
         })
         .collect()
 }
 
+fn check_one(index: u32, seed: u32) -> Result<Checked, Refusal> {
+    let answer = solve(&scene(index, seed), Keep::default(), &mut unwatched)?;
+    let fine = Plan {
+        multiple: answer.plan.multiple * REFERENCE_FINENESS,
+        ..answer.plan
+    };
+    let reference = answer.case.run(&fine, Keep::default(), &mut unwatched)?;
+    Ok(Checked {
+        index,
+        claimed: answer.errors.time_step,
+        truth: difference_percent(
+            &values(&answer.recording.extremes),
+            &values(&reference.recording.extremes),
+        ),
+        folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
+    })
+}
+
+/// The upper one of the two in the middle, if there are two.
 fn median(mut of: Vec<f64>) -> f64 {
     of.sort_by(f64::total_cmp);
     of.get(of.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
+/// A true error that is not a number holds no promise.
+fn holds(checked: &Checked, q: usize) -> bool {
+    checked.truth[q] <= checked.claimed[q]
+}
+
+fn promising(checked: &[Checked]) -> impl Iterator<Item = &Checked> {
+    checked.iter().filter(|c| !c.folded)
+}
+
 /// Coverage of each result over the scenes that promise something.
 pub fn coverage(checked: &[Checked]) -> Vec<Coverage> {
-    let valid: Vec<&Checked> = checked.iter().filter(|c| !c.folded).collect();
+    let promising: Vec<&Checked> = promising(checked).collect();
     Quantity::ALL
         .iter()
         .enumerate()
         .map(|(q, &quantity)| {
-            let within = valid.iter().filter(|c| c.truth[q] <= c.claimed[q]).count();
-            let ratios = valid
-                .iter()
-                .filter(|c| c.truth[q] > 0.0)
-                .map(|c| c.claimed[q] / c.truth[q])
-                .collect();
-            let truths: Vec<f64> = valid.iter().map(|c| c.truth[q]).collect();
+            let within = promising.iter().filter(|c| holds(c, q)).count();
+            // A claim over no error at all is infinite, as no claim is zero.
+            let ratios = promising.iter().map(|c| c.claimed[q] / c.truth[q]);
+            let truths: Vec<f64> = promising.iter().map(|c| c.truth[q]).collect();
             Coverage {
                 quantity,
-                within: 100.0 * within as f64 / valid.len().max(1) as f64,
-                median_ratio: median(ratios),
+                within: 100.0 * within as f64 / promising.len().max(1) as f64,
+                median_ratio: median(ratios.collect()),
                 largest_truth: truths.iter().copied().fold(0.0, f64::max),
                 median_truth: median(truths),
             }
         })
         .collect()
+}
+
+/// Every stated error that did not hold, result by result.
+pub fn misses(checked: &[Checked]) -> Vec<Miss> {
+    Quantity::ALL
+        .iter()
+        .enumerate()
+        .flat_map(|(q, &quantity)| {
+            promising(checked)
+                .filter(move |c| !holds(c, q))
+                .map(move |c| Miss {
+                    index: c.index,
+                    quantity,
+                    claimed: c.claimed[q],
+                    truth: c.truth[q],
+                })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn checked(index: u32, claimed: f64, truth: f64, folded: bool) -> Checked {
+        Checked {
+            index,
+            claimed: [claimed; Quantity::ALL.len()],
+            truth: [truth; Quantity::ALL.len()],
+            folded,
+        }
+    }
+
+    #[test]
+    fn misses_and_folds_are_counted_apart() {
+        let all = [
+            checked(0, 4.0, 1.0, false),
+            checked(1, 1.0, 2.0, false),
+            checked(2, 1.0, 9.0, true),
+            checked(3, 1.0, 0.0, false),
+            checked(4, 1.0, f64::NAN, false),
+        ];
+        for row in coverage(&all) {
+            assert_eq!(row.within, 50.0);
+            assert_eq!(row.largest_truth, 2.0);
+        }
+        let missed: Vec<u32> = misses(&all).iter().map(|m| m.index).collect();
+        assert_eq!(missed, [1, 4].repeat(Quantity::ALL.len()));
+        assert_eq!(coverage(&all[..4])[0].median_ratio, 4.0);
+    }
+
+    #[test]
+    fn every_scene_is_one_that_a_person_could_ask_for() {
+        for seed in [0, 1, u32::MAX] {
+            for index in (0..2000).chain([MOST_SCENES - 1]) {
+                let scene = scene(index, seed);
+                assert!(crate::scenario::check::check(&scene).is_ok(), "{scene:?}");
+            }
+        }
+    }
 }

@@ -53,6 +53,21 @@ impl Quantity {
         }
     }
 
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Damage => "damage index",
+            Self::Apex => "apex displacement",
+            Self::Force(Monitor::Centre) => "peak force, centre",
+            Self::Force(Monitor::Front) => "peak force, front",
+            Self::Force(Monitor::Right) => "peak force, right",
+            Self::Force(Monitor::Top) => "peak force, top",
+            Self::ShellGrowth => "shell growth",
+            Self::MeridianGrowth => "meridian growth",
+            Self::Energy => "energy imparted",
+        }
+    }
+
     /// Differences below this are rounding, in the unit of [`Self::key`].
     pub fn rounding(self) -> f64 {
         match self {

@@ -1,0 +1,33 @@
+//! `contrecoup coverage`: how often the stated step errors hold.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
+
+use super::progress::Progress;
+use super::{CliError, CoverageArgs};
+use crate::report::coverage::{json, text};
+use crate::study::coverage::check;
+
+/// Solves random scenes, each with its reference, and prints how the claims compare.
+///
+/// # Errors
+/// Where a simulation fails or the output cannot be written.
+pub fn run(args: &CoverageArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let checked = check(args.scenes, args.seed, &|share| {
+        lock().show("checking scenes", share);
+        ControlFlow::Continue(())
+    });
+    lock().clear();
+    let checked = checked?;
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &json(&checked, args.seed))
+            .map_err(io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        text(&checked, args.seed, out)?;
+    }
+    Ok(())
+}

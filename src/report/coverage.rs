@@ -1,0 +1,122 @@
+//! How often the stated step errors hold, as text of 80 columns and as one JSON object.
+
+use crate::study::Quantity;
+use crate::study::coverage::{
+    Checked, Coverage, Miss, REFERENCE_FINENESS, coverage, misses, scene,
+};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// An error in percent with two digits, however small.
+fn error(percent: f64) -> String {
+    if percent == 0.0 || (1e-3..1e3).contains(&percent) {
+        super::text::percent(percent)
+    } else {
+        format!("{percent:.1e} %")
+    }
+}
+
+fn row(of: &Coverage, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "{:<20}{:>9.1} %{:>16.1}{:>16}{:>16}",
+        of.quantity.label(),
+        of.within,
+        of.median_ratio,
+        error(of.median_truth),
+        error(of.largest_truth)
+    )
+}
+
+fn folded(checked: &[Checked]) -> Vec<u32> {
+    let folded = checked.iter().filter(|c| c.folded);
+    folded.map(|c| c.index).collect()
+}
+
+/// Prints the table of `checked`, scenes of `seed`, and every claim that did not hold.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(checked: &[Checked], seed: u32, out: &mut dyn Write) -> io::Result<()> {
+    let folded = folded(checked).len();
+    writeln!(
+        out,
+        "Stated step errors of {} random scenes of seed {seed}, each against a reference",
+        checked.len()
+    )?;
+    writeln!(
+        out,
+        "that takes {REFERENCE_FINENESS} times as many steps. Promised nothing, as the mesh folded: {folded}.\n"
+    )?;
+    writeln!(
+        out,
+        "{:<20}{:>11}{:>16}{:>16}{:>16}",
+        "", "within", "claimed/true", "true error", "true error"
+    )?;
+    writeln!(
+        out,
+        "{:<20}{:>11}{:>16}{:>16}{:>16}",
+        "result", "the claim", "median", "median", "largest"
+    )?;
+    for of in coverage(checked) {
+        row(&of, out)?;
+    }
+    let misses = misses(checked);
+    if misses.is_empty() {
+        return writeln!(out, "\nEvery claim held.");
+    }
+    writeln!(out, "\nClaims that did not hold: {}", misses.len())?;
+    writeln!(
+        out,
+        "{:<8}{:<20}{:>14}{:>14}",
+        "scene", "result", "claimed", "true"
+    )?;
+    for miss in misses {
+        writeln!(
+            out,
+            "{:<8}{:<20}{:>14}{:>14}",
+            miss.index,
+            miss.quantity.label(),
+            error(miss.claimed),
+            error(miss.truth)
+        )?;
+    }
+    Ok(())
+}
+
+fn miss(of: &Miss, seed: u32) -> Value {
+    json!({
+        "scene": of.index,
+        "result": of.quantity.key(),
+        "claimed_percent": of.claimed,
+        "true_percent": of.truth,
+        "scenario": scene(of.index, seed),
+    })
+}
+
+/// The same as one object. A miss comes with its scenario, to be run again.
+pub fn json(checked: &[Checked], seed: u32) -> Value {
+    let misses = misses(checked);
+    let missed = |quantity: Quantity| misses.iter().filter(|m| m.quantity == quantity).count();
+    let results: Vec<Value> = coverage(checked)
+        .iter()
+        .map(|of| {
+            json!({
+                "result": of.quantity.key(),
+                "within_percent": of.within,
+                "misses": missed(of.quantity),
+                "median_claimed_over_true": of.median_ratio,
+                "median_true_percent": of.median_truth,
+                "largest_true_percent": of.largest_truth,
+            })
+        })
+        .collect();
+    json!({
+        "scenes": checked.len(),
+        "seed": seed,
+        "reference_fineness": REFERENCE_FINENESS,
+        "folded_scenes": folded(checked),
+        "results": results,
+        "misses": misses.iter().map(|m| miss(m, seed)).collect::<Vec<_>>(),
+    })
+}

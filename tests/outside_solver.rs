@@ -1,0 +1,352 @@
+//! The motion against a solver that shares nothing with the program: DOP853 of the crate
+//! `differential-equations`, on equations written out here from the nodes and springs alone.
+//!
+//! Displacements are in mm, times in ms and speeds in m/s, so that one tolerance fits all. The work
+//! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
+//! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
+
+use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Observer, Plan, State, System, march};
+use contrecoup::dynamics::{Piece, Survey};
+use contrecoup::eye::{Eye, Region};
+use contrecoup::recording::Keep;
+use contrecoup::scenario::{ForcePulse, Impact, PulseShape, Scenario};
+use contrecoup::study::{Case, unwatched};
+use differential_equations::prelude::*;
+use std::f64::consts::PI;
+
+/// What the two must agree to.
+const AGREEMENT: f64 = 1e-9;
+/// What the outside solver is asked for.
+const TOLERANCE: f64 = 1e-12;
+
+/// The equations of motion over a stretch of time in which the load is smooth.
+struct Motion<'a> {
+    eye: &'a Eye,
+    blow: &'a ForcePulse,
+    /// Node, force along x and y per N of the whole.
+    shares: Vec<(usize, f64, f64)>,
+    /// An instant inside the stretch, ms.
+    inside: f64,
+}
+
+/// Forces on a node per N of the whole force, from the documented rule.
+fn shares(eye: &Eye, blow: &ForcePulse) -> Vec<(usize, f64, f64)> {
+    let shell: Vec<usize> = (0..eye.nodes.len())
+        .filter(|&i| matches!(eye.nodes[i].region, Region::Shell | Region::Retina))
+        .collect();
+    let own = 360.0 / shell.len() as f64;
+    let opening = eye.opening_rad.to_degrees();
+    let from = (blow.angle_deg - blow.half_width_deg).max(-opening);
+    let to = (blow.angle_deg + blow.half_width_deg).min(opening);
+    let overlaps: Vec<(usize, f64)> = shell
+        .into_iter()
+        .map(|i| {
+            let p = eye.nodes[i].position;
+            let middle = p.y.atan2(-p.x).to_degrees();
+            let overlap = to.min(middle + own / 2.0) - from.max(middle - own / 2.0);
+            (i, overlap.max(0.0))
+        })
+        .collect();
+    let sum: f64 = overlaps.iter().map(|o| o.1).sum();
+    let (sin, cos) = blow.angle_deg.to_radians().sin_cos();
+    overlaps
+        .into_iter()
+        .filter(|o| o.1 > 1e-9)
+        .map(|(i, overlap)| (i, cos * overlap / sum, -sin * overlap / sum))
+        .collect()
+}
+
+/// Whole force at `t` ms by the law that holds around `inside`, N.
+fn force(blow: &ForcePulse, inside: f64, t: f64) -> f64 {
+    let (s, t) = (inside / blow.duration_ms, t / blow.duration_ms);
+    if s > 1.0 {
+        return 0.0;
+    }
+    blow.force_n
+        * match blow.shape {
+            PulseShape::SmoothRectangle { edge_fraction: e } if s < e => {
+                (PI * t / (2.0 * e)).sin().powi(2)
+            }
+            PulseShape::SmoothRectangle { edge_fraction: e } if s > 1.0 - e => {
+                (PI * (1.0 - t) / (2.0 * e)).sin().powi(2)
+            }
+            PulseShape::SmoothRectangle { .. } => 1.0,
+            PulseShape::Triangle => 1.0 - (2.0 * t - 1.0) * (s - 0.5).signum(),
+            PulseShape::HalfSine => (PI * t).sin(),
+        }
+}
+
+/// Instants at which the force or its slope jumps, ms.
+fn breaks(blow: &ForcePulse) -> Vec<f64> {
+    let inner = match blow.shape {
+        PulseShape::SmoothRectangle { edge_fraction: e } => vec![e, 1.0 - e],
+        PulseShape::Triangle => vec![0.5],
+        PulseShape::HalfSine => Vec::new(),
+    };
+    inner
+        .into_iter()
+        .chain([1.0])
+        .map(|share| share * blow.duration_ms)
+        .collect()
+}
+
+impl Motion<'_> {
+    /// Force of springs and load on every node at displacements `u`, N.
+    fn forces(&self, t: f64, u: &[f64]) -> Vec<[f64; 2]> {
+        let nodes = &self.eye.nodes;
+        let mut forces = vec![[0.0; 2]; nodes.len()];
+        for spring in &self.eye.springs {
+            let (a, b) = (spring.a, spring.b);
+            let rest = [
+                1e3 * (nodes[b].position.x - nodes[a].position.x),
+                1e3 * (nodes[b].position.y - nodes[a].position.y),
+            ];
+            let change = [u[2 * b] - u[2 * a], u[2 * b + 1] - u[2 * a + 1]];
+            let now = [rest[0] + change[0], rest[1] + change[1]];
+            let length = now[0].hypot(now[1]);
+            let squares: f64 = (0..2).map(|i| change[i] * (rest[i] + now[i])).sum();
+            // (l^2 - l0^2) / (l + l0), in mm; k is in N/m.
+            let stretch = squares / (length + 1e3 * spring.rest_length);
+            let pull = 1e-3 * spring.stiffness * stretch / length;
+            for i in 0..2 {
+                forces[a][i] += pull * now[i];
+                forces[b][i] -= pull * now[i];
+            }
+        }
+        let whole = force(self.blow, self.inside, t);
+        for &(node, x, y) in &self.shares {
+            forces[node][0] += x * whole;
+            forces[node][1] += y * whole;
+        }
+        forces
+    }
+}
+
+impl ODE<f64, Vec<f64>> for Motion<'_> {
+    fn diff(&self, t: f64, y: &Vec<f64>, dydt: &mut Vec<f64>) {
+        let count = 2 * self.eye.nodes.len();
+        let (u, v) = y[..2 * count].split_at(count);
+        dydt.fill(0.0);
+        let mut loss = 0.0;
+        for (n, f) in self.forces(t, u).into_iter().enumerate() {
+            let node = &self.eye.nodes[n];
+            if node.region == Region::Orbit {
+                continue;
+            }
+            for (i, f) in f.into_iter().enumerate() {
+                let speed = v[2 * n + i];
+                dydt[2 * n + i] = speed;
+                dydt[count + 2 * n + i] = 1e-3 * (f - node.drag * speed) / node.mass;
+                loss += node.drag * speed * speed;
+            }
+        }
+        let power: f64 = self
+            .shares
+            .iter()
+            .map(|&(n, x, y)| x * v[2 * n] + y * v[2 * n + 1])
+            .sum();
+        dydt[2 * count] = 1e-3 * power * force(self.blow, self.inside, t);
+        dydt[2 * count + 1] = 1e-3 * loss;
+    }
+}
+
+/// What the outside solver found.
+struct Outside {
+    /// Displacements, speeds, work and loss at each time asked for.
+    states: Vec<Vec<f64>>,
+    /// Largest component of displacement, mm, and of speed, m/s, of any node at any step end.
+    largest: [f64; 2],
+    /// Largest |m a| at its own step ends for each monitored node, N.
+    forces: [f64; 4],
+    /// Largest mean displacement of the corneal apex at its own step ends, mm.
+    apex: f64,
+}
+
+/// Integrates from rest to each of `times` in turn, ms.
+fn outside(eye: &Eye, blow: &ForcePulse, times: &[f64]) -> Outside {
+    let count = 2 * eye.nodes.len();
+    let mut y = vec![0.0; 2 * count + 2];
+    let mut found = Outside {
+        states: Vec::new(),
+        largest: [0.0; 2],
+        forces: [0.0; 4],
+        apex: 0.0,
+    };
+    let mut stops: Vec<f64> = times.iter().copied().chain(breaks(blow)).collect();
+    stops.sort_by(f64::total_cmp);
+    stops.dedup();
+    let mut start = 0.0;
+    for stop in stops {
+        // An edge of no length has its break at the start.
+        if stop > start {
+            let motion = Motion {
+                eye,
+                blow,
+                shares: shares(eye, blow),
+                inside: 0.5 * (start + stop),
+            };
+            let method = ExplicitRungeKutta::dop853()
+                .rtol(TOLERANCE)
+                .atol(TOLERANCE)
+                .max_steps(1_000_000);
+            let solution = IVP::ode(&motion, start, stop, y.clone())
+                .method(method)
+                .solve()
+                .expect("the outside solver finishes");
+            assert_eq!(solution.t.last(), Some(&stop));
+            let mut slope = vec![0.0; 2 * count + 2];
+            for (&t, y) in solution.t.iter().zip(&solution.y) {
+                motion.diff(t, y, &mut slope);
+                for (largest, of) in found.largest.iter_mut().zip(y.chunks_exact(count)) {
+                    *largest = of.iter().fold(*largest, |most, x| most.max(x.abs()));
+                }
+                for (largest, &n) in found.forces.iter_mut().zip(&eye.landmarks.monitors) {
+                    let a = &slope[count + 2 * n..];
+                    *largest = largest.max(1e3 * eye.nodes[n].mass * a[0].hypot(a[1]));
+                }
+                let [p, q] = eye.landmarks.apex;
+                found.apex = found.apex.max(0.5 * (y[2 * p] + y[2 * q]));
+            }
+            y.clone_from(solution.y.last().unwrap());
+        }
+        if times.contains(&stop) {
+            found.states.push(y.clone());
+        }
+        start = stop;
+    }
+    found
+}
+
+struct Nobody;
+
+impl Observer for Nobody {
+    fn begin(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
+    fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
+}
+
+/// Differences of positions and speeds from the outside solver's `y`, as shares of the `largest` of
+/// the whole motion; differences of work and loss as shares of them.
+fn disagreement(case: &Case, plan: &Plan, y: &[f64], largest: [f64; 2]) -> [f64; 4] {
+    let mut state = State::at_rest(&case.system);
+    march(&case.system, plan, &mut state, &mut Nobody).unwrap();
+    let count = 2 * case.eye.nodes.len();
+    let mut off = [0.0f64; 2];
+    for (n, node) in case.eye.nodes.iter().enumerate() {
+        let place = case.system.place(n);
+        let moved = (state.position(place) - node.position) * 1e3;
+        let speed = state.velocity(place);
+        for i in 0..2 {
+            off[0] = off[0].max((moved[i] - y[2 * n + i]).abs());
+            off[1] = off[1].max((speed[i] - y[count + 2 * n + i]).abs());
+        }
+    }
+    [
+        off[0] / largest[0],
+        off[1] / largest[1],
+        (state.work / y[2 * count] - 1.0).abs(),
+        (state.dissipated / y[2 * count + 1] - 1.0).abs(),
+    ]
+}
+
+/// Runs the blow both ways and compares at several times.
+fn agrees(name: &str, blow: &ForcePulse, filaments: bool) {
+    let mut scenario = Scenario {
+        impact: Impact::ForcePulse(blow.clone()),
+        ..Scenario::default()
+    };
+    if !filaments {
+        scenario.eye.filament_hops.clear();
+    }
+    let case = Case::new(&scenario);
+    // Within the pulse, soon after it, and when the motion has died down.
+    let last = scenario.window_ms;
+    let times = [0.37 * blow.duration_ms, 0.31, 0.9, last];
+    let found = outside(&case.eye, blow, &times);
+    assert_eq!(found.states.len(), times.len());
+
+    let plan = |integrator, step, window_ms: f64| Plan {
+        integrator,
+        step,
+        window: window_ms * 1e-3,
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    };
+    for (integrator, step) in [(Integrator::Srkn6b, 2e-7), (Integrator::Srkn11b, 6e-7)] {
+        for (time, y) in times.iter().zip(&found.states) {
+            let off = disagreement(&case, &plan(integrator, step, *time), y, found.largest);
+            println!(
+                "{name}, {}, {time:.4} ms: positions {:.1e}, speeds {:.1e}, work {:.1e}, loss {:.1e}",
+                integrator.name(),
+                off[0],
+                off[1],
+                off[2],
+                off[3]
+            );
+            for (off, what) in off.into_iter().zip(["positions", "speeds", "work", "loss"]) {
+                assert!(
+                    off < AGREEMENT,
+                    "{name}, {integrator:?}, {time} ms: {what} differ by {off:e}"
+                );
+            }
+        }
+    }
+
+    // A whole run: its energy to the same agreement, its peaks no lower than any force seen outside.
+    let run = case
+        .run(
+            &plan(Integrator::Srkn6b, 2e-7, last),
+            Keep::default(),
+            &mut unwatched,
+        )
+        .unwrap();
+    let extremes = run.recording.extremes;
+    let work = found.states[times.len() - 1][4 * case.eye.nodes.len()];
+    assert!((extremes.work / work - 1.0).abs() < AGREEMENT);
+    let peaks = extremes.force.iter().map(|p| p.value).zip(found.forces);
+    for (peak, seen) in peaks.chain([(extremes.apex.value * 1e3, found.apex)]) {
+        println!("{name}: peak {peak:.6}, seen outside {seen:.6}");
+        let missed = seen / peak - 1.0;
+        assert!(
+            missed < AGREEMENT && missed > -1e-2,
+            "{name}: peak {peak} for {seen} seen outside"
+        );
+    }
+}
+
+#[test]
+fn the_standard_case() {
+    agrees("standard", &ForcePulse::default(), true);
+}
+
+#[test]
+fn a_triangle_off_the_axis() {
+    let blow = ForcePulse {
+        force_n: 250.0,
+        duration_ms: 0.15,
+        angle_deg: 22.0,
+        half_width_deg: 12.5,
+        shape: PulseShape::Triangle,
+    };
+    agrees("triangle off axis", &blow, true);
+}
+
+#[test]
+fn a_half_sine_without_filaments() {
+    let blow = ForcePulse {
+        force_n: 120.0,
+        duration_ms: 0.25,
+        angle_deg: -9.0,
+        half_width_deg: 18.0,
+        shape: PulseShape::HalfSine,
+    };
+    agrees("half-sine, no filaments", &blow, false);
+}
+
+#[test]
+fn a_rectangle_without_rise() {
+    let blow = ForcePulse {
+        shape: PulseShape::SmoothRectangle { edge_fraction: 0.0 },
+        ..ForcePulse::default()
+    };
+    agrees("rectangle without rise", &blow, true);
+}
