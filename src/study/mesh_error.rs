@@ -18,11 +18,25 @@ use crate::scenario::{IntegratorChoice, NumericsInput, Scenario};
 /// The finest level a scenario may ask for.
 pub const FINEST_LEVEL: u32 = 8;
 
+/// Mass of a node of the globe, in kg.
+fn node_mass(case: &Case) -> f64 {
+    case.eye.nodes[case.eye.landmarks.monitors[0]].mass
+}
+
 /// Results of `scenario` on the mesh of `level`, in terms of the node mass of `like`.
 pub(super) fn at_level(
     scenario: &Scenario,
     level: u32,
     like: &Case,
+    watch: Watch,
+) -> Result<(PerQuantity, Option<f64>), Refusal> {
+    with_mass(scenario, level, node_mass(like), watch)
+}
+
+fn with_mass(
+    scenario: &Scenario,
+    level: u32,
+    mass: f64,
     watch: Watch,
 ) -> Result<(PerQuantity, Option<f64>), Refusal> {
     let mut other = scenario.clone();
@@ -35,8 +49,7 @@ pub(super) fn at_level(
     let case = Case::new(&other);
     let plan = case.plan(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
-    let mass = |case: &Case| case.eye.nodes[case.eye.landmarks.monitors[0]].mass;
-    let ratio = mass(like) / mass(&case);
+    let ratio = mass / node_mass(&case);
     let mut results = values(&solution.recording.extremes);
     for (value, quantity) in results.iter_mut().zip(Quantity::ALL) {
         if matches!(quantity, Quantity::Force(_)) {
@@ -64,6 +77,70 @@ pub(super) fn between(
     })
 }
 
+/// What of an answer its mesh error depends on, so that it can be estimated elsewhere.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshQuery {
+    level: u32,
+    mass: f64,
+    results: PerQuantity,
+    folded: bool,
+}
+
+/// A mesh error, ready to be added to the answer that was asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshError {
+    /// In % of each result.
+    pub errors: PerQuantity,
+    /// Raised if the finer mesh folds and the answer's does not.
+    pub flag: Option<Flag>,
+}
+
+impl MeshQuery {
+    /// The question for `answer`.
+    pub fn of(answer: &Answer) -> Self {
+        let extremes = &answer.recording.extremes;
+        Self {
+            level: answer.case.eye.level,
+            mass: node_mass(&answer.case),
+            results: values(extremes),
+            folded: extremes.folded_at.is_some(),
+        }
+    }
+
+    /// Solves `scenario`, the one that was answered, on a neighbouring mesh.
+    ///
+    /// # Errors
+    /// As for any run.
+    pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
+        let neighbour = if self.level < FINEST_LEVEL {
+            self.level + 1
+        } else {
+            self.level - 1
+        };
+        let (others, folded) = with_mass(scenario, neighbour, self.mass, watch)?;
+        let flag = folded.filter(|_| !self.folded).map(|time| Flag {
+            kind: FlagKind::FinerMeshFolds,
+            message: format!(
+                "the mesh of level {neighbour} folds at {:.3} ms: the model is near its end",
+                time * 1e3
+            ),
+            time: Some(time),
+        });
+        Ok(MeshError {
+            errors: between(self.level, &self.results, neighbour, &others),
+            flag,
+        })
+    }
+}
+
+impl Answer {
+    /// Takes in its mesh error.
+    pub fn add(&mut self, mesh: MeshError) {
+        self.errors.mesh = Some(mesh.errors);
+        self.flags.extend(mesh.flag);
+    }
+}
+
 /// Estimates the mesh error of `answer` and adds it, with a flag if the finer mesh folds.
 ///
 /// # Errors
@@ -73,24 +150,7 @@ pub fn add_mesh_error(
     answer: &mut Answer,
     watch: Watch,
 ) -> Result<(), Refusal> {
-    let level = answer.case.eye.level;
-    let neighbour = if level < FINEST_LEVEL {
-        level + 1
-    } else {
-        level - 1
-    };
-    let (others, folded) = at_level(scenario, neighbour, &answer.case, watch)?;
-    let results = values(&answer.recording.extremes);
-    answer.errors.mesh = Some(between(level, &results, neighbour, &others));
-    if let (Some(time), None) = (folded, answer.recording.extremes.folded_at) {
-        answer.flags.push(Flag {
-            kind: FlagKind::FinerMeshFolds,
-            message: format!(
-                "the mesh of level {neighbour} folds at {:.3} ms: the model is near its end",
-                time * 1e3
-            ),
-            time: Some(time),
-        });
-    }
+    let mesh = MeshQuery::of(answer).estimate(scenario, watch)?;
+    answer.add(mesh);
     Ok(())
 }

@@ -13,6 +13,6 @@ mod solve;
 
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
-pub use mesh_error::{FINEST_LEVEL, add_mesh_error};
+pub use mesh_error::{FINEST_LEVEL, MeshError, MeshQuery, add_mesh_error};
 pub use quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 pub use solve::{Answer, Errors, solve};

@@ -30,7 +30,7 @@ const AUTO_PERCENT: f64 = 1.0;
 /// How often it is shortened, at most to a half each time: a person waits, and what is left is flagged.
 const MOST_ATTEMPTS: usize = 3;
 /// No result is claimed to be better than this, in %: rounding and the search for peaks end here.
-const FLOOR_PERCENT: f64 = 1e-8;
+const FLOOR_PERCENT: f64 = 1e-6;
 
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -68,6 +68,8 @@ pub struct Shown {
     pub scenario: Scenario,
     /// What came of it.
     pub answer: Arc<Answer>,
+    /// The job that it answers.
+    pub ticket: Ticket,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
 }

@@ -133,6 +133,12 @@ fn next_comparison(model: &mut Model) -> Option<Effect> {
 
 /// What the worker of the form says. Late news of superseded jobs is dropped.
 fn hear(model: &mut Model, report: Report) {
+    if let Report::Mesh(ticket, mesh) = report {
+        if let Some(shown) = model.shown.as_mut().filter(|s| s.ticket == ticket) {
+            Arc::make_mut(&mut shown.answer).add(mesh);
+        }
+        return;
+    }
     let Run::Running(awaited, _) = model.run else {
         return;
     };
@@ -144,6 +150,7 @@ fn hear(model: &mut Model, report: Report) {
             Ok(answer) => {
                 model.run = Run::Settled;
                 model.shown = Some(Shown {
+                    ticket,
                     scenario: model.work.scenario.clone(),
                     hottest: hottest(&answer),
                     answer: Arc::new(answer),

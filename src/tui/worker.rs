@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::recording::Keep;
 use crate::scenario::Scenario;
-use crate::study::{Answer, Refusal, solve};
+use crate::study::{Answer, MeshError, MeshQuery, Refusal, solve};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -30,6 +30,8 @@ pub enum Report {
     Progress(Ticket, f64),
     /// The job is done, or was refused.
     Done(Ticket, Box<Result<Answer, Refusal>>),
+    /// The mesh error of a job that was done, once there was time for it.
+    Mesh(Ticket, MeshError),
 }
 
 struct Slot {
@@ -48,8 +50,9 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it.
-    pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
+    /// Starts the thread; `say` is called on it. With `mesh_errors`, each answer is followed by its
+    /// mesh error unless another job comes first.
+    pub fn start(mesh_errors: bool, say: impl Fn(Report) + Send + 'static) -> Self {
         let shared = Arc::new(Shared {
             slot: Mutex::new(Slot {
                 job: None,
@@ -59,7 +62,7 @@ impl Worker {
             wanted: AtomicU64::new(0),
         });
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, &say));
+        thread::spawn(move || work(&own, mesh_errors, &say));
         Self(shared)
     }
 
@@ -88,7 +91,7 @@ impl Drop for Worker {
     }
 }
 
-fn work(shared: &Shared, say: &impl Fn(Report)) {
+fn work(shared: &Shared, mesh_errors: bool, say: &impl Fn(Report)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
         let (ticket, scenario) = loop {
@@ -104,32 +107,42 @@ fn work(shared: &Shared, say: &impl Fn(Report)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        say(run(shared, ticket, &scenario, say));
+        let (answered, query) = run(shared, ticket, &scenario, say);
+        say(answered);
+        // Until the next job comes there is time for the finer mesh.
+        let mesh = query.filter(|_| mesh_errors).and_then(|query| {
+            let idle = &mut |_| match shared.wanted.load(Ordering::Relaxed) > ticket {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            };
+            query.estimate(&scenario, idle).ok()
+        });
+        if let Some(mesh) = mesh {
+            say(Report::Mesh(ticket, mesh));
+        }
     }
 }
 
-fn run(shared: &Shared, ticket: Ticket, scenario: &Scenario, say: &impl Fn(Report)) -> Report {
+/// Solves; returns the report, and what its mesh error is to be asked with.
+fn run(
+    shared: &Shared,
+    ticket: Ticket,
+    scenario: &Scenario,
+    say: &impl Fn(Report),
+) -> (Report, Option<MeshQuery>) {
     let mut reported = Instant::now();
-    let (mut second, mut last) = (false, 0.0);
     let answer = solve(scenario, keep(scenario), &mut |share| {
         if shared.wanted.load(Ordering::Relaxed) > ticket {
             return ControlFlow::Break(());
         }
-        // The second run, for the error, begins anew and takes larger steps.
-        second |= share < last;
-        last = share;
         if reported.elapsed() >= REPORT_EVERY {
             reported = Instant::now();
-            let whole = if second {
-                0.7 + 0.3 * share
-            } else {
-                0.7 * share
-            };
-            say(Report::Progress(ticket, whole));
+            say(Report::Progress(ticket, share));
         }
         ControlFlow::Continue(())
     });
-    Report::Done(ticket, Box::new(answer))
+    let query = answer.as_ref().ok().map(MeshQuery::of);
+    (Report::Done(ticket, Box::new(answer)), query)
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
@@ -151,7 +164,7 @@ mod tests {
 
     fn worker() -> (Worker, Receiver<Report>) {
         let (say, heard) = channel();
-        let worker = Worker::start(move |report| {
+        let worker = Worker::start(false, move |report| {
             let _ = say.send(report);
         });
         (worker, heard)
@@ -215,5 +228,19 @@ mod tests {
         let begun = Instant::now();
         while heard.recv_timeout(PATIENCE).is_ok() {}
         assert!(begun.elapsed() < PATIENCE);
+    }
+
+    #[test]
+    fn an_answer_is_followed_by_its_mesh_error_when_there_is_time() {
+        let (say, heard) = channel();
+        let worker = Worker::start(true, move |report| {
+            let _ = say.send(report);
+        });
+        worker.submit(1, Scenario::default());
+        assert!(done(&heard).1.is_ok());
+        let Report::Mesh(1, mesh) = heard.recv_timeout(PATIENCE).unwrap() else {
+            panic!("the mesh error comes next")
+        };
+        assert!(mesh.errors[0] > 20.0 && mesh.errors[0] < 40.0);
     }
 }

@@ -68,8 +68,8 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let sender = send.clone();
     thread::spawn(move || read_keyboard(&sender));
     let mut app = App {
-        form: worker(&send, Event::Form),
-        comparison: worker(&send, Event::Comparison),
+        form: worker(&send, true, Event::Form),
+        comparison: worker(&send, false, Event::Comparison),
         model,
         session,
         events,
@@ -87,9 +87,9 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     app.run()
 }
 
-fn worker(send: &Sender<Event>, wrap: fn(Report) -> Event) -> Worker {
+fn worker(send: &Sender<Event>, mesh_errors: bool, wrap: fn(Report) -> Event) -> Worker {
     let send = send.clone();
-    Worker::start(move |report| {
+    Worker::start(mesh_errors, move |report| {
         // Nobody listens once the app is leaving.
         let _ = send.send(wrap(report));
     })
