@@ -83,12 +83,13 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     );
 
     let errors = &shown.answer.errors;
+    // Of the index that the gauge shows; the peaks have their own on the screen of forces.
     let mesh = errors
-        .mesh_percent()
-        .map_or_else(|| "unknown".to_owned(), percent);
+        .mesh
+        .map_or_else(|| "unknown".to_owned(), |mesh| percent(mesh[0]));
     let text = format!(
-        "Error: step {}, mesh {mesh}",
-        percent(errors.time_step_percent())
+        "Its error: step {}, mesh {mesh}",
+        percent(errors.time_step[0])
     );
     let end = put(buffer, line(5), (0, 0), &text, theme.text());
     let apex = shown.answer.recording.extremes.apex;
