@@ -4,15 +4,18 @@
 
 use contrecoup::dynamics::plain::Plain;
 use contrecoup::dynamics::{
-    Integrator, Observer, Piece, Plan, State, Survey, System, kernel_name, march, stability,
+    Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, State, Survey, System, kernel_name, march,
 };
 use contrecoup::recording::Keep;
-use contrecoup::scenario::Scenario;
-use contrecoup::study::{Case, unwatched};
+use contrecoup::scenario::{Impact, Scenario};
+use contrecoup::study::batch::solve_all;
+use contrecoup::study::{Case, solve, unwatched};
 use std::hint::black_box;
 use std::time::Instant;
 
 const ROUNDS: usize = 15;
+/// Share of the stability limit that both sides take.
+const SHARE: f64 = 0.9;
 
 struct Nobody;
 
@@ -63,8 +66,10 @@ fn evaluations() {
             for (i, (_, case)) in forms.iter().enumerate() {
                 let plan = Plan {
                     integrator: Integrator::Srkn6b,
-                    step: stability::SAFETY * case.step_limit(Integrator::Srkn6b),
+                    step: SHARE * case.step_limit(Integrator::Srkn6b),
                     window,
+                    multiple: 1.0,
+                    local_tolerance: LOCAL_TOLERANCE,
                 };
                 let mut state = State::at_rest(&case.system);
                 times[i].push(seconds(|| {
@@ -72,7 +77,7 @@ fn evaluations() {
                     counts[i] = cost.map_or(0, |c| c.evaluations);
                 }));
             }
-            let step = stability::SAFETY * forms[0].1.step_limit(Integrator::VelocityVerlet);
+            let step = SHARE * forms[0].1.step_limit(Integrator::VelocityVerlet);
             times[forms.len()].push(seconds(|| {
                 counts[forms.len()] = edges.run(window, step, |p, _| {
                     black_box(&p.x);
@@ -129,8 +134,59 @@ fn standard_case() {
     println!("ratio {:.2}", theirs / ours);
 }
 
+fn batches() {
+    const COUNT: u32 = 200;
+    println!("\nBatches: {COUNT} head-on scenes, results only, no frames");
+    let scenarios: Vec<Scenario> = (0..COUNT)
+        .map(|i| {
+            let mut scenario = Scenario::default();
+            let Impact::ForcePulse(pulse) = &mut scenario.impact;
+            pulse.force_n = 100.0 + 2.0 * f64::from(i);
+            scenario
+        })
+        .collect();
+    let cores = rayon::current_num_threads();
+    let (mut single, mut batch, mut built) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..5 {
+        single.push(
+            seconds(|| {
+                for scenario in &scenarios[..40] {
+                    black_box(solve(scenario, Keep::default(), &mut unwatched).is_ok());
+                }
+            }) / 40.0,
+        );
+        batch.push(
+            seconds(|| {
+                black_box(solve_all(&scenarios));
+            }) * cores as f64
+                / f64::from(COUNT),
+        );
+        built.push(seconds(|| {
+            black_box(Case::new(&scenarios[0]));
+        }));
+    }
+    let (single, batch) = (median(single), median(batch));
+    println!(
+        "{:<52}{:>9.3} ms",
+        "one answer with its step error, wall",
+        single * 1e3
+    );
+    println!(
+        "{:<52}{:>9.3} ms",
+        format!("batch on {cores} cores, core time a scene"),
+        batch * 1e3
+    );
+    println!(
+        "{:<52}{:>9.3} ms",
+        "of it, building the eye",
+        median(built) * 1e3
+    );
+    println!("ratio {:.2}", single / batch);
+}
+
 fn main() {
     println!("kernel: {}\n", kernel_name(false));
     evaluations();
     standard_case();
+    batches();
 }

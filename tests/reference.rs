@@ -160,7 +160,6 @@ fn every_integrator_gives_the_stored_figures_with_a_step_small_enough() {
 #[test]
 fn a_mirrored_angle_gives_the_mirrored_result() {
     let at = |angle_deg| {
-        let Row { .. } = head_on(0.0, 0.0);
         answer(&scenario(&Row {
             angle_deg,
             half_width_deg: 7.0,
@@ -276,4 +275,36 @@ fn a_folded_mesh_is_flagged_with_its_time() {
     assert!(flag.message.contains("beyond the model's validity"));
     let time = flag.time.unwrap();
     assert!(time > 0.0 && time < 3e-3);
+}
+
+#[test]
+fn stopping_early_changes_no_result_in_random_scenes() {
+    use contrecoup::study::coverage::scene;
+    use contrecoup::study::{Case, values};
+    let mut stopped = 0;
+    for index in 0..40 {
+        let scenario = scene(index, 7);
+        let case = Case::new(&scenario);
+        let plan = case.plan(&scenario).unwrap();
+        let whole = Keep {
+            traces: true,
+            frames_every: None,
+        };
+        let early = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
+        let full = case.run(&plan, whole, &mut unwatched).unwrap();
+        let (a, b) = (&early.recording.extremes, &full.recording.extremes);
+        assert_eq!(values(a), values(b), "scene {index}");
+        assert_eq!(
+            (a.strain, a.folded_at),
+            (b.strain, b.folded_at),
+            "scene {index}"
+        );
+        assert!(early.cost.steps <= full.cost.steps);
+        assert!(
+            full.simulated > 2.999_999e-3,
+            "traces are kept to the end of the window"
+        );
+        stopped += usize::from(early.simulated < 2.9e-3);
+    }
+    assert!(stopped > 20, "only {stopped} of 40 scenes stopped early");
 }

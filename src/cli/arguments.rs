@@ -11,6 +11,8 @@ use super::CliError;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::library::resolve;
+use crate::scenario::load::read_text;
+use crate::scenario::locate::locate;
 use crate::scenario::problem::{ScenarioError, printable, quoted};
 use crate::scenario::set::set;
 
@@ -83,6 +85,22 @@ impl ScenarioArgs {
     }
 }
 
+impl ScenarioArgs {
+    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
+    /// flag gives it, or nobody.
+    pub fn place_of(&self, field: &str) -> Option<String> {
+        let by_flag =
+            self.step_us.is_some() || self.assignments.iter().any(|a| field.starts_with(&a.path));
+        let path = std::path::Path::new(&self.source);
+        if by_flag || !path.is_file() {
+            return None;
+        }
+        let text = read_text(path).ok()?;
+        let (line, column) = locate(&text, field);
+        Some(format!("{}:{line}:{column}", printable(&self.source)))
+    }
+}
+
 fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result<(), CliError> {
     set(scenario, path, text).map_err(|error| complaint(flag, path, &error))
 }
@@ -107,6 +125,14 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() && number > 0.0 => Ok(number),
         _ => Err("expected a number of microseconds above 0".to_owned()),
+    }
+}
+
+/// Reads a percentage that must be more than zero.
+pub(super) fn percent(text: &str) -> Result<f64, String> {
+    match text.trim_end_matches('%').trim_end().parse::<f64>() {
+        Ok(number) if number.is_finite() && number > 0.0 && number <= 100.0 => Ok(number),
+        _ => Err("expected a percentage above 0, up to 100".to_owned()),
     }
 }
 

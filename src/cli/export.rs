@@ -1,11 +1,10 @@
 //! `contrecoup export`: one blow, its frames and traces in files.
 
 use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal, Write};
-use std::ops::ControlFlow;
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
-use std::time::{Duration, Instant};
 
+use super::progress::Progress;
 use super::{CliError, ExportArgs};
 use crate::eye::side_at_level;
 use crate::recording::{Keep, write_frames, write_traces};
@@ -16,8 +15,6 @@ use crate::study::solve;
 const FRAMES_EVERY_US: f64 = 10.0;
 /// More node positions than this would not fit in memory on a small machine.
 const MOST_POSITIONS: f64 = 5e7;
-/// Work shorter than this shows no progress.
-const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Simulates the scenario and writes the files that were asked for.
 ///
@@ -25,6 +22,11 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// Where the scenario is refused, the simulation fails or a file cannot be written.
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
+    if args.frames.is_some() && args.frames == args.traces {
+        return Err(CliError::Input(
+            "--frames and --traces name the same file".to_owned(),
+        ));
+    }
     let every_us = args.every_us.unwrap_or(FRAMES_EVERY_US);
     if args.frames.is_some() {
         check_size(&scenario, every_us)?;
@@ -34,10 +36,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         frames_every: args.frames.is_some().then_some(every_us * 1e-6),
     };
     let mut progress = Progress::new();
-    let answer = solve(&scenario, keep, &mut |share| {
-        progress.show("simulating", share);
-        ControlFlow::Continue(())
-    })?;
+    let answer = solve(&scenario, keep, &mut |share| progress.simulated(share))?;
     if let Some(path) = &args.frames {
         let frames = &answer.recording.frames;
         save(path, |file| {
@@ -78,6 +77,9 @@ fn save(
         CliError::Failed(format!("cannot write {}: {error}", path.display()))
     };
     let plain = path.metadata().map_or(true, |m| m.is_file());
+    // A link stays a link: what it leads to is replaced.
+    let resolved = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let path = resolved.as_path();
     if plain {
         let folder = path
             .parent()
@@ -109,37 +111,5 @@ fn csv_to_io(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
-    }
-}
-
-/// A line on standard error, if that is a terminal, once the work takes long.
-struct Progress {
-    began: Instant,
-    shown: Option<(&'static str, u32)>,
-    visible: bool,
-}
-
-impl Progress {
-    fn new() -> Self {
-        Self {
-            began: Instant::now(),
-            shown: None,
-            visible: io::stderr().is_terminal(),
-        }
-    }
-
-    fn show(&mut self, what: &'static str, share: f64) {
-        let now = (what, (100.0 * share) as u32);
-        if self.visible && self.shown != Some(now) && self.began.elapsed() > PATIENCE {
-            self.shown = Some(now);
-            // Nobody is hurt if a line of progress is lost.
-            let _ = write!(io::stderr(), "\r{what}: {} %\x1b[K", now.1);
-        }
-    }
-
-    fn clear(&mut self) {
-        if self.shown.take().is_some() {
-            let _ = write!(io::stderr(), "\r\x1b[K");
-        }
     }
 }

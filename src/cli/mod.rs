@@ -5,11 +5,13 @@
 //! Left out: the answers themselves, one module each, and the meaning of a field's value, which
 //! the registry of fields decides for files, flags and forms alike.
 
+mod accuracy;
 mod arguments;
 mod error;
 mod export;
 mod generate;
 mod presets;
+mod progress;
 mod run;
 
 pub use arguments::{Assignment, ScenarioArgs};
@@ -44,6 +46,8 @@ pub enum Command {
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
     Export(ExportArgs),
+    /// Measure speed against error: every integrator over its steps, and the mesh levels
+    Accuracy(AccuracyArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -62,6 +66,28 @@ pub struct RunArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
+    /// Choose the cheapest mesh, integrator and step that give the damage score within P percent,
+    /// step and mesh together
+    #[arg(long, value_name = "P", value_parser = arguments::percent, allow_negative_numbers = true,
+          conflicts_with_all = ["level", "integrator", "step_us"])]
+    pub tolerance: Option<f64>,
+    /// Estimate the mesh error too, from the next finer mesh; text on a terminal always does
+    #[arg(long)]
+    pub mesh_error: bool,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `accuracy`.
+#[derive(Debug, Args)]
+pub struct AccuracyArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// Finest mesh level, which the others are compared with
+    #[arg(long, value_name = "K", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=8))]
+    pub finest_level: u32,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,
@@ -113,9 +139,11 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            // Nobody is left to hear about a closed pipe.
-            let _ = error.print();
-            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+            return match error.print() {
+                // Nobody is left to hear about a closed pipe.
+                Err(failed) if failed.kind() != io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
+                _ => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)),
+            };
         }
     };
     let app = match &cli.command {
@@ -147,6 +175,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
+        Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         // The app has been run already.

@@ -1,25 +1,65 @@
 //! `contrecoup run`: one blow, its results on standard output.
 
-use std::io::Write;
+use std::io::{self, IsTerminal, Write};
 
+use super::progress::Progress;
 use super::{CliError, RunArgs};
 use crate::recording::Keep;
 use crate::report::{json, text};
-use crate::study::{solve, unwatched};
+use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
+///
+/// On a terminal the results appear at once and the mesh error, which takes a finer mesh, follows.
 ///
 /// # Errors
 /// Where the scenario is refused, the simulation fails or the output cannot be written.
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
-    let scenario = args.scenario.scenario()?;
-    let answer = solve(&scenario, Keep::default(), &mut unwatched)?;
-    if args.json {
-        serde_json::to_writer_pretty(&mut *out, &json::answer(&scenario, &answer))
-            .map_err(std::io::Error::from)?;
-        writeln!(out)?;
+    let mut scenario = args.scenario.scenario()?;
+    let mut reasons = Vec::new();
+    let mut progress = Progress::new();
+    let mut watch = |share| progress.simulated(share);
+    let mut answer = if let Some(percent) = args.tolerance {
+        let chosen = choose::within(&scenario, percent, Keep::default(), &mut watch)?;
+        (scenario, reasons) = (chosen.scenario, chosen.reasons);
+        chosen.answer
     } else {
-        text::answer(&scenario, &answer, out)?;
+        solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
+    };
+    let known = answer.errors.mesh.is_some();
+    if args.json {
+        if args.mesh_error && !known {
+            add_mesh_error(&scenario, &mut answer, &mut watch)?;
+        }
+        let object = json::answer(&scenario, &answer, &reasons);
+        serde_json::to_writer_pretty(&mut *out, &object).map_err(io::Error::from)?;
+        writeln!(out)?;
+        return Ok(());
     }
+    progress.clear();
+    text::results(&scenario, &answer, out)?;
+    if !known && (args.mesh_error || io::stdout().is_terminal()) {
+        out.flush()?;
+        let mut progress = Progress::new();
+        add_mesh_error(&scenario, &mut answer, &mut |share| {
+            progress.simulated(share)
+        })?;
+        progress.clear();
+    }
+    text::trust(&answer, &reasons, out)?;
     Ok(())
+}
+
+/// A refusal with the place in the file that asked for it.
+fn placed(args: &RunArgs, refusal: Refusal) -> CliError {
+    let place = match refusal {
+        Refusal::StepAboveLimit { .. } | Refusal::TooMuchWork { .. } => {
+            args.scenario.place_of("numerics.step_us")
+        }
+        _ => None,
+    };
+    match place {
+        Some(place) => CliError::Input(format!("{place}: {refusal}")),
+        None => refusal.into(),
+    }
 }

@@ -9,8 +9,12 @@
 //! |---|---|---|---|
 //! | semi-implicit Euler, drag explicit (the paper) | 1 | 1 | 2 (less with drag) |
 //! | velocity Verlet | 1 | 2 | 2 |
-//! | SRKN6b (Blanes and Moan 2002) | 6 | 4 | 5.03 |
-//! | SRKN11b (Blanes and Moan 2002) | 11 | 6 | 9.07 |
+//! | `SRKN6b` (Blanes and Moan 2002) | 6 | 4 | 5.026 |
+//! | `SRKN11b` (Blanes and Moan 2002) | 11 | 6 | 9.07 |
+//! | RK4, drag explicit | 4 | 4 | 2.828 |
+//! | Dormand-Prince 5(4), adaptive, drag explicit | 6 | 5 | 0.997 |
+//!
+//! See [`super::stability`] for what the limits mean and for the gaps below them.
 //!
 //! S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330. Their Runge-Kutta-Nystrom
 //! conditions hold with linear drag in the drift, because the kick depends on positions alone.
@@ -19,7 +23,8 @@
 //! scheme is read as v += a dt, x += v dt.
 
 use super::kernel::{self, Stage, Survey};
-use super::load::Piece;
+use super::load::{Piece, Segment};
+use super::runge_kutta::{DOPRI5, RK4, RungeKutta};
 use super::state::State;
 use super::system::System;
 
@@ -34,6 +39,10 @@ pub enum Integrator {
     Srkn6b,
     /// Eleven-stage composition of order six.
     Srkn11b,
+    /// The classical method.
+    Rk4,
+    /// The Dormand-Prince pair, which chooses its own steps.
+    Dopri5,
 }
 
 /// Coefficients of a symmetric composition; the kicks are one more than the drifts.
@@ -91,11 +100,13 @@ const SRKN11B: Coefficients = {
 
 impl Integrator {
     /// All integrators.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 6] = [
         Self::SemiImplicitEuler,
         Self::VelocityVerlet,
         Self::Srkn6b,
         Self::Srkn11b,
+        Self::Rk4,
+        Self::Dopri5,
     ];
 
     /// Name as typed on the command line.
@@ -105,7 +116,14 @@ impl Integrator {
             Self::VelocityVerlet => "velocity-verlet",
             Self::Srkn6b => "srkn6b",
             Self::Srkn11b => "srkn11b",
+            Self::Rk4 => "rk4",
+            Self::Dopri5 => "dopri5",
         }
+    }
+
+    /// Whether it chooses its own steps.
+    pub fn adaptive(self) -> bool {
+        self == Self::Dopri5
     }
 
     /// Order of convergence.
@@ -113,7 +131,8 @@ impl Integrator {
         match self {
             Self::SemiImplicitEuler => 1,
             Self::VelocityVerlet => 2,
-            Self::Srkn6b => 4,
+            Self::Srkn6b | Self::Rk4 => 4,
+            Self::Dopri5 => 5,
             Self::Srkn11b => 6,
         }
     }
@@ -122,30 +141,47 @@ impl Integrator {
     pub fn evaluations_per_step(self) -> usize {
         match self {
             Self::SemiImplicitEuler | Self::VelocityVerlet => 1,
-            Self::Srkn6b => 6,
+            Self::Rk4 => 4,
+            Self::Srkn6b | Self::Dopri5 => 6,
             Self::Srkn11b => 11,
         }
     }
 
-    /// Largest stable omega times step without drag.
+    /// Omega times step where an undamped oscillator first grows, if that is a gap below the limit.
+    pub fn first_gap(self) -> Option<f64> {
+        match self {
+            Self::Srkn6b => Some(3.163),
+            Self::Srkn11b => Some(3.135),
+            _ => None,
+        }
+    }
+
+    /// Largest stable omega times step with a little drag.
     pub fn stability_limit(self) -> f64 {
         match self {
             Self::SemiImplicitEuler | Self::VelocityVerlet => 2.0,
-            Self::Srkn6b => 5.03,
+            Self::Srkn6b => 5.026,
             Self::Srkn11b => 9.07,
+            Self::Rk4 => 2.828,
+            Self::Dopri5 => 0.997,
         }
     }
 }
 
 /// One integrator at one step length, ready to be applied.
 pub trait Stepper {
-    /// Moves `state`, whose acceleration is up to date, by one step under the load law `piece`.
+    /// Moves `state`, whose acceleration is up to date, by one step under the load law `piece`,
+    /// not past the end of the segment it was prepared for.
     fn step(&mut self, system: &System, state: &mut State, piece: Piece) -> Survey;
+
+    /// Force evaluations made so far.
+    fn evaluations(&self) -> usize;
 }
 
 /// A composition at one step length.
 struct Composition {
     step: f64,
+    evaluations: usize,
     /// Share of the speed kept by an explicit drag ahead of the first kick.
     keep_before: [f64; 2],
     stages: Vec<Stage>,
@@ -174,6 +210,7 @@ impl Composition {
             .collect();
         Self {
             step: h,
+            evaluations: 0,
             keep_before: [1.0, 1.0],
             stages,
             times,
@@ -184,6 +221,7 @@ impl Composition {
     fn semi_implicit_euler(decay: [f64; 2], h: f64) -> Self {
         Self {
             step: h,
+            evaluations: 0,
             keep_before: decay.map(|rate| 1.0 - rate * h),
             stages: vec![Stage {
                 kick: h,
@@ -229,18 +267,40 @@ impl Stepper for Composition {
         let after = state.load_speed(system);
         state.work += self.last_kick * force * 0.5 * (speed + after);
         state.time = end;
+        self.evaluations += self.stages.len();
         survey
+    }
+
+    fn evaluations(&self) -> usize {
+        self.evaluations
     }
 }
 
-/// Prepares `integrator` for steps of `h` seconds.
-pub fn stepper(integrator: Integrator, system: &System, h: f64) -> Box<dyn Stepper> {
+/// Prepares `integrator` for a segment in `steps` steps, or, if it chooses its own, for steps no
+/// longer than these whose local error stays below `tolerance`.
+pub(super) fn stepper(
+    integrator: Integrator,
+    system: &System,
+    segment: Segment,
+    steps: usize,
+    tolerance: f64,
+) -> Box<dyn Stepper> {
+    let h = (segment.end - segment.start) / steps as f64;
+    let composition = |coefficients| Box::new(Composition::new(coefficients, system.decay, h));
     match integrator {
         Integrator::SemiImplicitEuler => {
             Box::new(Composition::semi_implicit_euler(system.decay, h))
         }
-        Integrator::VelocityVerlet => Box::new(Composition::new(&VERLET, system.decay, h)),
-        Integrator::Srkn6b => Box::new(Composition::new(&SRKN6B, system.decay, h)),
-        Integrator::Srkn11b => Box::new(Composition::new(&SRKN11B, system.decay, h)),
+        Integrator::VelocityVerlet => composition(&VERLET),
+        Integrator::Srkn6b => composition(&SRKN6B),
+        Integrator::Srkn11b => composition(&SRKN11B),
+        Integrator::Rk4 => Box::new(RungeKutta::new(&RK4, system, segment, steps, None)),
+        Integrator::Dopri5 => Box::new(RungeKutta::new(
+            &DOPRI5,
+            system,
+            segment,
+            steps,
+            Some(tolerance),
+        )),
     }
 }

@@ -173,7 +173,7 @@ impl ArcLoad {
         Self {
             shares,
             direction: Vector2::new(theta.cos(), -theta.sin()),
-            shielded: 1.0 - (high - low) / (2.0 * width),
+            shielded: (1.0 - (high - low) / (2.0 * width)).max(0.0),
             arc: (low, high),
         }
     }

@@ -5,12 +5,13 @@
 
 use super::integrator::{self, Integrator};
 use super::kernel::{self, Survey};
-use super::load::Piece;
+use super::load::{Piece, Pulse, Segment};
 use super::state::State;
 use super::system::System;
 
-/// Steps that a segment under load is given at least, so that a short pulse is resolved.
-const LEAST_STEPS_UNDER_LOAD: f64 = 4.0;
+/// Steps that a segment is given at least, under load and after it, so that a short pulse and its
+/// wake are resolved.
+const LEAST_STEPS: (f64, f64) = (4.0, 2.0);
 
 /// Someone who watches every step.
 pub trait Observer {
@@ -33,7 +34,14 @@ pub struct Plan {
     pub step: f64,
     /// Simulated time, in s.
     pub window: f64,
+    /// Multiplies the number of steps of every segment, 1 or more.
+    pub multiple: f64,
+    /// Local error allowed a step in the energy norm, for integrators that choose their steps.
+    pub local_tolerance: f64,
 }
+
+/// The local tolerance unless another is asked for.
+pub const LOCAL_TOLERANCE: f64 = 1e-5;
 
 /// What a march cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -54,14 +62,47 @@ pub struct Diverged {
     pub step: usize,
 }
 
-/// Number of steps a segment of `length` seconds takes.
-fn steps_in(length: f64, longest: f64, piece: Piece) -> usize {
-    // A length that is a whole number of steps must not gain one by rounding.
-    let needed = (length / longest - 1e-9).ceil().max(1.0);
-    if piece == Piece::Nothing {
-        needed as usize
-    } else {
-        needed.max(LEAST_STEPS_UNDER_LOAD) as usize
+impl Plan {
+    /// Steps that the step length asks of a segment, and the least it is given.
+    fn needed_and_least(&self, segment: &Segment) -> (f64, f64) {
+        let length = segment.end - segment.start;
+        // A length that is a whole number of steps must not gain one by rounding.
+        let needed = (length / self.step - 1e-9).ceil();
+        if segment.piece == Piece::Nothing {
+            (needed, LEAST_STEPS.1)
+        } else {
+            (needed, LEAST_STEPS.0)
+        }
+    }
+
+    /// Number of steps that a segment takes.
+    pub fn steps_in(&self, segment: &Segment) -> usize {
+        let (needed, least) = self.needed_and_least(segment);
+        (needed.max(least) * self.multiple.max(1.0)).ceil() as usize
+    }
+
+    /// Whether the segment is so short that the step length does not decide.
+    pub fn at_least_steps(&self, segment: &Segment) -> bool {
+        let (needed, least) = self.needed_and_least(segment);
+        needed < least
+    }
+
+    /// Number of steps in all.
+    pub fn steps(&self, pulse: &Pulse) -> usize {
+        pulse
+            .segments(self.window)
+            .iter()
+            .map(|s| self.steps_in(s))
+            .sum()
+    }
+
+    /// The longest step it really takes, in s.
+    pub fn longest_step(&self, pulse: &Pulse) -> f64 {
+        pulse
+            .segments(self.window)
+            .iter()
+            .map(|s| (s.end - s.start) / self.steps_in(s) as f64)
+            .fold(0.0, f64::max)
     }
 }
 
@@ -79,22 +120,36 @@ pub fn march(
     let mut cost = Cost::default();
     for segment in pulse.segments(plan.window) {
         let length = segment.end - segment.start;
-        let steps = steps_in(length, plan.step, segment.piece);
+        let steps = plan.steps_in(&segment);
         let h = length / steps as f64;
-        let mut stepper = integrator::stepper(plan.integrator, system, h);
+        let mut stepper = integrator::stepper(
+            plan.integrator,
+            system,
+            segment,
+            steps,
+            plan.local_tolerance,
+        );
 
         state.time = segment.start;
         let force = pulse.force(segment.piece, segment.start);
         let survey = kernel::evaluate(system, state, force, 0.0);
         cost.evaluations += 1;
         observer.begin(system, state, segment.piece, &survey);
-        for i in 1..=steps {
+        let mut taken = 0;
+        while state.time < segment.end {
             let survey = stepper.step(system, state, segment.piece);
-            // Computed, not summed, so that rounding does not pile up over many steps.
-            state.time = segment.start + h * i as f64;
+            taken += 1;
             cost.steps += 1;
-            cost.evaluations += plan.integrator.evaluations_per_step();
-            if !(survey.kinetic + survey.elastic).is_finite() {
+            if !plan.integrator.adaptive() {
+                // Computed, not summed, so that rounding does not pile up over many steps.
+                state.time = if taken == steps {
+                    segment.end
+                } else {
+                    segment.start + h * taken as f64
+                };
+            }
+            let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
+            if !energies.is_finite() {
                 return Err(Diverged {
                     time: state.time,
                     step: cost.steps,
@@ -102,9 +157,11 @@ pub fn march(
             }
             observer.step(system, state, segment.piece, &survey);
             if observer.satisfied() {
+                cost.evaluations += stepper.evaluations();
                 return Ok(cost);
             }
         }
+        cost.evaluations += stepper.evaluations();
     }
     Ok(cost)
 }

@@ -10,16 +10,20 @@
 mod aligned;
 mod integrator;
 mod kernel;
+mod lanes;
 mod load;
 mod march;
 pub mod plain;
+mod ring;
+mod runge_kutta;
 pub mod stability;
 mod state;
+mod sweep;
 mod system;
 
 pub use integrator::Integrator;
 pub use kernel::{Survey, name as kernel_name};
 pub use load::{ArcLoad, Piece, Pulse, Segment};
-pub use march::{Cost, Diverged, Observer, Plan, march};
+pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
 pub use state::State;
 pub use system::{Place, System};

@@ -13,12 +13,17 @@
 //! the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
 use super::aligned::Aligned;
+use super::lanes;
 use super::load::{ArcLoad, Pulse};
+use super::ring::{self, Ring};
 use crate::eye::{Eye, SpringKind};
-use std::collections::HashMap;
+use fearless_simd::{Level, dispatch};
 
 /// Nodes that the kernel handles at once.
 pub const LANES: usize = 8;
+/// Places by which the rows start late. At level 1 most rows then fill whole vectors of four. Where
+/// no padding is left, the last place of a row is the first of the next, which is never used.
+pub(super) const SHIFT: usize = 1;
 /// Grid directions a node owns springs in.
 pub(super) const DIRECTIONS: usize = 4;
 /// A spring shorter than this share of the shortest rest length is treated as that long, so that
@@ -58,39 +63,6 @@ pub(super) struct SurveyGroup {
     pub inverse_area: Lane,
     /// 1 where there is no quad, else 0.
     pub no_quad: Lane,
-}
-
-/// All filaments of one hop count.
-#[derive(Debug, Clone)]
-pub(super) struct Filaments {
-    /// Distance along the ring between the two ends.
-    pub hop: usize,
-    /// First gathered place that owns a spring.
-    pub first: usize,
-    pub stiffness: Vec<f64>,
-    pub tension: Vec<f64>,
-    pub half_stiffness: Vec<f64>,
-    pub rest: Vec<f64>,
-    pub inverse_rest: Vec<f64>,
-}
-
-/// The ring of shell nodes, unrolled, with ghosts at both ends.
-#[derive(Debug, Clone)]
-pub(super) struct Ring {
-    /// Where each gathered place is read, and the sign of its y.
-    pub gather: Vec<(u32, f64)>,
-    /// Number of ghosts before the first owned place.
-    pub ghosts: usize,
-    /// Number of owned places.
-    pub owned: usize,
-    pub filaments: Vec<Filaments>,
-}
-
-impl Ring {
-    /// Length of a run that every eight-lane access of the ring fits in.
-    pub fn padded_len(&self) -> usize {
-        (self.gather.len() + self.ghosts).next_multiple_of(2 * LANES) + 4 * LANES
-    }
 }
 
 /// Where a node of the eye is found in the rows.
@@ -139,6 +111,11 @@ pub struct System {
     pub(super) decay: [f64; 2],
     /// Use only operations that every machine rounds alike.
     pub(super) portable: bool,
+    /// The machine's vectors.
+    pub(super) level: Level,
+    /// First slots of the vectors that hold anything that moves, from below; the last one
+    /// twice, because the sweep looks one ahead.
+    pub(super) active: Vec<u32>,
     places: Vec<Place>,
     load: NodeLoad,
     omega_bound: f64,
@@ -159,19 +136,22 @@ impl System {
             stride,
             first_row: rows.first,
             mirror_row: rows.mirror,
-            groups: vec![EMPTY_GROUP; side * stride / LANES],
-            survey: vec![EMPTY_SURVEY; side * stride / LANES],
+            groups: vec![EMPTY_GROUP; (side + 1) * stride / LANES],
+            survey: vec![EMPTY_SURVEY; (side + 1) * stride / LANES],
             ring: Ring {
                 gather: Vec::new(),
                 ghosts: 0,
+                neighbours: Vec::new(),
                 owned: 0,
                 filaments: Vec::new(),
             },
             shortest_squared: shortest_squared(eye),
-            rest_x: Aligned::zeros(side * stride + LANES),
-            rest_y: Aligned::zeros(side * stride + LANES),
+            rest_x: Aligned::zeros((side + 1) * stride + LANES),
+            rest_y: Aligned::zeros((side + 1) * stride + LANES),
             decay: decay_rates(eye),
             portable,
+            level: Level::new(),
+            active: Vec::new(),
             places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
             load: NodeLoad {
                 pulse,
@@ -183,8 +163,9 @@ impl System {
         };
         system.put_nodes(eye, &rows);
         system.put_springs(eye, &rows);
+        system.set_level(Level::new());
         system.put_quads(eye, &rows);
-        system.ring = ring(eye, &rows);
+        system.ring = ring::compile(eye, &rows);
         system.springs_per_evaluation += system
             .ring
             .filaments
@@ -216,7 +197,7 @@ impl System {
         }
         for node in &eye.nodes {
             let (i, j) = node.grid;
-            let slot = j * self.stride + i;
+            let slot = j * self.stride + i + SHIFT;
             self.rest_x[slot] = node.position.x;
             self.rest_y[slot] = node.position.y;
             if node.fixed() || !rows.owns(j) {
@@ -247,7 +228,7 @@ impl System {
             if row < rows.first || (!rows.owns(row) && direction == 0) {
                 continue;
             }
-            let slot = row * self.stride + ai.min(bi);
+            let slot = row * self.stride + ai.min(bi) + SHIFT;
             let weight = 0.5 * (rows.weight(aj) + rows.weight(bj));
             let (k, l) = (spring.stiffness, spring.rest_length);
             let (g, lane) = (slot / LANES, slot % LANES);
@@ -267,12 +248,29 @@ impl System {
             if j < rows.first {
                 continue;
             }
-            let slot = j * self.stride + i;
+            let slot = j * self.stride + i + SHIFT;
             let twice_area = (p[2] - p[0]).perp(&(p[3] - p[1]));
             let group = &mut self.survey[slot / LANES];
             group.inverse_area[slot % LANES] = 1.0 / twice_area;
             group.no_quad[slot % LANES] = 0.0;
         }
+    }
+
+    /// Takes the machine's vectors and finds those that hold a moving node or a spring.
+    pub(super) fn set_level(&mut self, level: Level) {
+        self.level = level;
+        let width = dispatch!(level, simd => lanes::width(simd));
+        let busy = |slot: usize| {
+            let (group, lane) = (&self.groups[slot / LANES], slot % LANES);
+            group.inverse_mass[lane] > 0.0 || group.stiffness.iter().any(|k| k[lane] > 0.0)
+        };
+        let (first, last) = (self.first_row * self.stride, self.side * self.stride);
+        self.active = (first..last)
+            .step_by(width)
+            .filter(|&slot| (slot..slot + width).any(busy))
+            .map(|slot| slot as u32)
+            .collect();
+        self.active.extend(self.active.last().copied());
     }
 
     /// Where node `node` of the eye is found.
@@ -319,7 +317,7 @@ const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
 };
 
 /// Which rows are moved, and what each stands for.
-struct Rows {
+pub(super) struct Rows {
     side: usize,
     stride: usize,
     first: usize,
@@ -343,12 +341,12 @@ impl Rows {
         }
     }
 
-    fn owns(&self, row: usize) -> bool {
+    pub fn owns(&self, row: usize) -> bool {
         self.mirror.is_none() || row > self.first
     }
 
     /// How many rows of the whole eye row `row` stands for.
-    fn weight(&self, row: usize) -> f64 {
+    pub fn weight(&self, row: usize) -> f64 {
         if self.mirror.is_none() {
             1.0
         } else if !self.owns(row) {
@@ -360,11 +358,11 @@ impl Rows {
         }
     }
 
-    fn place(&self, (i, j): (usize, usize)) -> Place {
+    pub fn place(&self, (i, j): (usize, usize)) -> Place {
         let mirrored = !self.owns(j);
         let row = if mirrored { self.side - 1 - j } else { j };
         Place {
-            slot: row * self.stride + i,
+            slot: row * self.stride + i + SHIFT,
             mirrored,
         }
     }
@@ -402,77 +400,4 @@ fn omega_bound(eye: &Eye) -> f64 {
         .map(|(n, sum)| sum / n.mass)
         .fold(0.0, f64::max);
     (2.0 * worst).sqrt()
-}
-
-fn ring(eye: &Eye, rows: &Rows) -> Ring {
-    let shell = &eye.landmarks.shell;
-    let count = shell.len();
-    // The upper half starts just above the posterior pole, or on it.
-    let owned = shell
-        .iter()
-        .take_while(|&&i| rows.owns(eye.nodes[i].grid.1))
-        .count();
-    let mut by_hop: Vec<(usize, HashMap<usize, usize>)> = Vec::new();
-    let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
-    for (index, spring) in eye.springs.iter().enumerate() {
-        if spring.kind != SpringKind::Filament {
-            continue;
-        }
-        let start = order[&spring.a];
-        let hop = (order[&spring.b] + count - start) % count;
-        match by_hop.iter_mut().find(|(h, _)| *h == hop) {
-            Some((_, starts)) => {
-                starts.insert(start, index);
-            }
-            None => by_hop.push((hop, HashMap::from([(start, index)]))),
-        }
-    }
-    let ghosts = by_hop.iter().map(|(h, _)| *h).max().unwrap_or(0);
-    let at = |offset: usize| (offset + count * 2 - ghosts) % count;
-    let gather: Vec<(u32, f64)> = (0..owned + 2 * ghosts)
-        .map(|g| {
-            let place = rows.place(eye.nodes[shell[at(g)]].grid);
-            (place.slot as u32, place.sign())
-        })
-        .collect();
-    let weight = |g: usize| {
-        if g < ghosts || g >= ghosts + owned {
-            0.0
-        } else {
-            rows.weight(eye.nodes[shell[at(g)]].grid.1)
-        }
-    };
-    let filaments = by_hop
-        .iter()
-        .map(|(hop, starts)| {
-            let first = ghosts - hop;
-            let len = (owned + hop).next_multiple_of(2 * LANES);
-            let mut f = Filaments {
-                hop: *hop,
-                first,
-                stiffness: vec![0.0; len],
-                tension: vec![0.0; len],
-                half_stiffness: vec![0.0; len],
-                rest: vec![0.0; len],
-                inverse_rest: vec![0.0; len],
-            };
-            for n in 0..owned + hop {
-                let spring = &eye.springs[starts[&at(first + n)]];
-                // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
-                let share = 0.5 * (weight(first + n) + weight(first + n + hop));
-                f.stiffness[n] = spring.stiffness;
-                f.tension[n] = spring.stiffness * spring.rest_length;
-                f.half_stiffness[n] = 0.5 * spring.stiffness * share;
-                f.rest[n] = spring.rest_length;
-                f.inverse_rest[n] = 1.0 / spring.rest_length;
-            }
-            f
-        })
-        .collect();
-    Ring {
-        gather,
-        ghosts,
-        owned,
-        filaments,
-    }
 }

@@ -35,7 +35,9 @@ pub const ENERGY: Term = Term {
 impl Term {
     /// What `value` adds to the index, in %; nothing below 0.
     pub fn points(self, value: f64) -> f64 {
-        self.weight * value.max(0.0) / self.threshold
+        // A comparison and not `max`, which would turn what is not a number into 0.
+        let value = if value < 0.0 { 0.0 } else { value };
+        self.weight * value / self.threshold
     }
 }
 

@@ -10,7 +10,7 @@ use nalgebra::{Point2, Vector2};
 /// Points tried within a step before parabolas take over.
 const SCAN: usize = 4;
 /// A step is searched if one of its ends comes this close to the largest growth so far.
-const NEAR: f64 = 0.97;
+const NEAR: f64 = 0.9;
 
 /// What is measured.
 #[derive(Debug, Clone)]
@@ -93,9 +93,12 @@ impl Growth {
         self.rising
     }
 
-    /// Looks at the step from `before` to `after`.
-    pub fn step(&mut self, system: &System, before: &State, after: &State) {
-        let now = self.measure.value(|n| after.position(system.place(n))) - self.rest;
+    /// Looks at the step from `before` to `after`, at whose end the measure is `value`, if that is
+    /// known already.
+    pub fn step(&mut self, system: &System, before: &State, after: &State, value: Option<f64>) {
+        let value =
+            value.unwrap_or_else(|| self.measure.value(|n| after.position(system.place(n))));
+        let now = value - self.rest;
         let earlier = std::mem::replace(&mut self.last, now);
         self.rising = now > self.peak.value;
         self.peak.offer(now, after.time);

@@ -7,6 +7,7 @@ mod export;
 mod frames;
 mod lengths;
 mod recorder;
+mod settling;
 
 pub use dense::Peak;
 pub use export::{write_frames, write_traces};
@@ -36,6 +37,9 @@ pub struct Extremes {
     pub energy_residual: f64,
     /// Whether a growth was largest at the very end of the window.
     pub still_rising: bool,
+    /// Whether the energy left at the end of the window could still raise a force or the growth of
+    /// the shell; if not, those are proven final.
+    pub could_rise: bool,
 }
 
 /// Values at step ends, each of the same length.

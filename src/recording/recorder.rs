@@ -3,6 +3,7 @@
 use super::dense::{NodeForce, Peak};
 use super::frames::FrameTaker;
 use super::lengths::{Growth, Measure};
+use super::settling::Bounds;
 use super::{Extremes, Recording, Traces};
 use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
 use crate::eye::Eye;
@@ -12,8 +13,16 @@ use nalgebra::Vector2;
 const SCAN: usize = 12;
 /// A step is searched if its guessed force comes this close to the largest so far.
 const NEAR: f64 = 0.6;
+/// A step whose ends are both below this share of the largest force is not looked into.
+const FAR: f64 = 0.3;
+/// No quad of springs strained by less than this can turn inside out.
+const UNFOLDED_STRAIN: f64 = 0.1;
 /// Steps that traces keep at most; longer runs keep every second, third, ... step.
 const MOST_ROWS: usize = 100_000;
+
+/// Energies below this are rounding: lengths of millimetres are exact to 1e-19 m, springs of the
+/// stiffest tissue hold no more at that stretch.
+const ROUNDING_J: f64 = 1e-13;
 
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,9 +39,14 @@ pub struct Recorder {
     before: State,
     monitors: [NodeForce; 4],
     forces: [Peak; 4],
+    last_forces: [f64; 4],
     shell: Growth,
     meridian: Growth,
     apex: Growth,
+    bounds: Bounds,
+    energy: f64,
+    loaded: bool,
+    window: f64,
     strain: Peak,
     least_quad: f64,
     folded_at: Option<f64>,
@@ -45,8 +59,15 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps.
-    pub fn new(eye: &Eye, load: &ArcLoad, system: &System, steps: usize, keep: Keep) -> Self {
+    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps over
+    /// `window` seconds.
+    pub fn new(
+        eye: &Eye,
+        load: &ArcLoad,
+        system: &System,
+        (window, steps): (f64, usize),
+        keep: Keep,
+    ) -> Self {
         let rest = State::at_rest(system);
         let marks = &eye.landmarks;
         let share = |node| {
@@ -59,6 +80,11 @@ impl Recorder {
         Self {
             monitors: marks.monitors.map(|n| NodeForce::new(eye, n, share(n))),
             forces: [Peak::floor(0.0); 4],
+            last_forces: [0.0; 4],
+            bounds: Bounds::new(eye),
+            energy: 0.0,
+            loaded: true,
+            window,
             shell: growth(Measure::Length(pairs)),
             meridian: growth(Measure::Length(vec![marks.meridian.into()])),
             apex: growth(Measure::MeanX(marks.apex.to_vec())),
@@ -77,6 +103,7 @@ impl Recorder {
 
     fn look(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
+        self.last_forces = forces;
         for (peak, force) in self.forces.iter_mut().zip(forces) {
             peak.offer(force, state.time);
         }
@@ -86,10 +113,12 @@ impl Recorder {
             self.folded_at = Some(state.time);
         }
         let stored = survey.kinetic + survey.elastic;
+        self.energy = stored;
+        self.loaded = piece != Piece::Nothing;
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
-        if self.steps % self.every_row == 0
+        if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
             rows.time.push(state.time);
@@ -109,6 +138,30 @@ impl Recorder {
         }
     }
 
+    /// Whether the energy that is left can raise no force and no growth of the shell.
+    fn forces_are_final(&self) -> bool {
+        self.forces
+            .iter()
+            .zip(self.bounds.force)
+            .all(|(peak, bound)| bound.reach(self.energy) <= peak.value)
+            && self.bounds.shell.reach(self.energy) <= self.shell.peak.value
+    }
+
+    /// Whether nothing that is recorded can change before the end of the window. Traces and frames
+    /// change to the very end.
+    pub fn settled(&self) -> bool {
+        if self.loaded || self.rows.is_some() || self.frames.is_some() {
+            return false;
+        }
+        let left = self.window - self.before.time;
+        let strain = self.bounds.strain.reach(self.energy);
+        strain <= self.strain.value.min(UNFOLDED_STRAIN)
+            && self.forces_are_final()
+            && self.apex.last() + self.bounds.apex.travel(self.energy, left) <= self.apex.peak.value
+            && self.meridian.last() + self.bounds.meridian.travel(self.energy, left)
+                <= self.meridian.peak.value
+    }
+
     /// The recording, once the march has ended at `state`.
     pub fn finish(self, state: &State) -> Recording {
         let relative = |growth: &Growth| Peak {
@@ -119,6 +172,7 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
+        let open = self.loaded || !self.forces_are_final();
         Recording {
             extremes: Extremes {
                 force: self.forces,
@@ -129,11 +183,12 @@ impl Recorder {
                 strain: self.strain,
                 least_quad_ratio: self.least_quad,
                 folded_at: self.folded_at,
-                energy_residual: if scale > 0.0 {
+                energy_residual: if scale > ROUNDING_J {
                     self.residual / scale
                 } else {
                     0.0
                 },
+                could_rise: open && scale > ROUNDING_J,
                 still_rising: late,
             },
             traces: self.rows,
@@ -153,14 +208,23 @@ impl Observer for Recorder {
 
     fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         self.steps += 1;
-        for growth in [&mut self.shell, &mut self.meridian, &mut self.apex] {
-            growth.step(system, &self.before, state);
-        }
+        let length = Some(survey.shell_length);
+        self.shell.step(system, &self.before, state, length);
+        self.meridian.step(system, &self.before, state, None);
+        self.apex.step(system, &self.before, state, None);
+        let before = self.last_forces;
         self.look(system, state, piece, survey);
-        for (monitor, peak) in self.monitors.iter().zip(&mut self.forces) {
-            let guess = monitor
-                .guess(system, &self.before, state)
-                .max(monitor.at(system, state));
+        for ((monitor, peak), (earlier, now)) in self
+            .monitors
+            .iter()
+            .zip(&mut self.forces)
+            .zip(before.into_iter().zip(self.last_forces))
+        {
+            let ends = f64::max(earlier, now);
+            if ends < FAR * peak.value {
+                continue;
+            }
+            let guess = monitor.guess(system, &self.before, state).max(ends);
             if guess > NEAR * peak.value && guess > 0.0 {
                 let found = monitor.largest(system, (&self.before, state), piece, SCAN);
                 peak.offer(found.value, found.time);

@@ -26,8 +26,8 @@ pub fn by_quantity(values: &PerQuantity) -> Value {
         .into()
 }
 
-/// An answer as one object.
-pub fn answer(scenario: &Scenario, answer: &Answer) -> Value {
+/// An answer as one object; `reasons` say how its numerics were chosen.
+pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let extremes = &answer.recording.extremes;
     let flags: Vec<Value> = answer
         .flags
@@ -66,14 +66,16 @@ pub fn answer(scenario: &Scenario, answer: &Answer) -> Value {
             "nodes": answer.case.eye.nodes.len(),
             "springs": answer.case.eye.springs.len(),
             "integrator": answer.plan.integrator.name(),
-            "step_us": answer.plan.step * 1e6,
+            "step_us": answer.step * 1e6,
             "step_limit_us": answer.step_limit * 1e6,
             "steps": answer.cost.steps,
+            "simulated_ms": answer.simulated * 1e3,
             "spring_evaluations": answer.spring_evaluations,
             "solve_ms": answer.solve_time.as_secs_f64() * 1e3,
             "total_ms": answer.total_time.as_secs_f64() * 1e3,
             "mirrored": answer.case.system.mirrored(),
             "kernel": kernel_name(false),
+            "choice": reasons,
         },
         "flags": flags,
     })

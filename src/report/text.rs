@@ -23,7 +23,7 @@ pub fn significant(value: f64) -> String {
 /// An error in percent: two digits are all it can bear.
 pub fn percent(value: f64) -> String {
     match value {
-        v if v == 0.0 => "0 %".to_owned(),
+        0.0 => "0 %".to_owned(),
         v if v < 1e-4 => "< 0.0001 %".to_owned(),
         v if v < 10.0 => {
             let digits = (1 - v.log10().floor() as i32).max(0) as usize;
@@ -33,11 +33,11 @@ pub fn percent(value: f64) -> String {
     }
 }
 
-/// Prints an answer.
+/// Prints the results of an answer.
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let extremes = &answer.recording.extremes;
     let index = &answer.index;
     let eye = &answer.case.eye;
@@ -54,13 +54,13 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
     )?;
     writeln!(
         out,
-        "Damage index      {:>9} %   (an index, not a probability)",
+        "Damage index       {:>9} %  (an index, not a probability)",
         significant(index.damage())
     )?;
     let mut part = |letter, what, value: f64, unit, term: Term| {
         writeln!(
             out,
-            "  {letter} {what:<15}{:>8} {unit}   of {} {unit}: {:.1} of {} points",
+            "  {letter} {what:<15} {:>9} {unit}  of {} {unit}: {:.1} of {} points",
             significant(value),
             term.threshold,
             term.points(value),
@@ -73,7 +73,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
     writeln!(out)?;
     writeln!(
         out,
-        "Corneal apex      {:>9} mm  at {:.4} ms",
+        "Corneal apex       {:>9} mm at {:.4} ms",
         significant(extremes.apex.value * 1e3),
         extremes.apex.time * 1e3
     )?;
@@ -82,7 +82,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
         let peak = extremes.force[i];
         writeln!(
             out,
-            "{label:<16}{:>11} N   at {:.4} ms  {}",
+            "{label:<15}{:>13} N  at {:.4} ms  {}",
             significant(peak.value),
             peak.time * 1e3,
             monitor.name()
@@ -90,17 +90,25 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
     }
     writeln!(
         out,
-        "Spring strain     {:>9} %   at {:.4} ms, the largest",
+        "Spring strain      {:>9} %  at {:.4} ms, the largest",
         significant(extremes.strain.value * 1e2),
         extremes.strain.time * 1e3
     )?;
     if answer.case.load.shielded > 1e-9 {
         writeln!(
             out,
-            "Shielded by bone  {:>9} %   of the arc",
+            "Shielded by bone   {:>9} %  of the arc",
             significant(answer.case.load.shielded * 1e2)
         )?;
     }
+    Ok(())
+}
+
+/// Prints how far the results may be trusted, and how they were computed.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
     let errors = &answer.errors;
     writeln!(
         out,
@@ -111,15 +119,34 @@ pub fn answer(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::
             .map_or_else(|| "not estimated".to_owned(), percent),
         percent(errors.energy_balance)
     )?;
+    if let Some(mesh) = &errors.mesh {
+        writeln!(
+            out,
+            "On the damage index: time step {}, mesh {}",
+            percent(errors.time_step[0]),
+            percent(mesh[0])
+        )?;
+    }
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us (stable up to {:.4})",
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
         answer.cost.steps,
-        answer.plan.step * 1e6,
+        answer.step * 1e6,
         answer.step_limit * 1e6,
     )?;
+    if answer.simulated < 0.999_999 * answer.case.window {
+        writeln!(
+            out,
+            "Stopped at {:.3} of {} ms: nothing can change any more",
+            answer.simulated * 1e3,
+            answer.case.window * 1e3
+        )?;
+    }
+    for reason in reasons {
+        writeln!(out, "  {reason}")?;
+    }
     for flag in &answer.flags {
         writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
     }

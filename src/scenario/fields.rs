@@ -88,6 +88,8 @@ const INTEGRATORS: Variants<IntegratorChoice> = &[
     ("VelocityVerlet", || IntegratorChoice::VelocityVerlet),
     ("Srkn6b", || IntegratorChoice::Srkn6b),
     ("Srkn11b", || IntegratorChoice::Srkn11b),
+    ("Rk4", || IntegratorChoice::Rk4),
+    ("Dopri5", || IntegratorChoice::Dopri5),
 ];
 
 struct OneOf<T: 'static>(Variants<T>, Place<T>);

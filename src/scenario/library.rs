@@ -97,12 +97,17 @@ impl Preset {
     }
 }
 
+/// The presets that come with the program, sorted by name.
+pub fn built_in() -> Vec<Preset> {
+    BUILT_IN.iter().map(Preset::built_in).collect()
+}
+
 /// All presets, sorted by name. A broken one is among them and says so when it is read.
 ///
 /// # Errors
 /// Where the person's folder exists but cannot be listed.
 pub fn list() -> Result<Vec<Preset>, ScenarioError> {
-    let mut presets: Vec<Preset> = BUILT_IN.iter().map(Preset::built_in).collect();
+    let mut presets = built_in();
     for path in user_files()? {
         let Some(stem) = path.file_stem() else {
             continue;
@@ -121,7 +126,12 @@ pub fn list() -> Result<Vec<Preset>, ScenarioError> {
 /// Where there is none: suggests the nearest names.
 pub fn find(name: &str) -> Result<Preset, ScenarioError> {
     if !is_plain(name) {
-        return Err(unknown(name, "a preset's name holds no path").into());
+        let message = if name.is_empty() {
+            "expected a preset's name or a file that ends in .ron"
+        } else {
+            "a preset's name holds no path"
+        };
+        return Err(unknown(name, message).into());
     }
     if let Some(path) = folder().map(|folder| folder.join(format!("{name}.ron")))
         && path.symlink_metadata().is_ok()
@@ -138,7 +148,7 @@ pub fn find(name: &str) -> Result<Preset, ScenarioError> {
         let near = suggestion(name, names.iter().map(String::as_str));
         unknown(
             name,
-            &format!("there is no such preset{near} `contrecoup presets` lists them"),
+            &format!("there is no such preset{near}; `contrecoup presets` lists them"),
         )
         .into()
     })

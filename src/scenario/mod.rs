@@ -209,4 +209,8 @@ pub enum IntegratorChoice {
     Srkn6b,
     /// Sixth order, eleven force evaluations a step.
     Srkn11b,
+    /// The classical Runge-Kutta method.
+    Rk4,
+    /// The Dormand-Prince pair, which chooses its own steps.
+    Dopri5,
 }

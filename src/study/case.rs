@@ -1,8 +1,8 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
 use crate::dynamics::{
-    ArcLoad, Cost, Diverged, Integrator, Observer, Piece, Plan, Pulse, State, Survey, System,
-    march, stability,
+    ArcLoad, Cost, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse, State,
+    Survey, System, march, stability,
 };
 use crate::eye::Eye;
 use crate::recording::{Keep, Recorder, Recording};
@@ -11,9 +11,12 @@ use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes.
 const AUTO: Integrator = Integrator::Srkn6b;
-/// The share of its stability limit that the automatic step takes. A second run at
-/// [`stability::SAFETY`] of the limit then gives the error.
-const AUTO_SHARE: f64 = 0.6;
+/// The share of its stability limit that the automatic step takes, which leaves room for a second,
+/// coarser run that gives the error.
+pub(super) const AUTO_SHARE: f64 = 0.8;
+
+/// More than this takes longer than half an hour.
+const MOST_SPRING_EVALUATIONS: f64 = 1e12;
 
 /// Why a scenario cannot be run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -34,6 +37,25 @@ pub enum Refusal {
     /// The motion left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Diverged),
+    /// The run would take hours.
+    #[error(
+        "numerics.step_us: the run would take {steps:.3e} steps: allowed from {least_us:.3e} for this \
+         window and mesh"
+    )]
+    TooMuchWork {
+        /// How many steps.
+        steps: f64,
+        /// The smallest step allowed, in us.
+        least_us: f64,
+    },
+    /// Nothing that was tried is accurate enough.
+    #[error("no result within {percent} %: {reason}")]
+    ToleranceNotMet {
+        /// What was asked, in %.
+        percent: f64,
+        /// Why not.
+        reason: String,
+    },
     /// Whoever watched wanted no more of it.
     #[error("cancelled")]
     Cancelled,
@@ -73,7 +95,7 @@ impl Observer for Watched<'_> {
     }
 
     fn satisfied(&self) -> bool {
-        self.cancelled
+        self.cancelled || self.recorder.settled()
     }
 }
 
@@ -97,6 +119,8 @@ pub struct Solution {
     pub recording: Recording,
     /// Steps and force evaluations.
     pub cost: Cost,
+    /// Time simulated, in s: less than the window if all results were final before.
+    pub simulated: f64,
 }
 
 impl Case {
@@ -136,6 +160,8 @@ impl Case {
             IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
             IntegratorChoice::Srkn6b => Integrator::Srkn6b,
             IntegratorChoice::Srkn11b => Integrator::Srkn11b,
+            IntegratorChoice::Rk4 => Integrator::Rk4,
+            IntegratorChoice::Dopri5 => Integrator::Dopri5,
         };
         let limit = self.step_limit(integrator);
         let step = match scenario.numerics.step_us {
@@ -149,11 +175,22 @@ impl Case {
             Some(step_us) => step_us * 1e-6,
             None => AUTO_SHARE * limit,
         };
-        Ok(Plan {
+        let plan = Plan {
             integrator,
             step,
             window: self.window,
-        })
+            multiple: 1.0,
+            local_tolerance: LOCAL_TOLERANCE,
+        };
+        let springs = self.system.springs_per_evaluation() as f64;
+        let work = springs * integrator.evaluations_per_step() as f64 * (self.window / step + 1.0);
+        if work > MOST_SPRING_EVALUATIONS {
+            return Err(Refusal::TooMuchWork {
+                steps: self.window / step,
+                least_us: step * 1e6 * work / MOST_SPRING_EVALUATIONS,
+            });
+        }
+        Ok(plan)
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
@@ -162,9 +199,15 @@ impl Case {
     /// [`Refusal::Diverged`] if the motion leaves the finite numbers, [`Refusal::Cancelled`] if
     /// the watch stopped it.
     pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Solution, Refusal> {
-        let steps = (plan.window / plan.step).ceil() as usize;
+        let steps = plan.steps(&self.system.load().pulse);
         let mut observer = Watched {
-            recorder: Recorder::new(&self.eye, &self.load, &self.system, steps, keep),
+            recorder: Recorder::new(
+                &self.eye,
+                &self.load,
+                &self.system,
+                (self.window, steps),
+                keep,
+            ),
             watch,
             window: self.window,
             steps: 0,
@@ -178,6 +221,7 @@ impl Case {
         Ok(Solution {
             recording: observer.recorder.finish(&state),
             cost,
+            simulated: state.time,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! What a reader must know before trusting a result, each by name.
 
+use crate::dynamics::ArcLoad;
 use crate::recording::Extremes;
 
 /// Something that limits a result.
@@ -20,6 +21,8 @@ pub enum FlagKind {
     MeshFolded,
     /// A quad came close to that.
     MeshNearlyFolded,
+    /// The next finer mesh turns inside out where this one does not.
+    FinerMeshFolds,
     /// The energies do not add up.
     EnergyImbalance,
     /// The step error is large.
@@ -28,6 +31,8 @@ pub enum FlagKind {
     WindowShort,
     /// The window ended before the pulse.
     PulseCut,
+    /// The loaded arc is narrower than the distance between two nodes.
+    ArcUnresolved,
     /// Part of the arc lies behind bone.
     BoneShields,
 }
@@ -38,10 +43,12 @@ impl FlagKind {
         match self {
             Self::MeshFolded => "mesh_folded",
             Self::MeshNearlyFolded => "mesh_nearly_folded",
+            Self::FinerMeshFolds => "finer_mesh_folds",
             Self::EnergyImbalance => "energy_imbalance",
             Self::Unconverged => "unconverged",
             Self::WindowShort => "window_short",
             Self::PulseCut => "pulse_cut",
+            Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
         }
     }
@@ -57,14 +64,16 @@ const UNCONVERGED_PERCENT: f64 = 10.0;
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Flags of a result.
+/// Flags of a result; times in s, angles in radians.
 pub(super) fn raise(
     extremes: &Extremes,
     step_error_percent: f64,
     window: f64,
     pulse: f64,
-    shielded: f64,
+    load: &ArcLoad,
+    spacing: f64,
 ) -> Vec<Flag> {
+    let (arc, shielded) = (load.arc.1 - load.arc.0, load.shielded);
     let mut flags = Vec::new();
     let mut raise = |kind, message: String, time| {
         flags.push(Flag {
@@ -123,6 +132,23 @@ pub(super) fn raise(
             FlagKind::WindowShort,
             "a result still grew when the window ended".to_owned(),
             Some(window),
+        );
+    } else if extremes.could_rise {
+        raise(
+            FlagKind::WindowShort,
+            "the energy left at the end of the window could still raise a result".to_owned(),
+            Some(window),
+        );
+    }
+    if arc < spacing * (1.0 - NEGLIGIBLE) {
+        raise(
+            FlagKind::ArcUnresolved,
+            format!(
+                "the loaded arc of {:.3} degrees is narrower than the mesh's spacing of {:.3}",
+                arc.to_degrees(),
+                spacing.to_degrees()
+            ),
+            None,
         );
     }
     if shielded > NEGLIGIBLE {

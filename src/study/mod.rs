@@ -1,11 +1,17 @@
 //! Runs: one case with its errors, and what is built from many.
 
+pub mod accuracy;
+pub mod batch;
 mod case;
+pub mod choose;
+pub mod coverage;
 mod flags;
+mod mesh_error;
 mod quantity;
 mod solve;
 
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
+pub use mesh_error::{FINEST_LEVEL, add_mesh_error};
 pub use quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 pub use solve::{Answer, Errors, solve};

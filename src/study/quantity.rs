@@ -53,6 +53,14 @@ impl Quantity {
         }
     }
 
+    /// Differences below this are rounding, in the unit of [`Self::key`].
+    pub fn rounding(self) -> f64 {
+        match self {
+            Self::Energy => 1e-12,
+            _ => 1e-9,
+        }
+    }
+
     /// The value that a march left, in the unit of [`Self::key`].
     pub fn of(self, extremes: &Extremes) -> f64 {
         let index = DamageIndex::of(extremes);
@@ -75,11 +83,11 @@ pub fn values(extremes: &Extremes) -> PerQuantity {
     Quantity::ALL.map(|q| q.of(extremes))
 }
 
-/// |a - b| in % of b for each result; 0 where both vanish.
+/// |a - b| in % of b for each result; 0 where they differ by no more than rounding.
 pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
     std::array::from_fn(|i| {
         let difference = (a[i] - b[i]).abs();
-        if difference == 0.0 {
+        if difference < Quantity::ALL[i].rounding() {
             0.0
         } else {
             100.0 * difference / b[i].abs()

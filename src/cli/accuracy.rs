@@ -1,0 +1,29 @@
+//! `contrecoup accuracy`: speed against error on one scenario.
+
+use std::io::{self, Write};
+
+use super::progress::Progress;
+use super::{AccuracyArgs, CliError};
+use crate::report::accuracy;
+use crate::study::accuracy::measure;
+
+/// Measures every integrator and level and prints the report.
+///
+/// # Errors
+/// Where the scenario is refused or the output cannot be written.
+pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let scenario = args.scenario.scenario()?;
+    let mut progress = Progress::new();
+    let report = measure(&scenario, args.finest_level, &mut |share| {
+        progress.measured(share)
+    })?;
+    progress.clear();
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &accuracy::json(&scenario, &report))
+            .map_err(io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        accuracy::text(&scenario, &report, out)?;
+    }
+    Ok(())
+}

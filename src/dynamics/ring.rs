@@ -1,0 +1,260 @@
+//! Forces of the filaments, which join shell nodes a fixed number of hops apart, and of the load.
+//!
+//! The shell is gathered into a run with ghosts at both ends, so that the springs of one hop count
+//! are vectors as well: place o against place o + hop.
+
+#![allow(
+    clippy::inline_always,
+    reason = "what is called within a vector dispatch must be compiled for its instructions"
+)]
+
+use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store, total};
+use super::state::{Scratch, State};
+use super::system::{LANES, Rows, System};
+use crate::eye::{Eye, SpringKind};
+use fearless_simd::{Simd, SimdBase, SimdFloat};
+use std::collections::HashMap;
+
+/// All filaments of one hop count.
+#[derive(Debug, Clone)]
+pub(super) struct Filaments {
+    /// Distance along the ring between the two ends.
+    pub hop: usize,
+    /// First gathered place that owns a spring.
+    pub first: usize,
+    pub stiffness: Vec<f64>,
+    pub tension: Vec<f64>,
+    pub half_stiffness: Vec<f64>,
+    pub rest: Vec<f64>,
+    pub inverse_rest: Vec<f64>,
+}
+
+/// The ring of shell nodes, unrolled, with ghosts at both ends.
+#[derive(Debug, Clone)]
+pub(super) struct Ring {
+    /// Where each gathered place is read, and the sign of its y.
+    pub gather: Vec<(u32, f64)>,
+    /// Number of ghosts before the first owned place.
+    pub ghosts: usize,
+    /// Number of owned places.
+    pub owned: usize,
+    /// How many pairs of neighbours on the shell each pair in the run stands for, from the last
+    /// ghost before the owned places on.
+    pub neighbours: Vec<f64>,
+    pub filaments: Vec<Filaments>,
+}
+
+impl Ring {
+    /// Length of a run that every eight-lane access of the ring fits in.
+    pub fn padded_len(&self) -> usize {
+        (self.gather.len() + self.ghosts).next_multiple_of(2 * LANES) + 4 * LANES
+    }
+}
+
+/// The filaments of `eye` for the moved rows.
+pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
+    let shell = &eye.landmarks.shell;
+    let count = shell.len();
+    // The upper half starts just above the posterior pole, or on it.
+    let owned = shell
+        .iter()
+        .take_while(|&&i| rows.owns(eye.nodes[i].grid.1))
+        .count();
+    let mut by_hop: Vec<(usize, HashMap<usize, usize>)> = Vec::new();
+    let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
+    for (index, spring) in eye.springs.iter().enumerate() {
+        if spring.kind != SpringKind::Filament {
+            continue;
+        }
+        let start = order[&spring.a];
+        let hop = (order[&spring.b] + count - start) % count;
+        match by_hop.iter_mut().find(|(h, _)| *h == hop) {
+            Some((_, starts)) => {
+                starts.insert(start, index);
+            }
+            None => by_hop.push((hop, HashMap::from([(start, index)]))),
+        }
+    }
+    // One at least, so that every pair of neighbours is in the run.
+    let ghosts = by_hop
+        .iter()
+        .map(|(h, _)| *h)
+        .max()
+        .unwrap_or(0)
+        .max(count.min(1));
+    let at = |offset: usize| (offset + count * 2 - ghosts) % count;
+    let gather: Vec<(u32, f64)> = (0..owned + 2 * ghosts)
+        .map(|g| {
+            let place = rows.place(eye.nodes[shell[at(g)]].grid);
+            (place.slot as u32, place.sign())
+        })
+        .collect();
+    let weight = |g: usize| {
+        if g < ghosts || g >= ghosts + owned {
+            0.0
+        } else {
+            rows.weight(eye.nodes[shell[at(g)]].grid.1)
+        }
+    };
+    let filaments = by_hop
+        .iter()
+        .map(|(hop, starts)| {
+            let first = ghosts - hop;
+            let len = (owned + hop).next_multiple_of(2 * LANES);
+            let mut f = Filaments {
+                hop: *hop,
+                first,
+                stiffness: vec![0.0; len],
+                tension: vec![0.0; len],
+                half_stiffness: vec![0.0; len],
+                rest: vec![0.0; len],
+                inverse_rest: vec![0.0; len],
+            };
+            for n in 0..owned + hop {
+                let spring = &eye.springs[starts[&at(first + n)]];
+                // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
+                let share = 0.5 * (weight(first + n) + weight(first + n + hop));
+                f.stiffness[n] = spring.stiffness;
+                f.tension[n] = spring.stiffness * spring.rest_length;
+                f.half_stiffness[n] = 0.5 * spring.stiffness * share;
+                f.rest[n] = spring.rest_length;
+                f.inverse_rest[n] = 1.0 / spring.rest_length;
+            }
+            f
+        })
+        .collect();
+    // An eye without a shell has no pairs.
+    let pairs = if ghosts == 0 { 0 } else { owned + 1 };
+    let neighbours = (0..pairs.next_multiple_of(LANES))
+        .map(|n| {
+            if n < pairs {
+                let g = ghosts - 1 + n;
+                0.5 * (weight(g) + weight(g + 1))
+            } else {
+                0.0
+            }
+        })
+        .collect();
+    Ring {
+        gather,
+        ghosts,
+        owned,
+        neighbours,
+        filaments,
+    }
+}
+
+/// Length of the closed shell as it was last gathered, in m.
+#[inline(always)]
+pub(super) fn shell_length<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
+    let ring = &system.ring;
+    let (x, y): (&[f64], &[f64]) = (&state.scratch.ring_x, &state.scratch.ring_y);
+    let mut sum = splat(simd, 0.0);
+    for o in (0..ring.neighbours.len()).step_by(V::<S>::LEN) {
+        let g = ring.ghosts - 1 + o;
+        let (a, b) = (load_pair(simd, x, y, g), load_pair(simd, x, y, g + 1));
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        sum += (dx * dx + dy * dy).sqrt() * load(simd, &ring.neighbours, o);
+    }
+    total::<S>(sum)
+}
+
+/// Forces of filaments and load on the shell, into the extra forces.
+#[inline(always)]
+pub(super) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
+    simd: S,
+    system: &System,
+    state: &mut State,
+    force: f64,
+    sums: &mut Sums<S>,
+) {
+    let ring = &system.ring;
+    let s = &mut state.scratch;
+    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
+    let len = ring.gather.len();
+    let (ring_x, ring_y) = (&mut s.ring_x[..len], &mut s.ring_y[..len]);
+    for ((to_x, to_y), &(slot, sign)) in ring_x.iter_mut().zip(ring_y).zip(&ring.gather) {
+        *to_x = x[slot as usize];
+        *to_y = sign * y[slot as usize];
+    }
+    let run = ring.padded_len();
+    for (n, filaments) in ring.filaments.iter().enumerate() {
+        filament_forces::<S, QUICK, SURVEY>(simd, system, filaments, n * run, s, sums);
+    }
+    let (extra_x, extra_y): (&mut [f64], &mut [f64]) = (&mut s.extra_x, &mut s.extra_y);
+    let (hop_fx, hop_fy): (&[f64], &[f64]) = (&s.hop_fx, &s.hop_fy);
+    let owned = &ring.gather[ring.ghosts..ring.ghosts + ring.owned];
+    if ring.filaments.is_empty() {
+        for &(slot, _) in owned {
+            (extra_x[slot as usize], extra_y[slot as usize]) = (0.0, 0.0);
+        }
+    }
+    // One by one: a vector read across two vectors just written would wait for both.
+    for (n, filaments) in ring.filaments.iter().enumerate() {
+        let on_a = n * run + ring.ghosts;
+        let on_b = on_a - filaments.hop;
+        let pulled = hop_fx[on_a..][..ring.owned]
+            .iter()
+            .zip(&hop_fy[on_a..][..ring.owned]);
+        let pulling = hop_fx[on_b..][..ring.owned]
+            .iter()
+            .zip(&hop_fy[on_b..][..ring.owned]);
+        for ((&(slot, _), a), b) in owned.iter().zip(pulled).zip(pulling) {
+            let slot = slot as usize;
+            let (x, y) = (a.0 - b.0, a.1 - b.1);
+            if n == 0 {
+                (extra_x[slot], extra_y[slot]) = (x, y);
+            } else {
+                extra_x[slot] += x;
+                extra_y[slot] += y;
+            }
+        }
+    }
+    for &(slot, px, py) in &system.load().shares {
+        extra_x[slot] += px * force;
+        extra_y[slot] += py * force;
+    }
+}
+
+/// Forces of the filaments of one hop count on their first ends, into the run that starts at `into`.
+#[inline(always)]
+fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
+    simd: S,
+    system: &System,
+    f: &Filaments,
+    into: usize,
+    s: &mut Scratch,
+    sums: &mut Sums<S>,
+) {
+    let shortest = splat(simd, system.shortest_squared);
+    let width = V::<S>::LEN;
+    let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
+    let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
+    // Two vectors at a time, as the inverse roots come in pairs; the runs are padded to suit.
+    for o in (0..f.stiffness.len()).step_by(2 * width) {
+        let springs = [o, o + width].map(|o| {
+            let a = f.first + o;
+            Springs::<S>::new::<QUICK>(
+                load_pair(simd, ring_x, ring_y, a),
+                load_pair(simd, ring_x, ring_y, a + f.hop),
+                shortest,
+            )
+        });
+        let inverse = inverse_roots::<S, QUICK>(simd, springs[0].square, springs[1].square);
+        for (n, inverse) in [inverse.0, inverse.1].into_iter().enumerate() {
+            let o = o + n * width;
+            let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
+            let (fx, fy) = springs[n].force::<QUICK>(inverse, stiffness, tension);
+            if SURVEY {
+                sums.add::<QUICK>(
+                    springs[n].square * inverse,
+                    load(simd, &f.half_stiffness, o),
+                    load(simd, &f.rest, o),
+                    load(simd, &f.inverse_rest, o),
+                );
+            }
+            store::<S>(hop_fx, into + f.first + o, fx);
+            store::<S>(hop_fy, into + f.first + o, fy);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The work-precision report as text and as JSON.
+
+use super::json::by_quantity;
+use super::text::{percent, significant};
+use crate::dynamics::{Plan, kernel_name};
+use crate::scenario::Scenario;
+use crate::scenario::problem::printable;
+use crate::study::accuracy::{Accuracy, Level, Point, TARGETS};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+fn method(plan: &Plan) -> String {
+    if plan.integrator.adaptive() {
+        format!("{} {:.0e}", plan.integrator.name(), plan.local_tolerance)
+    } else {
+        plan.integrator.name().to_owned()
+    }
+}
+
+/// Prints the report.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "{}, mesh level {}: speed against step error",
+        printable(&scenario.name),
+        scenario.eye.level
+    )?;
+    writeln!(
+        out,
+        "kernel {}; {:.2} ns a spring; omega at most {:.3e} rad/s",
+        kernel_name(false),
+        report.ns_per_spring,
+        report.omega_bound
+    )?;
+    writeln!(
+        out,
+        "reference: {} at {:.4} us; error: the largest of damage, apex and four peaks",
+        report.reference.integrator.name(),
+        report.reference.step * 1e6
+    )?;
+    if report.folded {
+        writeln!(
+            out,
+            "FLAG mesh_folded: beyond the model's validity, errors are no promise"
+        )?;
+    }
+    writeln!(
+        out,
+        "\n  {:<20} {:>8} {:>10} {:>9} {:>11} {:>11}",
+        "integrator", "step us", "M springs", "ms", "error", "damage"
+    )?;
+    for point in &report.points {
+        writeln!(
+            out,
+            "{} {:<20} {:>8.4} {:>10.3} {:>9.3} {:>11} {:>11}",
+            if point.on_front { "*" } else { " " },
+            method(&point.plan),
+            point.step * 1e6,
+            point.spring_evaluations as f64 * 1e-6,
+            point.seconds * 1e3,
+            percent(point.error()),
+            percent(point.errors[0]),
+        )?;
+    }
+    writeln!(out, "* no other point is both faster and more accurate\n")?;
+    for (target, best) in TARGETS.iter().zip(report.best) {
+        match best.map(|i| &report.points[i]) {
+            Some(point) => writeln!(
+                out,
+                "for {target} %: {} at {:.4} us, {:.3} ms",
+                method(&point.plan),
+                point.step * 1e6,
+                point.seconds * 1e3
+            )?,
+            None => writeln!(out, "for {target} %: none of these")?,
+        }
+    }
+    if let Some(finest) = report.levels.last() {
+        writeln!(
+            out,
+            "\nlevel     ms   M springs   ns/spring   damage %   from level {}",
+            finest.level
+        )?;
+    }
+    for level in &report.levels {
+        writeln!(
+            out,
+            "{:>5} {:>8.2} {:>9.2} {:>11.2} {:>10}   {}{}",
+            level.level,
+            level.seconds * 1e3,
+            level.spring_evaluations as f64 * 1e-6,
+            level.seconds * 1e9 / level.spring_evaluations as f64,
+            significant(level.results[0]),
+            percent(level.errors[0]),
+            if level.folded { "  mesh folded" } else { "" },
+        )?;
+    }
+    Ok(())
+}
+
+fn point_json(point: &Point) -> Value {
+    json!({
+        "integrator": point.plan.integrator.name(),
+        "step_us": point.step * 1e6,
+        "local_tolerance": point.plan.integrator.adaptive().then_some(point.plan.local_tolerance),
+        "evaluations": point.evaluations,
+        "spring_evaluations": point.spring_evaluations,
+        "median_ms": point.seconds * 1e3,
+        "error_percent": point.error(),
+        "error_percent_by_result": by_quantity(&point.errors),
+        "on_front": point.on_front,
+    })
+}
+
+fn level_json(level: &Level) -> Value {
+    json!({
+        "level": level.level,
+        "median_ms": level.seconds * 1e3,
+        "spring_evaluations": level.spring_evaluations,
+        "ns_per_spring": level.seconds * 1e9 / level.spring_evaluations as f64,
+        "results": by_quantity(&level.results),
+        "difference_percent_by_result": by_quantity(&level.errors),
+        "mesh_folded": level.folded,
+    })
+}
+
+/// The report as one object.
+pub fn json(scenario: &Scenario, report: &Accuracy) -> Value {
+    let best: Vec<Value> = TARGETS
+        .iter()
+        .zip(report.best)
+        .map(|(target, best)| {
+            json!({
+                "percent": target,
+                "point": best.map(|i| point_json(&report.points[i])),
+            })
+        })
+        .collect();
+    json!({
+        "scenario": scenario,
+        "kernel": kernel_name(false),
+        "ns_per_spring": report.ns_per_spring,
+        "omega_bound_rad_s": report.omega_bound,
+        "reference": {
+            "integrator": report.reference.integrator.name(),
+            "step_us": report.reference.step * 1e6,
+            "results": by_quantity(&report.reference_results),
+        },
+        "mesh_folded": report.folded,
+        "points": report.points.iter().map(point_json).collect::<Vec<_>>(),
+        "best": best,
+        "levels": report.levels.iter().map(level_json).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,282 @@
+//! Speed against error: every integrator over its usable steps, and every mesh level.
+//!
+//! A point is one integrator at one step on the scenario's mesh. Its error is against a reference
+//! on the same mesh, so it is the step error alone; its time is the median of runs interleaved with
+//! those of all other points, so that a busy moment hits them alike. The front holds the points
+//! that no other beats in both. Levels are compared with the finest one computed, which tells the
+//! mesh error.
+
+use super::case::{Case, Refusal, Watch, unwatched};
+use super::mesh_error::at_level;
+use super::quantity::{PerQuantity, difference_percent, headline, values};
+use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
+use crate::recording::Keep;
+use crate::scenario::Scenario;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Shares of the stability limit that are tried.
+const SHARES: [f64; 7] = [0.95, 0.8, 0.6, 0.4, 0.2, 0.1, 0.05];
+/// Local tolerances that an adaptive method is tried with.
+const TOLERANCES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
+/// Points that cost more evaluations than this, per level squared, are left out.
+const MOST_EVALUATIONS: f64 = 8e4;
+/// Share of the limit that the reference takes, with the method of highest order.
+const REFERENCE_SHARE: f64 = 0.05;
+/// Runs of which the median time is taken.
+const ROUNDS: usize = 7;
+/// Errors that a best choice is named for, in %.
+pub const TARGETS: [f64; 4] = [10.0, 1.0, 0.1, 0.01];
+
+/// One integrator at one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// The method and its step.
+    pub plan: Plan,
+    /// Longest step taken, in s.
+    pub step: f64,
+    /// Force evaluations.
+    pub evaluations: usize,
+    /// Springs computed.
+    pub spring_evaluations: usize,
+    /// Median wall time, in s.
+    pub seconds: f64,
+    /// Error of each result against the reference, in %.
+    pub errors: PerQuantity,
+    /// Whether no other point is both faster and more accurate.
+    pub on_front: bool,
+}
+
+impl Point {
+    /// The largest of the leading results' errors, in %.
+    pub fn error(&self) -> f64 {
+        headline(&self.errors)
+    }
+}
+
+/// One mesh level, by the automatic integrator and step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Level {
+    /// Its number.
+    pub level: u32,
+    /// Median wall time, in s.
+    pub seconds: f64,
+    /// Springs computed.
+    pub spring_evaluations: usize,
+    /// Results; forces in terms of the node mass of the scenario's level.
+    pub results: PerQuantity,
+    /// Difference of each result from the finest level, in %.
+    pub errors: PerQuantity,
+    /// Whether the mesh folded.
+    pub folded: bool,
+}
+
+/// A work-precision report.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Accuracy {
+    /// All points, by integrator and falling step.
+    pub points: Vec<Point>,
+    /// Index of the cheapest point for each of [`TARGETS`], if any meets it.
+    pub best: [Option<usize>; TARGETS.len()],
+    /// The reference's method and step.
+    pub reference: Plan,
+    /// The reference's results.
+    pub reference_results: PerQuantity,
+    /// Levels, the last being what the others are compared with.
+    pub levels: Vec<Level>,
+    /// Nanoseconds a spring evaluation takes at the automatic step, recording included.
+    pub ns_per_spring: f64,
+    /// Upper bound of the angular frequency, in rad/s.
+    pub omega_bound: f64,
+    /// Whether the mesh folded in the reference: then nothing here is a promise.
+    pub folded: bool,
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn plans(case: &Case) -> Vec<Plan> {
+    let mut plans = Vec::new();
+    for integrator in Integrator::ALL {
+        let limit = case.step_limit(integrator);
+        let plan = |share: f64, local_tolerance| Plan {
+            integrator,
+            step: share * limit,
+            window: case.window,
+            multiple: 1.0,
+            local_tolerance,
+        };
+        let evaluations =
+            |p: &Plan| case.window / p.step * integrator.evaluations_per_step() as f64;
+        if integrator.adaptive() {
+            plans.extend(TOLERANCES.map(|t| plan(0.95, t)));
+        } else {
+            let most = MOST_EVALUATIONS * case.window / 3e-3;
+            plans.extend(
+                SHARES
+                    .map(|share| plan(share, LOCAL_TOLERANCE))
+                    .into_iter()
+                    .filter(|p| evaluations(p) <= most * f64::from(case.eye.level)),
+            );
+        }
+    }
+    plans
+}
+
+/// Marks the points that no other point beats in time and error.
+fn mark_front(points: &mut [Point]) {
+    let all: Vec<(f64, f64)> = points.iter().map(|p| (p.seconds, p.error())).collect();
+    for (point, &(time, error)) in points.iter_mut().zip(&all) {
+        point.on_front = error.is_finite()
+            && !all
+                .iter()
+                .any(|&(t, e)| t <= time && e <= error && (t < time || e < error));
+    }
+}
+
+/// The report for `scenario`, with levels up to `finest`.
+///
+/// # Errors
+/// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
+pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
+    let case = Case::new(scenario);
+    let go_on = |watch: &mut dyn FnMut(f64) -> ControlFlow<()>, share: f64| match watch(share) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Refusal::Cancelled),
+    };
+    let method = Integrator::Srkn11b;
+    let reference = Plan {
+        integrator: method,
+        step: REFERENCE_SHARE * case.step_limit(method),
+        window: case.window,
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    };
+    let solved = case.run(&reference, Keep::default(), &mut unwatched)?;
+    let folded = solved.recording.extremes.folded_at.is_some();
+    let truth = values(&solved.recording.extremes);
+    go_on(watch, 0.1)?;
+
+    let plans = plans(&case);
+    let mut times = vec![Vec::new(); plans.len()];
+    let mut last = vec![None; plans.len()];
+    for round in 0..ROUNDS {
+        for (i, plan) in plans.iter().enumerate() {
+            let started = Instant::now();
+            let solved = case.run(plan, Keep::default(), &mut unwatched);
+            times[i].push(started.elapsed().as_secs_f64());
+            last[i] = solved.ok();
+            let done = (round * plans.len() + i) as f64 / (ROUNDS * plans.len()) as f64;
+            go_on(watch, 0.1 + 0.5 * done)?;
+        }
+    }
+    let springs = case.system.springs_per_evaluation();
+    let mut points: Vec<Point> = plans
+        .iter()
+        .zip(times.into_iter().zip(last))
+        .filter_map(|(plan, (times, solved))| {
+            let solved = solved?;
+            Some(Point {
+                plan: *plan,
+                step: plan.longest_step(&case.system.load().pulse),
+                evaluations: solved.cost.evaluations,
+                spring_evaluations: solved.cost.evaluations * springs,
+                seconds: median(times),
+                errors: difference_percent(&values(&solved.recording.extremes), &truth),
+                on_front: false,
+            })
+        })
+        .collect();
+    mark_front(&mut points);
+    let best = TARGETS.map(|target| {
+        (0..points.len())
+            .filter(|&i| points[i].error() <= target)
+            .min_by(|&a, &b| points[a].seconds.total_cmp(&points[b].seconds))
+    });
+    let ns_per_spring = points
+        .iter()
+        .filter(|p| p.plan.integrator == Integrator::Srkn6b)
+        .map(|p| p.seconds * 1e9 / p.spring_evaluations as f64)
+        .fold(f64::INFINITY, f64::min);
+
+    let mut levels = Vec::new();
+    for level in 1..=finest {
+        levels.push(measure_level(scenario, level, &case)?);
+        go_on(
+            watch,
+            0.6 + 0.4 * f64::from(level.pow(3)) / f64::from(finest.pow(3)),
+        )?;
+    }
+    let finest_results = levels.last().map(|l| l.results);
+    for level in &mut levels {
+        if let Some(finest) = &finest_results {
+            level.errors = difference_percent(&level.results, finest);
+        }
+    }
+    Ok(Accuracy {
+        points,
+        best,
+        reference,
+        reference_results: truth,
+        levels,
+        ns_per_spring,
+        omega_bound: case.system.omega_bound(),
+        folded,
+    })
+}
+
+fn measure_level(scenario: &Scenario, level: u32, like: &Case) -> Result<Level, Refusal> {
+    let mut other = scenario.clone();
+    other.eye.level = level;
+    other.numerics = crate::scenario::NumericsInput::default();
+    let case = Case::new(&other);
+    let plan = case.plan(&other)?;
+    let rounds = if level < 3 { 3 } else { 1 };
+    let mut times = Vec::new();
+    let mut evaluations = 0;
+    for _ in 0..rounds {
+        let started = Instant::now();
+        evaluations = case
+            .run(&plan, Keep::default(), &mut unwatched)?
+            .cost
+            .evaluations;
+        times.push(started.elapsed().as_secs_f64());
+    }
+    let (results, folded) = at_level(&other, level, like, &mut unwatched)?;
+    Ok(Level {
+        level,
+        seconds: median(times),
+        spring_evaluations: evaluations * case.system.springs_per_evaluation(),
+        results,
+        errors: [0.0; super::Quantity::ALL.len()],
+        folded: folded.is_some(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_front_is_beaten_by_nobody_and_the_choices_meet_their_targets() {
+        let scenario = Scenario {
+            window_ms: 0.4,
+            ..Scenario::default()
+        };
+        let report = measure(&scenario, 2, &mut unwatched).unwrap();
+        let front: Vec<&Point> = report.points.iter().filter(|p| p.on_front).collect();
+        assert!(!front.is_empty());
+        for a in &front {
+            for b in &report.points {
+                assert!(!(b.seconds < a.seconds && b.error() < a.error()));
+            }
+        }
+        for (target, best) in TARGETS.iter().zip(report.best) {
+            assert!(report.points[best.unwrap()].error() <= *target);
+        }
+        assert_eq!(report.levels.len(), 2);
+        assert_eq!(headline(&report.levels[1].errors), 0.0);
+    }
+}

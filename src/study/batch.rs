@@ -1,0 +1,62 @@
+//! Many scenarios at once: results only, on all cores.
+//!
+//! A batch keeps no traces and no frames, and makes no second run for the step error: whoever needs
+//! it checks some of the scenarios with [`super::solve()`]. Each scenario is solved alone and in
+//! order, so the results are the same bits for any number of threads.
+
+use super::case::{Case, Refusal, unwatched};
+use super::quantity::{PerQuantity, values};
+use crate::recording::Keep;
+use crate::scenario::Scenario;
+use rayon::prelude::*;
+
+/// What a batch gives for one scenario.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// All results.
+    pub results: PerQuantity,
+    /// When the mesh folded, in s.
+    pub folded_at: Option<f64>,
+}
+
+/// Solves one scenario as a batch does.
+///
+/// # Errors
+/// As for any run.
+pub fn solve_one(scenario: &Scenario) -> Result<Outcome, Refusal> {
+    let case = Case::new(scenario);
+    let plan = case.plan(scenario)?;
+    let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
+    let extremes = &solution.recording.extremes;
+    Ok(Outcome {
+        results: values(extremes),
+        folded_at: extremes.folded_at,
+    })
+}
+
+/// Solves all scenarios on all cores of the current thread pool.
+pub fn solve_all(scenarios: &[Scenario]) -> Vec<Result<Outcome, Refusal>> {
+    scenarios.par_iter().map(solve_one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::coverage::scene;
+
+    #[test]
+    fn a_batch_gives_the_same_bits_on_any_number_of_threads() {
+        let scenarios: Vec<Scenario> = (0..12).map(|i| scene(i, 3)).collect();
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| solve_all(&scenarios))
+        };
+        let one = on(1);
+        assert_eq!(one, on(2));
+        assert_eq!(one, on(5));
+        assert!(one.iter().all(Result::is_ok));
+    }
+}

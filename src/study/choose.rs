@@ -1,0 +1,158 @@
+//! The cheapest mesh, integrator and step that give the damage score to a tolerance.
+//!
+//! Levels are tried from the coarsest. A level's mesh error comes from the level above it, which is
+//! the next to be tried, so nothing is computed twice. Once the mesh error is below the tolerance,
+//! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
+//! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
+
+use super::case::{AUTO_SHARE, Case, Refusal, Watch};
+use super::mesh_error::{at_level, between};
+use super::quantity::Quantity;
+use super::solve::{Answer, solve_by};
+use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
+use crate::recording::Keep;
+use crate::scenario::Scenario;
+
+/// The finest level that is tried: the next would take a minute.
+pub const FINEST_TRIED: u32 = 6;
+/// Below this tolerance, in %, Verlet cannot be the cheapest.
+const VERLET_FROM_PERCENT: f64 = 0.2;
+/// How often the step is shortened.
+const MOST_ATTEMPTS: usize = 8;
+
+/// An answer within a tolerance, and why it was computed that way.
+#[derive(Debug, Clone)]
+pub struct Chosen {
+    /// The answer, its mesh error included.
+    pub answer: Answer,
+    /// The scenario with the chosen level.
+    pub scenario: Scenario,
+    /// What was tried and chosen, a sentence each.
+    pub reasons: Vec<String>,
+}
+
+const DAMAGE: usize = 0;
+const _: () = assert!(matches!(Quantity::ALL[DAMAGE], Quantity::Damage));
+
+/// Answers `scenario` with damage within `percent` of its converged value, by step and mesh
+/// together; `level` and `numerics` of the scenario are chosen anew.
+///
+/// # Errors
+/// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.
+pub fn within(
+    scenario: &Scenario,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Chosen, Refusal> {
+    let mut reasons = Vec::new();
+    let mut best = f64::INFINITY;
+    let mut at = scenario.clone();
+    at.eye.level = 1;
+    let mut case = Case::new(&at);
+    let (mut results, mut folded) = at_level(&at, 1, &case, watch)?;
+    for level in 1..=FINEST_TRIED {
+        if let Some(time) = folded {
+            return Err(Refusal::ToleranceNotMet {
+                percent,
+                reason: format!(
+                    "the mesh of level {level} folds at {:.3} ms, beyond the model's validity",
+                    time * 1e3
+                ),
+            });
+        }
+        let mut finer = scenario.clone();
+        finer.eye.level = level + 1;
+        let finer_case = Case::new(&finer);
+        let (finer_like_this, finer_folded) = at_level(&finer, level + 1, &case, watch)?;
+        let mesh = between(level, &results, level + 1, &finer_like_this);
+        if mesh[DAMAGE] < percent {
+            at.eye.level = level;
+            let left = percent - mesh[DAMAGE];
+            reasons.push(format!(
+                "level {level}: mesh error {:.2} %, which leaves {left:.2} % for the step",
+                mesh[DAMAGE]
+            ));
+            let mut answer = meet(&case, left, keep, watch, &mut reasons)?;
+            answer.errors.mesh = Some(mesh);
+            return Ok(Chosen {
+                answer,
+                scenario: at,
+                reasons,
+            });
+        }
+        best = best.min(mesh[DAMAGE]);
+        reasons.push(format!(
+            "level {level}: mesh error {:.2} %, too much",
+            mesh[DAMAGE]
+        ));
+        // The same run in terms of its own node mass.
+        (results, folded) = (rescaled(&finer_like_this, &case, &finer_case), finer_folded);
+        case = finer_case;
+    }
+    Err(Refusal::ToleranceNotMet {
+        percent,
+        reason: format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %"),
+    })
+}
+
+/// Node forces in terms of the node mass of `to` instead of `from`.
+fn rescaled(results: &super::PerQuantity, from: &Case, to: &Case) -> super::PerQuantity {
+    let mass = |case: &Case| case.eye.nodes[case.eye.landmarks.monitors[0]].mass;
+    let ratio = mass(to) / mass(from);
+    let mut out = *results;
+    for (value, quantity) in out.iter_mut().zip(Quantity::ALL) {
+        if matches!(quantity, Quantity::Force(_)) {
+            *value *= ratio;
+        }
+    }
+    out
+}
+
+/// The cheapest step on `case` whose damage error is at most `percent`.
+fn meet(
+    case: &Case,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+    reasons: &mut Vec<String>,
+) -> Result<Answer, Refusal> {
+    let plan = |integrator| Plan {
+        integrator,
+        step: AUTO_SHARE * case.step_limit(integrator),
+        window: case.window,
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    };
+    if percent >= VERLET_FROM_PERCENT {
+        let answer = solve_by(case.clone(), plan(Integrator::VelocityVerlet), keep, watch)?;
+        let error = answer.errors.time_step[DAMAGE];
+        if error <= percent {
+            reasons.push(format!(
+                "velocity-verlet at {AUTO_SHARE} of its stability limit: step error {error:.3} %, the cheapest"
+            ));
+            return Ok(answer);
+        }
+        reasons.push(format!(
+            "velocity-verlet: step error {error:.3} %, too much"
+        ));
+    }
+    let mut plan = plan(Integrator::Srkn6b);
+    let mut error = f64::INFINITY;
+    for _ in 0..MOST_ATTEMPTS {
+        let answer = solve_by(case.clone(), plan, keep, watch)?;
+        error = answer.errors.time_step[DAMAGE];
+        let share = plan.step / case.step_limit(plan.integrator);
+        if error <= percent {
+            reasons.push(format!(
+                "srkn6b at {share:.2} of its stability limit: step error {error:.4} %"
+            ));
+            return Ok(answer);
+        }
+        plan.step *= (0.9 * (percent / error).powf(0.25)).clamp(0.25, 0.8);
+    }
+    Err(Refusal::ToleranceNotMet {
+        percent,
+        reason: format!("the step error stays at {error:.3} %"),
+    })
+}

@@ -1,0 +1,300 @@
+//! `run` and `export` as a shell sees them, and every preset.
+
+use assert_cmd::Command;
+use contrecoup::recording::Keep;
+use contrecoup::scenario::library;
+use contrecoup::study::{solve, unwatched};
+use predicates::prelude::*;
+use predicates::str::{contains, is_empty};
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+
+fn program(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("contrecoup").unwrap();
+    // A folder that does not exist: no test sees a person's presets.
+    command
+        .env("XDG_CONFIG_HOME", "/nonexistent")
+        .args(arguments);
+    command
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = program(arguments).arg("--json").output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn the_readmes_command_prints_every_result() {
+    program(&["run", "presets/paper-300n.ron"])
+        .assert()
+        .success()
+        .stderr(is_empty())
+        .stdout(
+            contains("26.42 %")
+                .and(contains("S shell growth"))
+                .and(contains("M meridian growth"))
+                .and(contains("E energy imparted"))
+                .and(contains("2.157 mm"))
+                .and(
+                    contains("centre")
+                        .and(contains("front"))
+                        .and(contains("right"))
+                        .and(contains("top")),
+                )
+                .and(contains("time step"))
+                .and(contains("220 nodes, 883 springs"))
+                .and(contains("unit depth"))
+                .and(contains("Solved in"))
+                .and(contains("Research and education, not diagnosis.").count(1)),
+        );
+}
+
+#[test]
+fn text_fits_eighty_columns() {
+    for preset in library::built_in() {
+        let output = program(&["run", &preset.name]).output().unwrap();
+        assert!(output.status.success());
+        for line in String::from_utf8(output.stdout).unwrap().lines() {
+            assert!(line.chars().count() <= 80, "{}: {line}", preset.name);
+        }
+    }
+}
+
+#[test]
+fn json_has_the_agreed_names() {
+    let object = json(&["run", "paper-300n"]);
+    let paths = [
+        "/scenario/impact/ForcePulse/force_n",
+        "/results/damage_percent",
+        "/results/scleral_growth_percent",
+        "/results/meridian_growth_percent",
+        "/results/energy_imparted_j",
+        "/results/apex_displacement_mm",
+        "/results/apex_time_ms",
+        "/results/peak_force_n/centre",
+        "/results/peak_force_n/front",
+        "/results/peak_force_n/right",
+        "/results/peak_force_n/top",
+        "/results/peak_time_ms/centre",
+        "/results/peak_time_ms/front",
+        "/results/peak_time_ms/right",
+        "/results/peak_time_ms/top",
+        "/error/time_step_percent",
+        "/error/energy_balance_percent",
+        "/numerics/level",
+        "/numerics/nodes",
+        "/numerics/springs",
+        "/numerics/step_us",
+        "/numerics/steps",
+        "/numerics/spring_evaluations",
+        "/numerics/solve_ms",
+    ];
+    for path in paths {
+        let value = object.pointer(path).unwrap_or_else(|| panic!("no {path}"));
+        assert!(
+            value.as_f64().is_some_and(f64::is_finite),
+            "{path}: {value}"
+        );
+    }
+    assert!(
+        object
+            .pointer("/error")
+            .unwrap()
+            .get("mesh_percent")
+            .is_some()
+    );
+    assert!(object.pointer("/numerics/integrator").unwrap().is_string());
+    assert!(object.pointer("/flags").unwrap().is_array());
+    assert_eq!(object["numerics"]["nodes"], 220);
+    assert_eq!(object["numerics"]["springs"], 883);
+}
+
+#[test]
+fn flags_carry_kind_message_and_time() {
+    let object = json(&["run", "paper-300n", "--set", "impact.force_n=3000"]);
+    let folded = object["flags"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|f| f["kind"] == "mesh_folded")
+        .unwrap();
+    assert!(
+        folded["message"]
+            .as_str()
+            .unwrap()
+            .contains("beyond the model's validity")
+    );
+    assert!(folded["time_ms"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn settings_change_the_result() {
+    let plain = json(&["run", "paper-300n"]);
+    let set = json(&["run", "paper-300n", "--set", "impact.force_n=100"]);
+    assert_eq!(set["scenario"]["impact"]["ForcePulse"]["force_n"], 100.0);
+    let damage = |v: &Value| v["results"]["damage_percent"].as_f64().unwrap();
+    assert!((damage(&plain) - 26.42).abs() < 0.01);
+    assert!((damage(&set) - 6.36).abs() < 0.01);
+    let verlet = json(&[
+        "run",
+        "paper-300n",
+        "--integrator",
+        "velocity-verlet",
+        "--step-us",
+        "1",
+    ]);
+    assert_eq!(verlet["numerics"]["integrator"], "velocity-verlet");
+    assert!((verlet["numerics"]["step_us"].as_f64().unwrap() - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn damage_falls_with_refinement_as_on_record() {
+    for (level, damage) in [("1", 26.4), ("2", 22.8), ("3", 21.8)] {
+        let object = json(&["run", "paper-300n", "--level", level]);
+        let found = object["results"]["damage_percent"].as_f64().unwrap();
+        assert!((found - damage).abs() < 0.06, "level {level}: {found}");
+    }
+}
+
+#[test]
+fn a_step_above_the_limit_is_refused_with_the_limit() {
+    program(&[
+        "run",
+        "paper-300n",
+        "--integrator",
+        "velocity-verlet",
+        "--step-us",
+        "3",
+    ])
+    .assert()
+    .code(2)
+    .stdout(is_empty())
+    .stderr(
+        contains("numerics.step_us")
+            .and(contains("3"))
+            .and(contains("2.039")),
+    );
+}
+
+#[test]
+fn every_preset_runs_with_a_small_step_error() {
+    for preset in library::built_in() {
+        let scenario = preset.scenario().unwrap();
+        let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        assert!(answer.errors.time_step_percent() < 1.0, "{}", preset.name);
+        assert!(answer.errors.energy_balance < 0.1, "{}", preset.name);
+        assert!(answer.index.damage() > 0.0);
+    }
+}
+
+fn scratch(name: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    (folder, path)
+}
+
+#[test]
+fn exported_frames_hold_all_nodes_of_all_frames_with_units() {
+    let (_folder, path) = scratch("frames.csv");
+    let frames = path.to_str().unwrap();
+    program(&[
+        "export",
+        "paper-300n",
+        "--frames",
+        frames,
+        "--every-us",
+        "100",
+    ])
+    .assert()
+    .success()
+    .stdout(contains("31 frames"));
+    let text = fs::read_to_string(&path).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some("frame,time_ms,node,region,x_mm,y_mm,force_n")
+    );
+    assert_eq!(lines.count(), 31 * 220);
+    assert!(text.contains(",retina,") && text.contains(",lens,") && text.contains(",orbit,"));
+}
+
+#[test]
+fn exported_traces_hold_every_step_and_the_peaks_that_run_prints() {
+    let (_folder, path) = scratch("traces.csv");
+    let traces = path.to_str().unwrap();
+    program(&["export", "paper-300n", "--traces", traces])
+        .assert()
+        .success();
+    let mut reader = csv::Reader::from_path(&path).unwrap();
+    let header: Vec<String> = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let column = header.iter().position(|h| h == "force_front_n").unwrap();
+    let peak = reader
+        .records()
+        .map(|r| r.unwrap()[column].parse::<f64>().unwrap())
+        .fold(0.0, f64::max);
+    let printed = json(&["run", "paper-300n"])["results"]["peak_force_n"]["front"]
+        .as_f64()
+        .unwrap();
+    assert!(peak <= printed && peak > 0.97 * printed, "{peak} {printed}");
+}
+
+#[test]
+fn an_export_that_fails_leaves_the_old_file() {
+    let (_folder, path) = scratch("frames.csv");
+    fs::write(&path, "old").unwrap();
+    let target = path.to_str().unwrap();
+    program(&[
+        "export",
+        "paper-300n",
+        "--frames",
+        target,
+        "--set",
+        "impact.force_n=-1",
+    ])
+    .assert()
+    .code(2);
+    assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+    program(&[
+        "export",
+        "paper-300n",
+        "--frames",
+        "/nonexistent/frames.csv",
+    ])
+    .assert()
+    .code(1)
+    .stderr(contains("/nonexistent/frames.csv"));
+}
+
+#[test]
+fn a_full_disk_is_a_failure_with_a_message() {
+    if fs::metadata("/dev/full").is_ok() {
+        program(&["export", "paper-300n", "--frames", "/dev/full"])
+            .assert()
+            .code(1)
+            .stderr(contains("/dev/full"));
+    }
+}
+
+#[test]
+fn too_many_frames_are_refused_before_any_work() {
+    program(&[
+        "export",
+        "paper-300n",
+        "--level",
+        "8",
+        "--frames",
+        "/dev/null",
+        "--every-us",
+        "0.001",
+    ])
+    .assert()
+    .code(2)
+    .stderr(contains("--every-us"));
+}
