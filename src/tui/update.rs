@@ -26,6 +26,9 @@ use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::quoted;
 use crate::study::Refusal;
+use crate::study::accuracy::Accuracy;
+
+mod accuracy;
 
 /// Something that happened.
 pub enum Message {
@@ -39,6 +42,8 @@ pub enum Message {
     Form(Report),
     /// The worker of the comparison says something.
     Comparison(Report),
+    /// The worker that measures speed against error says something.
+    Accuracy(Report<Accuracy>),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
@@ -54,6 +59,10 @@ pub enum Effect {
     Stop(Ticket),
     /// Simulate for the comparison.
     Compare(Ticket, Scenario),
+    /// Measure speed against error.
+    Measure(Ticket, Scenario),
+    /// Stop that.
+    StopMeasuring(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -92,6 +101,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
                 model.compare.take(ticket, found);
             }
         }
+        Message::Accuracy(report) => accuracy::hear(model, report),
         Message::Saved(name, outcome) => saved(model, name, outcome),
         Message::Choices(choices) => model.choices = choices,
     }
@@ -99,6 +109,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         model.compare.replace(FORM, &model.work.scenario);
     }
     effects.extend(next_comparison(model));
+    effects.extend(accuracy::stop_if_unwanted(model));
     effects
 }
 
@@ -229,7 +240,11 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
                 _ => Some(Overlay::Help(0)),
             };
         }
-        Action::Show(screen) => model.screen = screen,
+        Action::Show(screen) => {
+            model.screen = screen;
+            effects.extend(accuracy::opened(model));
+        }
+        Action::Measure => effects.extend(accuracy::start(model)),
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
         Action::Undo | Action::Redo => travel(model, action == Action::Undo, effects),
@@ -237,7 +252,11 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Presets => open_picker(model),
         Action::Up | Action::Down => go(model, action == Action::Down),
         Action::Step(step) => step_here(model, step, effects),
+        Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
         Action::Enter => enter(model, effects),
+        Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
+            effects.extend(accuracy::stop(model));
+        }
         Action::Cancel => cancel(model, effects),
         Action::Advanced => model.form.fold(&model.work.scenario),
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
@@ -322,6 +341,7 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
             Row::Fold => model.form.fold(&model.work.scenario),
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
+        Context::Accuracy => model.accuracy.step(step),
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);

@@ -1,6 +1,6 @@
-//! The thread that simulates while the app stays awake.
+//! The threads that simulate while the app stays awake.
 //!
-//! It runs one job and holds at most one more; a newer job takes the place of the held one and
+//! Each runs one job and holds at most one more; a newer job takes the place of the held one and
 //! stops the running one. Each job has a ticket, by which a late answer is known.
 
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::recording::Keep;
 use crate::scenario::Scenario;
-use crate::study::{Answer, Refusal, solve};
+use crate::study::{Answer, Refusal, Watch, solve};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -25,12 +25,15 @@ pub type Ticket = u64;
 
 /// What a worker says.
 #[derive(Debug)]
-pub enum Report {
+pub enum Report<T = Answer> {
     /// This share of the job is done.
     Progress(Ticket, f64),
     /// The job is done, or was refused.
-    Done(Ticket, Box<Result<Answer, Refusal>>),
+    Done(Ticket, Box<Result<T, Refusal>>),
 }
+
+/// What a thread does with a scenario.
+type Job<T> = fn(&Scenario, Watch) -> Result<T, Refusal>;
 
 struct Slot {
     job: Option<(Ticket, Scenario)>,
@@ -48,8 +51,13 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it.
+    /// Starts a thread that simulates; `say` is called on it.
     pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
+        Self::of(answer, say)
+    }
+
+    /// Starts a thread that does something else with scenarios.
+    pub fn of<T: 'static>(job: Job<T>, say: impl Fn(Report<T>) + Send + 'static) -> Self {
         let shared = Arc::new(Shared {
             slot: Mutex::new(Slot {
                 job: None,
@@ -59,7 +67,7 @@ impl Worker {
             wanted: AtomicU64::new(0),
         });
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, &say));
+        thread::spawn(move || work(&own, job, &say));
         Self(shared)
     }
 
@@ -88,7 +96,7 @@ impl Drop for Worker {
     }
 }
 
-fn work(shared: &Shared, say: &impl Fn(Report)) {
+fn work<T>(shared: &Shared, job: Job<T>, say: &impl Fn(Report<T>)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
         let (ticket, scenario) = loop {
@@ -104,32 +112,43 @@ fn work(shared: &Shared, say: &impl Fn(Report)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        say(run(shared, ticket, &scenario, say));
+        say(run(shared, ticket, &scenario, job, say));
     }
 }
 
-fn run(shared: &Shared, ticket: Ticket, scenario: &Scenario, say: &impl Fn(Report)) -> Report {
+fn run<T>(
+    shared: &Shared,
+    ticket: Ticket,
+    scenario: &Scenario,
+    job: Job<T>,
+    say: &impl Fn(Report<T>),
+) -> Report<T> {
     let mut reported = Instant::now();
-    let (mut second, mut last) = (false, 0.0);
-    let answer = solve(scenario, keep(scenario), &mut |share| {
+    let outcome = job(scenario, &mut |share| {
         if shared.wanted.load(Ordering::Relaxed) > ticket {
             return ControlFlow::Break(());
         }
-        // The second run, for the error, begins anew and takes larger steps.
-        second |= share < last;
-        last = share;
         if reported.elapsed() >= REPORT_EVERY {
             reported = Instant::now();
-            let whole = if second {
-                0.7 + 0.3 * share
-            } else {
-                0.7 * share
-            };
-            say(Report::Progress(ticket, whole));
+            say(Report::Progress(ticket, share));
         }
         ControlFlow::Continue(())
     });
-    Report::Done(ticket, Box::new(answer))
+    Report::Done(ticket, Box::new(outcome))
+}
+
+fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
+    let (mut second, mut last) = (false, 0.0);
+    solve(scenario, keep(scenario), &mut |share| {
+        // The second run, for the error, begins anew and takes larger steps.
+        second |= share < last;
+        last = share;
+        watch(if second {
+            0.7 + 0.3 * share
+        } else {
+            0.7 * share
+        })
+    })
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.

@@ -18,6 +18,8 @@ use super::pacer::{Cause, Pacer};
 use super::paint::{BEGIN, END, Pen, QUESTION};
 use super::session::Session;
 use crate::scenario::library;
+use crate::study::accuracy::Accuracy;
+use crate::tui::accuracy::measure;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
@@ -45,6 +47,7 @@ enum Event {
     Signal(i32),
     Form(Report),
     Comparison(Report),
+    Accuracy(Report<Accuracy>),
 }
 
 /// Runs the app until the person leaves; gives the exit code.
@@ -68,6 +71,9 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let mut app = App {
         form: worker(&send, Event::Form),
         comparison: worker(&send, Event::Comparison),
+        accuracy: Worker::of(measure, move |report| {
+            let _ = send.send(Event::Accuracy(report));
+        }),
         model,
         session,
         pacer: Pacer::default(),
@@ -121,6 +127,7 @@ struct App {
     session: Session,
     form: Worker,
     comparison: Worker,
+    accuracy: Worker,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
@@ -243,6 +250,7 @@ impl App {
             Event::Signal(signal) => return self.take_signal(signal),
             Event::Form(report) => Message::Form(report),
             Event::Comparison(report) => Message::Comparison(report),
+            Event::Accuracy(report) => Message::Accuracy(report),
         };
         self.tell(message)
     }
@@ -316,6 +324,8 @@ impl App {
                 Effect::Solve(ticket, scenario) => self.form.submit(ticket, scenario),
                 Effect::Stop(ticket) => self.form.cancel(ticket),
                 Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
+                Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
+                Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
                 Effect::Repaint => self.repaint(),
