@@ -69,6 +69,8 @@ pub enum Action {
     Mark,
     /// Sort by the chosen column.
     Sort,
+    /// Measure speed against error.
+    Measure,
     /// Yes to a question.
     Yes,
     /// No to it.

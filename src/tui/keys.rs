@@ -29,6 +29,8 @@ pub enum Context {
     Table,
     /// On its replays.
     Replays,
+    /// Among the points of speed against error.
+    Accuracy,
     /// While a value or a name is typed.
     Typing,
     /// In the list of presets to open.
@@ -52,6 +54,7 @@ impl Context {
             Self::Marks => "Compare: presets",
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
+            Self::Accuracy => "Accuracy",
             Self::Typing => "Typing",
             Self::Picker => "List of presets",
             Self::Question => "Question",
@@ -62,8 +65,8 @@ impl Context {
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{
-            Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay, Replays,
-            Table, Typing,
+            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
+            Replays, Table, Typing,
         };
         match self {
             Everywhere => &[Everywhere],
@@ -75,6 +78,7 @@ impl Context {
             Marks => &[Marks, Everywhere],
             Table => &[Table, Clock, Everywhere],
             Replays => &[Replays, Clock, Everywhere],
+            Accuracy => &[Accuracy, Everywhere],
             Typing => &[Typing],
             Picker => &[Picker],
             Question => &[Question],
@@ -185,8 +189,8 @@ const fn bind(
 }
 
 use Context::{
-    Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay, Replays, Table,
-    Typing,
+    Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
+    Replays, Table, Typing,
 };
 
 /// Every key. The footer takes its words in this order, as many as fit.
@@ -235,6 +239,13 @@ pub static BINDINGS: &[Binding] = &[
     bind(Replays, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "ten frames back"),
     bind(Replays, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "ten frames on"),
 
+    bind(Accuracy, &[LEFT, c('h')], Action::Step(Step::LESS), "point", "the next faster point"),
+    bind(Accuracy, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the next slower point"),
+    bind(Accuracy, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "front", "the next faster point of the front"),
+    bind(Accuracy, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "&", "the next slower point of the front"),
+    bind(Accuracy, &[ENTER], Action::Enter, "adopt", "give the scenario its integrator and step"),
+    bind(Accuracy, &[c('m')], Action::Measure, "measure", "measure every integrator again"),
+
     bind(Clock, &[c(' ')], Action::Play, "play", "play or pause"),
     bind(Clock, &[c('g')], Action::NextPeak, "peak", "to the time of the next peak"),
     bind(Clock, &[c('G')], Action::PreviousPeak, "", "to the time of the peak before"),
@@ -257,6 +268,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Everywhere, &[c('2')], Action::Show(Screen::Replay), "", "the replay in full size"),
     bind(Everywhere, &[c('3')], Action::Show(Screen::Forces), "", "the force profiles"),
     bind(Everywhere, &[c('4')], Action::Show(Screen::Compare), "", "compare presets"),
+    bind(Everywhere, &[c('5')], Action::Show(Screen::Accuracy), "", "speed against error"),
     bind(Everywhere, &[ESC], Action::Cancel, "", "cancel a long run"),
     bind(Everywhere, &[ctrl('l')], Action::Repaint, "", "draw everything afresh"),
     bind(Everywhere, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),

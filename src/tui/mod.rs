@@ -7,6 +7,7 @@
 //! Left out: an async runtime, which work that only computes does not need, and the mouse, which a
 //! dropped connection leaves switched on.
 
+pub mod accuracy;
 pub mod action;
 pub mod clock;
 pub mod comparison;

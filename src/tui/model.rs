@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use tui_input::Input;
 
+use super::accuracy::Measurement;
 use super::clock::Clock;
 use super::comparison::Comparison;
 use super::form::Form;
@@ -139,6 +140,8 @@ pub struct Model {
     pub curves: usize,
     /// The comparison.
     pub compare: Comparison,
+    /// Speed against error.
+    pub accuracy: Measurement,
     /// What can be opened.
     pub choices: Vec<Choice>,
     /// Said in the footer until the next key.
@@ -168,6 +171,7 @@ impl Model {
             clock: Clock::default(),
             curves: 0,
             compare: Comparison::default(),
+            accuracy: Measurement::default(),
             choices,
             notice: None,
             slow_link: false,

@@ -19,6 +19,8 @@ pub enum Screen {
     Forces,
     /// Several presets.
     Compare,
+    /// Speed against error.
+    Accuracy,
 }
 
 /// What there is to know of a screen.
@@ -68,6 +70,13 @@ pub static SCREENS: &[Listed] = &[
             ("table", Context::Table),
             ("replays", Context::Replays),
         ],
+    },
+    Listed {
+        screen: Screen::Accuracy,
+        key: '5',
+        title: "Accuracy",
+        draw: view::accuracy::draw,
+        panes: &[("points", Context::Accuracy)],
     },
 ];
 

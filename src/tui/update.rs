@@ -25,7 +25,10 @@ use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::quoted;
-use crate::study::Refusal;
+use crate::study::accuracy::Accuracy;
+use crate::study::{MeshError, Refusal};
+
+mod accuracy;
 
 /// Something that happened.
 pub enum Message {
@@ -39,6 +42,10 @@ pub enum Message {
     Form(Report),
     /// The worker of the comparison says something.
     Comparison(Report),
+    /// The worker that measures speed against error says something.
+    Accuracy(Report<Accuracy>),
+    /// The worker of the mesh error.
+    Mesh(Report<MeshError>),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
@@ -52,10 +59,16 @@ pub enum Effect {
     Solve(Ticket, Scenario),
     /// Stop that.
     Stop(Ticket),
+    /// Estimate the mesh error of the answer to this job.
+    EstimateMesh(Ticket, Scenario),
     /// Simulate for the comparison.
     Compare(Ticket, Scenario),
     /// Stop that.
     StopComparing(Ticket),
+    /// Measure speed against error.
+    Measure(Ticket, Scenario),
+    /// Stop that.
+    StopMeasuring(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -81,7 +94,16 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         Message::Tick(now) => tick(model, now),
         Message::Key(event) => key(model, event, &mut effects),
         Message::Paste(text) => paste(model, &text, &mut effects),
-        Message::Form(report) => hear(model, report),
+        Message::Form(report) => {
+            hear(model, report);
+            // The finer mesh is for the time when nothing else is wanted.
+            if let (Run::Settled, Some(shown)) = (&model.run, &model.shown)
+                && shown.answer.errors.mesh.is_none()
+            {
+                effects.push(Effect::EstimateMesh(shown.ticket, shown.scenario.clone()));
+            }
+        }
+        Message::Mesh(report) => hear_mesh(model, report),
         Message::Comparison(report) => {
             if let Report::Done(ticket, answer) = report {
                 let found = match *answer {
@@ -94,6 +116,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
                 model.compare.take(ticket, found);
             }
         }
+        Message::Accuracy(report) => accuracy::hear(model, report),
         Message::Saved(name, outcome) => saved(model, name, outcome),
         Message::Choices(choices) => model.choices = choices,
     }
@@ -101,6 +124,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         model.compare.replace(FORM, &model.work.scenario);
     }
     effects.extend(next_comparison(model));
+    effects.extend(accuracy::stop_if_unwanted(model));
     effects
 }
 
@@ -131,14 +155,20 @@ fn next_comparison(model: &mut Model) -> Option<Effect> {
     Some(Effect::Compare(ticket, scenario))
 }
 
+/// Adds a mesh error to the answer on show, if it is that answer's.
+fn hear_mesh(model: &mut Model, report: Report<MeshError>) {
+    let Report::Done(ticket, mesh) = report else {
+        return;
+    };
+    if let (Ok(mesh), Some(shown)) = (*mesh, model.shown.as_mut())
+        && shown.ticket == ticket
+    {
+        Arc::make_mut(&mut shown.answer).add(mesh);
+    }
+}
+
 /// What the worker of the form says. Late news of superseded jobs is dropped.
 fn hear(model: &mut Model, report: Report) {
-    if let Report::Mesh(ticket, mesh) = report {
-        if let Some(shown) = model.shown.as_mut().filter(|s| s.ticket == ticket) {
-            Arc::make_mut(&mut shown.answer).add(mesh);
-        }
-        return;
-    }
     let Run::Running(awaited, _) = model.run else {
         return;
     };
@@ -241,7 +271,11 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
                 _ => Some(Overlay::Help(0)),
             };
         }
-        Action::Show(screen) => model.screen = screen,
+        Action::Show(screen) => {
+            model.screen = screen;
+            effects.extend(accuracy::opened(model));
+        }
+        Action::Measure => effects.extend(accuracy::start(model)),
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
         Action::Undo | Action::Redo => travel(model, action == Action::Undo, effects),
@@ -249,7 +283,11 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Presets => open_picker(model),
         Action::Up | Action::Down => go(model, action == Action::Down),
         Action::Step(step) => step_here(model, step, effects),
+        Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
         Action::Enter => enter(model, effects),
+        Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
+            effects.extend(accuracy::stop(model));
+        }
         Action::Cancel => cancel(model, effects),
         Action::Advanced => model.form.fold(&model.work.scenario),
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
@@ -334,6 +372,7 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
             Row::Fold => model.form.fold(&model.work.scenario),
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
+        Context::Accuracy => model.accuracy.step(step),
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);

@@ -1,6 +1,6 @@
-//! The thread that simulates while the app stays awake.
+//! The threads that simulate while the app stays awake.
 //!
-//! It runs one job and holds at most one more; a newer job takes the place of the held one and
+//! Each runs one job and holds at most one more; a newer job takes the place of the held one and
 //! stops the running one. Each job has a ticket, by which a late answer is known.
 
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::recording::Keep;
 use crate::scenario::Scenario;
-use crate::study::{Answer, MeshError, MeshQuery, Refusal, solve};
+use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -25,14 +25,15 @@ pub type Ticket = u64;
 
 /// What a worker says.
 #[derive(Debug)]
-pub enum Report {
+pub enum Report<T = Answer> {
     /// This share of the job is done.
     Progress(Ticket, f64),
     /// The job is done, or was refused.
-    Done(Ticket, Box<Result<Answer, Refusal>>),
-    /// The mesh error of a job that was done, once there was time for it.
-    Mesh(Ticket, MeshError),
+    Done(Ticket, Box<Result<T, Refusal>>),
 }
+
+/// What a thread does with a scenario.
+type Job<T> = fn(&Scenario, Watch) -> Result<T, Refusal>;
 
 struct Slot {
     job: Option<(Ticket, Scenario)>,
@@ -50,9 +51,13 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it. With `mesh_errors`, each answer is followed by its
-    /// mesh error unless another job comes first.
-    pub fn start(mesh_errors: bool, say: impl Fn(Report) + Send + 'static) -> Self {
+    /// Starts a thread that simulates; `say` is called on it.
+    pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
+        Self::of(answer, say)
+    }
+
+    /// Starts a thread that does something else with scenarios.
+    pub fn of<T: 'static>(job: Job<T>, say: impl Fn(Report<T>) + Send + 'static) -> Self {
         let shared = Arc::new(Shared {
             slot: Mutex::new(Slot {
                 job: None,
@@ -62,7 +67,7 @@ impl Worker {
             wanted: AtomicU64::new(0),
         });
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, mesh_errors, &say));
+        thread::spawn(move || work(&own, job, &say));
         Self(shared)
     }
 
@@ -91,7 +96,7 @@ impl Drop for Worker {
     }
 }
 
-fn work(shared: &Shared, mesh_errors: bool, say: &impl Fn(Report)) {
+fn work<T>(shared: &Shared, job: Job<T>, say: &impl Fn(Report<T>)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
         let (ticket, scenario) = loop {
@@ -107,31 +112,19 @@ fn work(shared: &Shared, mesh_errors: bool, say: &impl Fn(Report)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        let (answered, query) = run(shared, ticket, &scenario, say);
-        say(answered);
-        // Until the next job comes there is time for the finer mesh.
-        let mesh = query.filter(|_| mesh_errors).and_then(|query| {
-            let idle = &mut |_| match shared.wanted.load(Ordering::Relaxed) > ticket {
-                true => ControlFlow::Break(()),
-                false => ControlFlow::Continue(()),
-            };
-            query.estimate(&scenario, idle).ok()
-        });
-        if let Some(mesh) = mesh {
-            say(Report::Mesh(ticket, mesh));
-        }
+        say(run(shared, ticket, &scenario, job, say));
     }
 }
 
-/// Solves; returns the report, and what its mesh error is to be asked with.
-fn run(
+fn run<T>(
     shared: &Shared,
     ticket: Ticket,
     scenario: &Scenario,
-    say: &impl Fn(Report),
-) -> (Report, Option<MeshQuery>) {
+    job: Job<T>,
+    say: &impl Fn(Report<T>),
+) -> Report<T> {
     let mut reported = Instant::now();
-    let answer = solve(scenario, keep(scenario), &mut |share| {
+    let outcome = job(scenario, &mut |share| {
         if shared.wanted.load(Ordering::Relaxed) > ticket {
             return ControlFlow::Break(());
         }
@@ -141,8 +134,17 @@ fn run(
         }
         ControlFlow::Continue(())
     });
-    let query = answer.as_ref().ok().map(MeshQuery::of);
-    (Report::Done(ticket, Box::new(answer)), query)
+    Report::Done(ticket, Box::new(outcome))
+}
+
+fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
+    solve(scenario, keep(scenario), watch)
+}
+
+/// The mesh error of a scenario's answer. It is solved again, which is little beside the finer mesh.
+pub fn mesh_error(scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
+    let answer = solve(scenario, Keep::default(), watch)?;
+    MeshQuery::of(&answer).estimate(scenario, watch)
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
@@ -164,7 +166,7 @@ mod tests {
 
     fn worker() -> (Worker, Receiver<Report>) {
         let (say, heard) = channel();
-        let worker = Worker::start(false, move |report| {
+        let worker = Worker::start(move |report| {
             let _ = say.send(report);
         });
         (worker, heard)
@@ -231,16 +233,18 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_is_followed_by_its_mesh_error_when_there_is_time() {
+    fn the_mesh_error_is_a_job_of_its_own() {
         let (say, heard) = channel();
-        let worker = Worker::start(true, move |report| {
+        let worker = Worker::of(mesh_error, move |report| {
             let _ = say.send(report);
         });
         worker.submit(1, Scenario::default());
-        assert!(done(&heard).1.is_ok());
-        let Report::Mesh(1, mesh) = heard.recv_timeout(PATIENCE).unwrap() else {
-            panic!("the mesh error comes next")
-        };
-        assert!(mesh.errors[0] > 20.0 && mesh.errors[0] < 40.0);
+        loop {
+            if let Report::Done(1, mesh) = heard.recv_timeout(PATIENCE).unwrap() {
+                let damage = mesh.unwrap().errors[0];
+                assert!((20.0..40.0).contains(&damage), "{damage}");
+                break;
+            }
+        }
     }
 }

@@ -18,12 +18,15 @@ use super::pacer::{Cause, Pacer};
 use super::paint::{BEGIN, END, Pen, QUESTION};
 use super::session::Session;
 use crate::scenario::library;
+use crate::study::MeshError;
+use crate::study::accuracy::Accuracy;
+use crate::tui::accuracy::measure;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
-use crate::tui::worker::{Report, Worker};
+use crate::tui::worker::{Report, Worker, mesh_error};
 
 /// How the app runs.
 pub struct Settings {
@@ -47,6 +50,8 @@ enum Event {
     Signal(i32),
     Form(Report),
     Comparison(Report),
+    Accuracy(Report<Accuracy>),
+    Mesh(Report<MeshError>),
 }
 
 /// Runs the app until the person leaves; gives the exit code.
@@ -68,8 +73,17 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let sender = send.clone();
     thread::spawn(move || read_keyboard(&sender));
     let mut app = App {
-        form: worker(&send, true, Event::Form),
-        comparison: worker(&send, false, Event::Comparison),
+        form: worker(&send, Event::Form),
+        comparison: worker(&send, Event::Comparison),
+        mesh: {
+            let send = send.clone();
+            Worker::of(mesh_error, move |report| {
+                let _ = send.send(Event::Mesh(report));
+            })
+        },
+        accuracy: Worker::of(measure, move |report| {
+            let _ = send.send(Event::Accuracy(report));
+        }),
         model,
         session,
         events,
@@ -87,9 +101,9 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     app.run()
 }
 
-fn worker(send: &Sender<Event>, mesh_errors: bool, wrap: fn(Report) -> Event) -> Worker {
+fn worker(send: &Sender<Event>, wrap: fn(Report) -> Event) -> Worker {
     let send = send.clone();
-    Worker::start(mesh_errors, move |report| {
+    Worker::start(move |report| {
         // Nobody listens once the app is leaving.
         let _ = send.send(wrap(report));
     })
@@ -125,6 +139,8 @@ struct App {
     events: Receiver<Event>,
     form: Worker,
     comparison: Worker,
+    mesh: Worker,
+    accuracy: Worker,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
@@ -248,6 +264,8 @@ impl App {
             Event::Signal(signal) => return self.take_signal(signal),
             Event::Form(report) => Message::Form(report),
             Event::Comparison(report) => Message::Comparison(report),
+            Event::Accuracy(report) => Message::Accuracy(report),
+            Event::Mesh(report) => Message::Mesh(report),
         };
         self.tell(message)
     }
@@ -341,10 +359,16 @@ impl App {
     fn perform(&mut self, effects: Vec<Effect>) -> io::Result<()> {
         for effect in effects {
             match effect {
-                Effect::Solve(ticket, scenario) => self.form.submit(ticket, scenario),
+                Effect::Solve(ticket, scenario) => {
+                    self.mesh.cancel(ticket);
+                    self.form.submit(ticket, scenario);
+                }
+                Effect::EstimateMesh(ticket, scenario) => self.mesh.submit(ticket, scenario),
                 Effect::Stop(ticket) => self.form.cancel(ticket),
                 Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
                 Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
+                Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
+                Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
                 Effect::Repaint => self.repaint(),

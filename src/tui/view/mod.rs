@@ -3,6 +3,7 @@
 //! One module a screen or a part of one. All of them draw with Unicode; where the terminal has
 //! only ASCII, the finished screen is rewritten once, at the end.
 
+pub mod accuracy;
 pub mod chart;
 pub mod compare;
 pub mod eye;
@@ -21,13 +22,16 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::model::Model;
-use super::screens::SCREENS;
+use super::screens::{Listed, SCREENS};
 use super::terminal::caps::Symbols;
 use text::put;
 use theme::Theme;
 
 /// The smallest screen that shows anything but a request for a larger one.
 pub const SMALLEST: (u16, u16) = (60, 20);
+
+/// What stands in the upper left corner.
+const PROGRAM: &str = "contrecoup ";
 
 /// Draws the whole screen.
 pub fn draw(model: &Model, buffer: &mut Buffer) {
@@ -66,17 +70,31 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let row = Rect::new(0, 0, area.width, 1);
     buffer.set_style(row, theme.bar());
-    let mut x = put(buffer, row, (1, 0), "contrecoup ", theme.bar_strong());
+    let name = model.title();
+    // Where room is short the program's name gives way, then the names of the other screens.
+    let label = |listed: &Listed, brief: bool| {
+        if brief && listed.screen != model.screen {
+            format!(" {} ", listed.key)
+        } else {
+            format!(" {} {} ", listed.key, listed.title)
+        }
+    };
+    let wide: u16 = SCREENS.iter().map(|l| text::width(&label(l, false))).sum();
+    let free = area.width.saturating_sub(wide + text::width(&name) + 3);
+    let named = free >= text::width(PROGRAM);
+    let brief = wide + text::width(&name) + 3 > area.width;
+    let mut x = 1;
+    if named {
+        x = put(buffer, row, (x, 0), PROGRAM, theme.bar_strong());
+    }
     for listed in SCREENS {
         let style = if listed.screen == model.screen {
             theme.bar_chosen()
         } else {
             theme.bar()
         };
-        let label = format!(" {} {} ", listed.key, listed.title);
-        x = put(buffer, row, (x, 0), &label, style);
+        x = put(buffer, row, (x, 0), &label(listed, brief), style);
     }
-    let name = model.title();
     let room = usize::from(area.width.saturating_sub(x + 2));
     let name = text::fitted(&name, room);
     let left = area.width.saturating_sub(text::width(&name) + 1);

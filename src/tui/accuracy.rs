@@ -1,0 +1,145 @@
+//! Speed against error as the app holds it: a measurement, how it is chosen from, and its job.
+//!
+//! It belongs to a scenario apart from the scenario's own integrator and step, which are what it is
+//! there to choose.
+
+use super::action::Step;
+use super::worker::Ticket;
+use crate::dynamics::Integrator;
+use crate::scenario::{IntegratorChoice, NumericsInput, Scenario};
+use crate::study::accuracy::{Accuracy, Point, measure as measure_levels};
+use crate::study::{Refusal, Watch};
+
+/// The finest mesh that the app compares levels with; finer ones take long.
+const FINEST: u32 = 2;
+/// Where the cursor begins: the cheapest point for this one of the targets, 1 %.
+const FIRST: usize = 1;
+
+/// What the worker does.
+///
+/// # Errors
+/// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
+pub fn measure(scenario: &Scenario, watch: Watch) -> Result<Accuracy, Refusal> {
+    measure_levels(&question(scenario), FINEST, watch)
+}
+
+/// What of a scenario matters to a measurement.
+pub fn question(scenario: &Scenario) -> Scenario {
+    Scenario {
+        name: String::new(),
+        numerics: NumericsInput::default(),
+        ..scenario.clone()
+    }
+}
+
+/// What is being measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// Its ticket.
+    pub ticket: Ticket,
+    /// What was asked.
+    pub question: Scenario,
+    /// How much of it is done.
+    pub share: f64,
+}
+
+/// A measurement that is done.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// What was asked.
+    pub question: Scenario,
+    /// What came of it.
+    pub report: Accuracy,
+    /// Indices of the points that can be drawn, from the fastest to the slowest.
+    pub order: Vec<usize>,
+}
+
+/// All that the screen knows.
+#[derive(Debug, Clone, Default)]
+pub struct Measurement {
+    /// The last one that was finished.
+    pub measured: Option<Measured>,
+    /// The one under way.
+    pub job: Option<Job>,
+    /// Why there is no newer one.
+    pub complaint: Option<String>,
+    /// Which point is named, counted in time.
+    pub cursor: usize,
+}
+
+impl Measurement {
+    /// Takes a report in and puts the cursor on a good choice.
+    pub fn take(&mut self, question: Scenario, report: Accuracy) {
+        let mut order: Vec<usize> = (0..report.points.len())
+            .filter(|&i| report.points[i].error().is_finite())
+            .collect();
+        order.sort_by(|&a, &b| {
+            let seconds = |i: usize| report.points[i].seconds;
+            seconds(a).total_cmp(&seconds(b))
+        });
+        let good = report.best[FIRST];
+        let found = order.iter().position(|i| Some(*i) == good);
+        self.cursor = found.unwrap_or(0);
+        self.complaint = None;
+        self.measured = Some(Measured {
+            question,
+            report,
+            order,
+        });
+    }
+
+    /// Whether what is on show was measured for another scenario.
+    pub fn is_stale(&self, scenario: &Scenario) -> bool {
+        let asked = question(scenario);
+        self.measured.as_ref().is_some_and(|m| m.question != asked)
+    }
+
+    /// The point under the cursor.
+    pub fn chosen(&self) -> Option<&Point> {
+        let measured = self.measured.as_ref()?;
+        let index = measured.order.get(self.cursor)?;
+        measured.report.points.get(*index)
+    }
+
+    /// Moves the cursor to the next point, or by a large step to the next one of the front.
+    pub fn step(&mut self, step: Step) {
+        let Some(measured) = &self.measured else {
+            return;
+        };
+        let fits = |at: &usize| {
+            let index = measured.order[*at];
+            !step.coarse || measured.report.points[index].on_front
+        };
+        let next = if step.up {
+            (self.cursor + 1..measured.order.len()).find(fits)
+        } else {
+            (0..self.cursor).rev().find(fits)
+        };
+        self.cursor = next.unwrap_or(self.cursor);
+    }
+}
+
+/// The choice in a scenario that stands for an integrator.
+fn choice(integrator: Integrator) -> IntegratorChoice {
+    match integrator {
+        Integrator::SemiImplicitEuler => IntegratorChoice::SemiImplicitEuler,
+        Integrator::VelocityVerlet => IntegratorChoice::VelocityVerlet,
+        Integrator::Srkn6b => IntegratorChoice::Srkn6b,
+        Integrator::Srkn11b => IntegratorChoice::Srkn11b,
+        Integrator::Rk4 => IntegratorChoice::Rk4,
+        Integrator::Dopri5 => IntegratorChoice::Dopri5,
+    }
+}
+
+/// The scenario solved as a point was. The step is rounded down to six digits.
+pub fn adopted(scenario: &Scenario, point: &Point) -> Scenario {
+    let step = point.plan.step * 1e6;
+    let power = 10f64.powi(5 - step.log10().floor() as i32);
+    Scenario {
+        numerics: NumericsInput {
+            integrator: choice(point.plan.integrator),
+            step_us: Some((step * power).floor() / power),
+        },
+        ..scenario.clone()
+    }
+}

@@ -1,0 +1,414 @@
+//! Speed against error: every integrator's points on two logarithmic axes, the front joined.
+//!
+//! A letter tells the integrator, a capital that nothing beats the point in both; so the picture is
+//! legible without colours.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Modifier, Style};
+
+use super::raster::{Ink, Raster};
+use super::text::{fitted, put, put_right, width, wrapped};
+use super::theme::Theme;
+use crate::dynamics::Integrator;
+use crate::report::text::{percent, significant};
+use crate::study::accuracy::{Point, TARGETS};
+use crate::tui::accuracy::Measured;
+use crate::tui::model::{Look, Model};
+
+/// Room for the numbers of the error axis.
+const LABELS: u16 = 7;
+/// The fewest rows and columns that a picture is drawn into.
+const LEAST: (u16, u16) = (20, 4);
+/// Errors below this, in %, are drawn there: they are rounding.
+const FLOOR: f64 = 1e-9;
+
+/// The letter of an integrator.
+fn letter(integrator: Integrator) -> char {
+    match integrator {
+        Integrator::SemiImplicitEuler => 'E',
+        Integrator::VelocityVerlet => 'A',
+        Integrator::Srkn6b => 'B',
+        Integrator::Srkn11b => 'N',
+        Integrator::Rk4 => 'R',
+        Integrator::Dopri5 => 'D',
+    }
+}
+
+fn style(theme: Theme, point: &Point) -> Style {
+    let place = Integrator::ALL
+        .iter()
+        .position(|i| *i == point.plan.integrator);
+    let own = if theme.is_mono() {
+        theme.text()
+    } else {
+        theme.curve(place.unwrap_or(0))
+    };
+    if point.on_front {
+        own.add_modifier(Modifier::BOLD)
+    } else {
+        own
+    }
+}
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let end = put(buffer, area, (1, 0), "Error against time", theme.heading());
+    let room = usize::from(area.width.saturating_sub(end + 3));
+    let (said, style) = status(model, theme);
+    put_right(
+        buffer,
+        area,
+        (area.width - 1, 0),
+        &fitted(&said, room),
+        style,
+    );
+    let Some(measured) = &model.accuracy.measured else {
+        let text = match (&model.accuracy.job, &model.accuracy.complaint) {
+            (Some(_), _) => "every integrator is being timed at several steps",
+            (None, Some(why)) => why,
+            (None, None) => "not measured yet",
+        };
+        let room = usize::from(area.width - 2);
+        for (row, line) in (2..).zip(wrapped(text, room)) {
+            put(buffer, area, (1, row), &line, theme.text());
+        }
+        return;
+    };
+    let room = area.width - 2;
+    let mut below = flowed(&legend(), room);
+    let notes = below.len();
+    if area.height >= 30 {
+        below.extend(flowed(&choices(measured), room));
+        below.extend(flowed(&levels(measured), room));
+    }
+    let details = below.len();
+    if let Some(point) = model.accuracy.chosen() {
+        below.extend(flowed(&named(model, point), room));
+    }
+    let top = area.height.saturating_sub(below.len() as u16);
+    for (i, line) in below.iter().enumerate() {
+        let style = match i {
+            _ if i < notes => theme.quiet(),
+            _ if i < details => theme.text(),
+            _ if i == details => theme.strong(),
+            _ => theme.text(),
+        };
+        put(buffer, area, (1, top + i as u16), line, style);
+    }
+    let plot = Rect::new(area.x, area.y + 1, area.width, top.saturating_sub(1));
+    if plot.height < LEAST.1 + 2 || plot.width < LEAST.0 + LABELS {
+        put(
+            buffer,
+            area,
+            (1, 1),
+            "too small for the chart",
+            theme.warning(),
+        );
+        return;
+    }
+    chart(measured, model.accuracy.cursor, model.look, plot, buffer);
+}
+
+fn status(model: &Model, theme: Theme) -> (String, Style) {
+    let stale = model.accuracy.is_stale(&model.work.scenario);
+    let folded = model
+        .accuracy
+        .measured
+        .as_ref()
+        .is_some_and(|m| m.report.folded);
+    if let Some(job) = &model.accuracy.job {
+        let text = format!("measuring {:.0} %  Esc stops", job.share * 100.0);
+        (text, theme.warning())
+    } else if stale {
+        let text = "of another scenario: m measures".to_owned();
+        (text, theme.warning())
+    } else if let Some(why) = &model.accuracy.complaint {
+        (format!("{why}: m measures"), theme.warning())
+    } else if folded {
+        ("the mesh folded".to_owned(), theme.warning())
+    } else {
+        ("median of seven runs".to_owned(), theme.quiet())
+    }
+}
+
+/// Parts in as few lines as fit, none of them broken.
+fn flowed(parts: &[String], room: u16) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if width(line) + 2 + width(part) <= room => {
+                line.push_str("  ");
+                line.push_str(part);
+            }
+            _ => lines.push(fitted(part, usize::from(room))),
+        }
+    }
+    lines
+}
+
+fn legend() -> Vec<String> {
+    let mut parts: Vec<String> = Integrator::ALL
+        .iter()
+        .map(|i| format!("{} {}", letter(*i), i.name()))
+        .collect();
+    parts.push("capitals: the front".to_owned());
+    parts
+}
+
+/// The cheapest point for each error.
+fn choices(measured: &Measured) -> Vec<String> {
+    let mut parts = vec!["cheapest".to_owned()];
+    for (target, best) in TARGETS.iter().zip(measured.report.best) {
+        let what = best
+            .and_then(|i| measured.report.points.get(i))
+            .map_or_else(
+                || "none".to_owned(),
+                |p| format!("{} {} ms", p.plan.integrator.name(), ms(p.seconds)),
+            );
+        parts.push(format!("within {target} %: {what}"));
+    }
+    parts
+}
+
+/// What the mesh adds.
+fn levels(measured: &Measured) -> Vec<String> {
+    let Some((finest, others)) = measured.report.levels.split_last() else {
+        return Vec::new();
+    };
+    let mut parts = vec![format!("mesh against level {}", finest.level)];
+    for level in others {
+        let error = percent(crate::study::headline(&level.errors));
+        parts.push(format!("level {}: {error}", level.level));
+    }
+    parts
+}
+
+fn ms(seconds: f64) -> String {
+    significant(seconds * 1e3)
+}
+
+/// All about the point under the cursor.
+fn named(model: &Model, point: &Point) -> Vec<String> {
+    let count = model
+        .accuracy
+        .measured
+        .as_ref()
+        .map_or(0, |m| m.order.len());
+    let mut parts = vec![
+        format!("▸ {} of {count}", model.accuracy.cursor + 1),
+        format!(
+            "{} {}",
+            letter(point.plan.integrator),
+            point.plan.integrator.name()
+        ),
+        format!("step {} µs", significant(point.step * 1e6)),
+    ];
+    if point.plan.integrator.adaptive() {
+        parts.push(format!("tolerance {:e}", point.plan.local_tolerance));
+    }
+    parts.push(format!("{} ms", ms(point.seconds)));
+    parts.push(format!("error {}", percent(point.error())));
+    parts.push(format!("damage error {}", percent(point.errors[0])));
+    let springs = point.spring_evaluations as f64 * 1e-6;
+    parts.push(format!("{} evaluations", point.evaluations));
+    parts.push(format!("{} M springs", significant(springs)));
+    let front = if point.on_front {
+        "on the front"
+    } else {
+        "beaten: not on the front"
+    };
+    parts.push(front.to_owned());
+    parts
+}
+
+/// A logarithmic axis between two values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Axis {
+    low: f64,
+    high: f64,
+}
+
+impl Axis {
+    /// Wide enough for all values; by whole decades where there are several, with a margin.
+    fn over(values: impl Iterator<Item = f64>) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in values.filter(|v| v.is_finite() && *v > 0.0) {
+            low = low.min(value.log10());
+            high = high.max(value.log10());
+        }
+        if low > high {
+            (low, high) = (0.0, 1.0);
+        }
+        let margin = (0.04 * (high - low)).max(0.05);
+        Self {
+            low: low - margin,
+            high: high + margin,
+        }
+    }
+
+    /// Where a value lies, from 0 to 1.
+    fn share(self, value: f64) -> f64 {
+        ((value.log10() - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
+    }
+
+    /// Values to be labelled, at most so many unless there is but one decade.
+    fn ticks(self, most: usize) -> Vec<f64> {
+        let (first, last) = (self.low.floor() as i32, self.high.ceil() as i32);
+        let within = |v: &f64| (self.low..=self.high).contains(&v.log10());
+        let fine: Vec<f64> = (first..=last)
+            .flat_map(|n| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(n)))
+            .filter(within)
+            .collect();
+        if fine.len() <= most {
+            return fine;
+        }
+        let mut apart = 1;
+        loop {
+            let ticks: Vec<f64> = (first..=last)
+                .filter(|n| n.rem_euclid(apart) == 0)
+                .map(|n| 10f64.powi(n))
+                .filter(within)
+                .collect();
+            if ticks.len() <= most.max(1) {
+                return ticks;
+            }
+            apart += 1;
+        }
+    }
+}
+
+/// A tick's number: it has one digit.
+fn tick_label(value: f64) -> String {
+    if (0.99e-3..1e5).contains(&value) {
+        let digits = (-value.log10() - 1e-9).ceil().max(0.0) as usize;
+        format!("{value:.digits$}")
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
+fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(look);
+    let left = LABELS + 1;
+    let field = Rect::new(
+        area.x + left,
+        area.y,
+        area.width - left - 1,
+        area.height - 2,
+    );
+    let points = &measured.report.points;
+    let shown: Vec<&Point> = measured.order.iter().map(|i| &points[*i]).collect();
+    let least = shown
+        .iter()
+        .map(|p| p.error())
+        .filter(|e| *e > FLOOR)
+        .fold(f64::INFINITY, f64::min);
+    let floor = if least.is_finite() { least } else { FLOOR };
+    let times = Axis::over(shown.iter().map(|p| p.seconds * 1e3));
+    let errors = Axis::over(shown.iter().map(|p| p.error().max(floor)));
+    axes(area, field, (times, errors), theme, buffer);
+    // In cells, so that lines run from mark to mark.
+    let cell = |p: &Point| {
+        let x = times.share(p.seconds * 1e3) * f64::from(field.width - 1);
+        let y = (1.0 - errors.share(p.error().max(floor))) * f64::from(field.height - 1);
+        (x.round(), y.round())
+    };
+    let mut raster = Raster::new(field, look.symbols);
+    let (columns, rows) = raster.size();
+    let grain = (
+        f64::from(columns) / f64::from(field.width),
+        f64::from(rows) / f64::from(field.height),
+    );
+    let front: Vec<(f64, f64)> = shown
+        .iter()
+        .filter(|p| p.on_front)
+        .map(|p| cell(p))
+        .map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1))
+        .collect();
+    let ink = Ink::solid(theme.cursor(), 0, '.');
+    for pair in front.windows(2) {
+        raster.line(pair[0], pair[1], ink);
+    }
+    raster.paint(buffer);
+    // The front hides what it beats, and the chosen point hides everything.
+    let mut marks: Vec<(usize, &Point)> = shown.iter().copied().enumerate().collect();
+    marks.sort_by_key(|(at, p)| (*at == cursor, p.on_front));
+    for (at, point) in marks {
+        let (x, y) = cell(point);
+        let letter = letter(point.plan.integrator);
+        let mark = if point.on_front {
+            letter
+        } else {
+            letter.to_ascii_lowercase()
+        };
+        let mut style = style(theme, point);
+        if at == cursor {
+            style = style.patch(theme.focus());
+        }
+        let place = &mut buffer[(field.x + x as u16, field.y + y as u16)];
+        place.reset();
+        place.set_char(mark).set_style(style);
+    }
+}
+
+fn axes(area: Rect, field: Rect, (times, errors): (Axis, Axis), theme: Theme, buffer: &mut Buffer) {
+    let bottom = field.height;
+    for y in 0..bottom {
+        put(buffer, area, (LABELS, y), "│", theme.line());
+    }
+    put(buffer, area, (LABELS, bottom), "└", theme.line());
+    for x in LABELS + 1..area.width - 1 {
+        put(buffer, area, (x, bottom), "─", theme.line());
+    }
+    for value in errors.ticks(usize::from(field.height / 2)) {
+        let y = ((1.0 - errors.share(value)) * f64::from(field.height - 1)).round() as u16;
+        let mut label = tick_label(value);
+        if y <= 1 && !label.contains('%') {
+            label.push_str(" %");
+        }
+        put_right(buffer, area, (LABELS, y), &label, theme.quiet());
+        put(buffer, area, (LABELS, y), "┤", theme.line());
+    }
+    let mut free = 0;
+    for value in times.ticks(usize::from(field.width / 8)) {
+        let x = LABELS + 1 + (times.share(value) * f64::from(field.width - 1)).round() as u16;
+        let label = tick_label(value);
+        let left = x.saturating_sub(width(&label) / 2);
+        put(buffer, area, (x, bottom), "┬", theme.line());
+        if left >= free && left + width(&label) + 3 <= area.width {
+            free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;
+        }
+    }
+    put_right(
+        buffer,
+        area,
+        (area.width - 1, bottom + 1),
+        "ms",
+        theme.quiet(),
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_powers_of_ten_where_there_are_many_and_have_short_names() {
+        let axis = Axis::over([1e-6, 30.0].into_iter());
+        assert_eq!(axis.ticks(4).len(), 4);
+        assert!(axis.ticks(4).iter().all(|t| (t.log10() % 1.0).abs() < 1e-9));
+        let narrow = Axis::over([1.1, 4.0].into_iter());
+        assert_eq!(narrow.ticks(5), [1.0, 2.0]);
+        let labels = [1e-6, 1e-3, 0.02, 0.1, 1.0, 50.0].map(tick_label);
+        assert_eq!(labels, ["1e-6", "0.001", "0.02", "0.1", "1", "50"]);
+    }
+
+    #[test]
+    fn an_axis_over_one_value_or_none_still_has_a_length() {
+        for axis in [Axis::over([3.0].into_iter()), Axis::over([0.0].into_iter())] {
+            assert!(axis.high > axis.low && axis.share(3.0).is_finite());
+        }
+    }
+}
