@@ -1,0 +1,102 @@
+//! Whether the stated step errors hold on 200 random scenes.
+//!
+//! The reference of each scene takes literally a hundred times as many steps as the answer, in every
+//! segment of the load. A sixth-order one with fewer steps is cheaper, but no substitute: its peaks
+//! are searched in longer steps, and so differ from the finer one's by more than many true errors.
+
+use contrecoup::study::coverage::{MOST_SCENES, check, coverage, misses};
+use contrecoup::study::{Quantity, Refusal};
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+const SEED: u32 = 1;
+
+fn unwatched(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+#[test]
+fn nineteen_of_twenty_claims_hold_and_are_no_more_than_ten_times_the_truth() {
+    // Without optimisation two hundred would take an hour.
+    let scenes = if cfg!(debug_assertions) { 4 } else { 200 };
+    let checked = check(scenes, SEED, &unwatched).unwrap();
+    let folded = checked.iter().filter(|c| c.folded).count();
+    assert!(2 * folded < checked.len(), "{folded} scenes fold");
+    for miss in misses(&checked) {
+        println!("{miss:?}");
+    }
+    for row in coverage(&checked) {
+        println!("{row:?}");
+    }
+    if cfg!(debug_assertions) {
+        // Too few to speak of percent.
+        return;
+    }
+    for row in &coverage(&checked)[..Quantity::HEADLINE] {
+        assert!(row.within >= 95.0, "{row:?}");
+        assert!(row.median_ratio <= 10.0, "{row:?}");
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let checked = pool.build().unwrap().install(|| check(3, 7, &unwatched));
+        let bits = |c: contrecoup::study::coverage::Checked| {
+            let numbers = [c.claimed, c.truth].concat();
+            let bits: Vec<u64> = numbers.into_iter().map(f64::to_bits).collect();
+            (c.index, bits, c.folded)
+        };
+        checked.unwrap().into_iter().map(bits).collect::<Vec<_>>()
+    };
+    assert_eq!(on(1), on(3));
+}
+
+#[test]
+fn the_watch_hears_of_every_scene_and_may_stop() {
+    let heard = Mutex::new(Vec::new());
+    check(2, SEED, &|share| {
+        heard.lock().unwrap().push(share);
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    let mut heard = heard.into_inner().unwrap();
+    heard.sort_by(f64::total_cmp);
+    assert_eq!(heard, [0.5, 1.0]);
+    let stopped = check(MOST_SCENES, SEED, &|_| ControlFlow::Break(()));
+    assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
+}
+
+#[test]
+fn the_command_prints_the_table_and_every_miss() {
+    let program = |arguments: &[&str]| {
+        let mut command = assert_cmd::Command::cargo_bin("contrecoup").unwrap();
+        command.arg("coverage").args(arguments).assert()
+    };
+    let scenes = ["--scenes", "2", "--seed", "5"];
+    let text = program(&scenes).success().stderr("").get_output().clone();
+    let text = String::from_utf8(text.stdout).unwrap();
+    let json = program(&[&scenes[..], &["--json"]].concat()).success();
+    let json: serde_json::Value = serde_json::from_slice(&json.get_output().stdout).unwrap();
+    let results = json["results"].as_array().unwrap();
+    assert_eq!(results.len(), Quantity::ALL.len());
+    for (row, quantity) in results.iter().zip(Quantity::ALL) {
+        assert_eq!(row["result"], quantity.key());
+        let within = row["within_percent"].as_f64().unwrap();
+        assert!((0.0..=100.0).contains(&within));
+        assert!(text.contains(quantity.label()));
+    }
+    let missed: u64 = results.iter().map(|r| r["misses"].as_u64().unwrap()).sum();
+    let misses = json["misses"].as_array().unwrap();
+    assert_eq!(missed, misses.len() as u64);
+    for miss in misses {
+        assert!(miss["scenario"]["impact"].is_object());
+    }
+    for line in text.lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+    for wrong in [["--scenes", "0"], ["--scenes", "65537"], ["--seed", "-1"]] {
+        program(&wrong).code(2).stdout("");
+    }
+}
