@@ -17,6 +17,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+#[path = "support/accuracy.rs"]
+mod accuracy;
+
 const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
 
 fn look(depth: Depth) -> Look {
@@ -114,9 +117,14 @@ fn picture(model: &Model, (width, height): (u16, u16)) -> String {
 
 /// Takes a picture at every size and in both numbers of colours.
 fn pictures(name: &str, sources: &[&str], keys: &str) {
+    pictures_after(name, sources, |model| press(model, keys));
+}
+
+/// The same after whatever `prepare` does.
+fn pictures_after(name: &str, sources: &[&str], prepare: impl Fn(&mut Model)) {
     for depth in [Depth::Mono, Depth::Sixteen] {
         let mut model = model(sources, depth);
-        press(&mut model, keys);
+        prepare(&mut model);
         for (width, height) in SIZES {
             let name = format!("{name}_{width}x{height}_{depth:?}").to_lowercase();
             insta::assert_snapshot!(name, picture(&model, (width, height)));
@@ -163,6 +171,32 @@ fn comparison_screens() {
     pictures("compare_replays", sources, "4\t");
 }
 
+/// Opens the screen and lets a made-up measurement end.
+fn open_measured(model: &mut Model) {
+    press(model, "5");
+    let ticket = model.accuracy.job.as_ref().unwrap().ticket;
+    let report = Report::Done(ticket, Box::new(Ok(accuracy::made_up())));
+    update(model, Message::Accuracy(report));
+}
+
+#[test]
+fn accuracy_screens() {
+    pictures_after("accuracy", &[], open_measured);
+    let wait = |model: &mut Model| {
+        press(model, "5");
+        let ticket = model.accuracy.job.as_ref().unwrap().ticket;
+        let report = Report::Progress(ticket, 0.43);
+        update(model, Message::Accuracy(report));
+    };
+    pictures_after("accuracy_measuring", &[], wait);
+    let edit = |model: &mut Model| {
+        open_measured(model);
+        press(model, "Ll");
+        model.work.scenario.window_ms = 2.0;
+    };
+    pictures_after("accuracy_stale", &[], edit);
+}
+
 #[test]
 fn overlays() {
     for (name, keys) in [
@@ -193,9 +227,12 @@ fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
 #[test]
 fn no_size_and_no_screen_makes_the_drawing_fail() {
     let mut model = model(&["paper-300n", "wide-area"], Depth::Sixteen);
+    open_measured(&mut model);
     for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
         model.look.symbols = symbols;
-        for keys in ["1", "2", "3", "v", "4", "\t", "\t", "1?", "?p", "\x1bs"] {
+        for keys in [
+            "1", "2", "3", "v", "4", "\t", "\t", "5", "1?", "?p", "\x1bs",
+        ] {
             press(&mut model, keys);
             for width in [1, 20, 59, 60, 61, 79, 100, 300] {
                 for height in [1, 5, 19, 20, 21, 50, 100] {

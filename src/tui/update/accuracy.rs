@@ -88,3 +88,125 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
     }
     model.notice = Some(notice);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::IntegratorChoice;
+    use crate::study::accuracy::measure;
+    use crate::study::unwatched;
+    use crate::tui::model::Look;
+    use crate::tui::open::prepare;
+    use crate::tui::terminal::caps::{Depth, Symbols};
+    use crate::tui::update::{Message, begin, update};
+    use crossterm::event::{KeyCode, KeyEvent};
+
+    fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
+        update(model, Message::Key(KeyEvent::from(code)))
+    }
+
+    fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
+        key(model, KeyCode::Char(letter))
+    }
+
+    fn model() -> Model {
+        let look = Look {
+            depth: Depth::Mono,
+            symbols: Symbols::Braille,
+        };
+        let mut model = prepare(&[], look).unwrap();
+        model.work.scenario.window_ms = 0.2;
+        begin(&mut model);
+        model
+    }
+
+    fn ticket_of(effects: &[Effect]) -> u64 {
+        match effects {
+            [Effect::Measure(ticket, _)] => *ticket,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// A model whose screen shows a measurement.
+    fn measured() -> Model {
+        let mut model = model();
+        let effects = letter(&mut model, '5');
+        let outcome = measure(&model.work.scenario, 1, &mut unwatched);
+        let report = Report::Done(ticket_of(&effects), Box::new(outcome));
+        update(&mut model, Message::Accuracy(report));
+        assert!(model.accuracy.job.is_none() && model.accuracy.chosen().is_some());
+        model
+    }
+
+    #[test]
+    fn the_cursor_goes_through_time_and_along_the_front() {
+        let mut model = measured();
+        for _ in 0..100 {
+            key(&mut model, KeyCode::Left);
+        }
+        let fastest = *model.accuracy.chosen().unwrap();
+        assert!(fastest.on_front && model.accuracy.cursor == 0);
+        key(&mut model, KeyCode::Right);
+        assert!(model.accuracy.chosen().unwrap().seconds >= fastest.seconds);
+        while {
+            let before = model.accuracy.cursor;
+            letter(&mut model, 'L');
+            model.accuracy.cursor > before
+        } {
+            assert!(model.accuracy.chosen().unwrap().on_front);
+        }
+    }
+
+    #[test]
+    fn a_point_is_adopted_and_that_can_be_undone() {
+        let mut model = measured();
+        let before = model.work.scenario.clone();
+        let plan = model.accuracy.chosen().unwrap().plan;
+        let effects = key(&mut model, KeyCode::Enter);
+        assert!(matches!(effects[..], [Effect::Solve(..)]));
+        let numerics = model.work.scenario.numerics.clone();
+        assert_ne!(numerics.integrator, IntegratorChoice::Auto);
+        let step = numerics.step_us.unwrap() * 1e-6;
+        assert!(step <= plan.step && step > plan.step * 0.9999);
+        assert!(!model.accuracy.is_stale(&model.work.scenario));
+        letter(&mut model, 'u');
+        assert_eq!(model.work.scenario, before);
+    }
+
+    #[test]
+    fn an_edit_makes_it_stale_and_only_a_key_measures_again() {
+        let mut model = measured();
+        assert!(letter(&mut model, '1').is_empty());
+        assert!(letter(&mut model, '5').is_empty(), "it is still right");
+        letter(&mut model, '1');
+        let effects = letter(&mut model, 'l');
+        assert!(matches!(effects[..], [Effect::Solve(..)]));
+        model.work.scenario.window_ms = 0.3;
+        assert!(model.accuracy.is_stale(&model.work.scenario));
+        model.screen = Screen::Accuracy;
+        let before = model.work.clone();
+        assert!(key(&mut model, KeyCode::Enter).is_empty());
+        assert!(model.work == before && model.notice.is_some());
+        ticket_of(&letter(&mut model, 'm'));
+        assert!(letter(&mut model, 'm').is_empty(), "one at a time");
+    }
+
+    #[test]
+    fn leaving_an_edit_and_escape_stop_it_and_late_news_is_dropped() {
+        for leave in ['1', '\u{1b}', 'u'] {
+            let mut model = model();
+            letter(&mut model, 'l');
+            let ticket = ticket_of(&letter(&mut model, '5'));
+            let code = if leave == '\u{1b}' {
+                KeyCode::Esc
+            } else {
+                KeyCode::Char(leave)
+            };
+            let effects = key(&mut model, code);
+            let stops = Effect::StopMeasuring(ticket);
+            assert!(effects.contains(&stops), "{leave}");
+            update(&mut model, Message::Accuracy(Report::Progress(ticket, 0.5)));
+            assert!(model.accuracy.job.is_none());
+        }
+    }
+}

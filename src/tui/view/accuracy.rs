@@ -54,7 +54,13 @@ fn style(theme: Theme, point: &Point) -> Style {
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let end = put(buffer, area, (1, 0), "Error against time", theme.heading());
+    let end = put(
+        buffer,
+        area,
+        (1, 0),
+        "Error in % against time",
+        theme.heading(),
+    );
     let room = usize::from(area.width.saturating_sub(end + 3));
     let (said, style) = status(model, theme);
     put_right(
@@ -231,7 +237,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// Wide enough for all values; by whole decades where there are several, with a margin.
+    /// Wide enough for all values, with a margin.
     fn over(values: impl Iterator<Item = f64>) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for value in values.filter(|v| v.is_finite() && *v > 0.0) {
@@ -364,10 +370,7 @@ fn axes(area: Rect, field: Rect, (times, errors): (Axis, Axis), theme: Theme, bu
     }
     for value in errors.ticks(usize::from(field.height / 2)) {
         let y = ((1.0 - errors.share(value)) * f64::from(field.height - 1)).round() as u16;
-        let mut label = tick_label(value);
-        if y <= 1 && !label.contains('%') {
-            label.push_str(" %");
-        }
+        let label = tick_label(value);
         put_right(buffer, area, (LABELS, y), &label, theme.quiet());
         put(buffer, area, (LABELS, y), "┤", theme.line());
     }
