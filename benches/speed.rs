@@ -134,6 +134,95 @@ fn standard_case() {
     println!("ratio {:.2}", theirs / ours);
 }
 
+/// Largest error in % of the four peak forces and the apex displacement of a plain run, as sampled
+/// at its steps, against the reference values.
+fn plain_error(case: &Case, edges: &mut Plain, step: f64, truth: &[f64; 5]) -> f64 {
+    let marks = &case.eye.landmarks;
+    let rest: Vec<f64> = marks
+        .apex
+        .iter()
+        .map(|&n| case.eye.nodes[n].position.x)
+        .collect();
+    let mut found = [0.0f64; 5];
+    edges.run(case.window, step, |p, _| {
+        for (i, &n) in marks.monitors.iter().enumerate() {
+            let drag = case.eye.nodes[n].drag;
+            let force = (p.fx[n] - drag * p.vx[n]).hypot(p.fy[n] - drag * p.vy[n]);
+            found[i] = found[i].max(force);
+        }
+        let apex = marks
+            .apex
+            .iter()
+            .zip(&rest)
+            .map(|(&n, x)| p.x[n] - x)
+            .sum::<f64>()
+            / 2.0;
+        found[4] = found[4].max(apex);
+    });
+    (0..5)
+        .map(|i| 100.0 * (found[i] / truth[i] - 1.0).abs())
+        .fold(0.0, f64::max)
+}
+
+/// The plain loop at the largest step that brings every result within 0.1 %.
+fn same_error() {
+    let quick = case(1, false, false);
+    let fine = Plan {
+        step: 0.05 * quick.step_limit(Integrator::Srkn11b),
+        integrator: Integrator::Srkn11b,
+        ..quick.plan(&Scenario::default()).expect("the default runs")
+    };
+    let reference = quick
+        .run(&fine, Keep::default(), &mut unwatched)
+        .expect("a stable step");
+    let extremes = reference.recording.extremes;
+    let force = extremes.force.map(|p| p.value);
+    let truth = [force[0], force[1], force[2], force[3], extremes.apex.value];
+    // The largest step from which on every shorter one will do: a single one may be lucky.
+    let limit = quick.step_limit(Integrator::VelocityVerlet);
+    let step = (0..20)
+        .map(|i| limit * 0.2 * 1.08f64.powi(i))
+        .take_while(|&step| plain_error(&quick, &mut plain(&quick), step, &truth) <= 0.1)
+        .last()
+        .expect("a fifth of the limit is within 0.1 %");
+    let auto = quick.plan(&Scenario::default()).expect("the default runs");
+    let mut edges = plain(&quick);
+    let longest = Plan {
+        step: 0.95 * quick.step_limit(Integrator::Srkn11b),
+        ..fine
+    };
+    let (mut ours, mut sixth, mut theirs) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..7 {
+        ours.push(seconds(|| {
+            black_box(quick.run(&auto, Keep::default(), &mut unwatched).is_ok());
+        }));
+        sixth.push(seconds(|| {
+            black_box(quick.run(&longest, Keep::default(), &mut unwatched).is_ok());
+        }));
+        // A fresh start each time: the plain loop goes on from where it stands.
+        edges = plain(&quick);
+        theirs.push(seconds(|| {
+            edges.run(quick.window, step, |p, _| {
+                black_box(&p.x);
+            });
+        }));
+    }
+    let (ours, sixth, plain_time) = (median(ours), median(sixth), median(theirs));
+    let what = format!(
+        "plain velocity Verlet within 0.1 %, step {:.3} us",
+        step * 1e6
+    );
+    println!("{what:<52}{:>9.3} ms", plain_time * 1e3);
+    println!(
+        "{:<52}{:>9.3} ms",
+        "srkn11b at 0.95 of its limit, recorded",
+        sixth * 1e3
+    );
+    println!("ratio to the automatic run {:.1}", plain_time / ours);
+    println!("ratio to srkn11b {:.1}", plain_time / sixth);
+    black_box(&edges.x);
+}
+
 fn batches() {
     const COUNT: u32 = 200;
     println!("\nBatches: {COUNT} head-on scenes, results only, no frames");
@@ -188,5 +277,6 @@ fn main() {
     println!("kernel: {}\n", kernel_name(false));
     evaluations();
     standard_case();
+    same_error();
     batches();
 }
