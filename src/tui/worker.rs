@@ -142,6 +142,9 @@ fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
 }
 
 /// The mesh error of a scenario's answer. It is solved again, which is little beside the finer mesh.
+///
+/// # Errors
+/// As for any run.
 pub fn mesh_error(scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
     let answer = solve(scenario, Keep::default(), watch)?;
     MeshQuery::of(&answer).estimate(scenario, watch)

@@ -84,7 +84,7 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
     change(model, work, "", effects);
     let mut notice = format!("adopted {name}, step {step} µs");
     if point.plan.integrator.adaptive() {
-        notice.push_str(&format!("; its tolerance stays {LOCAL_TOLERANCE:e}"));
+        notice = format!("{notice}; its tolerance stays {LOCAL_TOLERANCE:e}");
     }
     model.notice = Some(notice);
 }
