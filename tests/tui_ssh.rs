@@ -189,7 +189,11 @@ fn the_app_starts_answers_keys_and_leaves_through_ssh() {
     term.wait_for("Node force");
     term.resize(80, 24);
     // Without a shell there is nothing to stop for: the app stays.
-    term.keys("1\x1a");
+    term.keys("1");
+    term.wait_for("Damage");
+    term.keys("\x1a");
+    // Keys typed while the screen is handed over and taken back belong to whoever reads first.
+    std::thread::sleep(Duration::from_millis(700));
     term.keys("u");
     term.wait_for("26.42 %");
     term.keys("q");
