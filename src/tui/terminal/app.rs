@@ -159,7 +159,7 @@ impl App {
         self.perform(effects)?;
         loop {
             if let Some(code) = self.exit {
-                self.hear_out();
+                let _ = self.hear_out();
                 return Ok(code);
             }
             self.draw_if_due()?;
@@ -328,13 +328,14 @@ impl App {
     }
 
     /// Waits for the replies that are still under way: whoever reads the terminal next would take
-    /// them for typed text. What else comes meanwhile is not for the app any more.
-    fn hear_out(&mut self) {
+    /// them for typed text. Keys that come meanwhile are dropped; the news of workers is returned.
+    fn hear_out(&mut self) -> Vec<Event> {
+        let mut news = Vec::new();
         let until = Instant::now() + FAREWELL;
         while self.pacer.awaits() {
             let left = until.saturating_duration_since(Instant::now());
             let Ok(event) = self.events.recv_timeout(left) else {
-                return;
+                break;
             };
             match event {
                 Event::Bytes(bytes) => {
@@ -344,10 +345,11 @@ impl App {
                         }
                     }
                 }
-                Event::Hangup => return,
-                _ => {}
+                Event::Hangup => break,
+                other => news.push(other),
             }
         }
+        news
     }
 
     fn repaint(&mut self) {
@@ -394,11 +396,11 @@ impl App {
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
     /// and the app stays.
     fn suspend(&mut self) -> io::Result<()> {
-        self.hear_out();
+        let news = self.hear_out();
         self.session.leave();
         signal_hook::low_level::raise(SIGTSTP)?;
         self.session.resume()?;
         self.repaint();
-        Ok(())
+        news.into_iter().try_for_each(|event| self.take(event))
     }
 }
