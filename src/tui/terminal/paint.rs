@@ -150,6 +150,7 @@ fn colour(colour: Color, base: u8) -> String {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
     use ratatui::backend::{Backend, CrosstermBackend};
     use ratatui::layout::Rect;
     use ratatui::style::Style;
@@ -220,6 +221,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..ProptestConfig::default()
+        })]
         #[test]
         fn a_terminal_shows_the_same_as_with_the_stock_backend_for_fewer_bytes(first in screen(), second in screen()) {
             let blank = Buffer::empty(AREA);
