@@ -1,96 +1,14 @@
-//! The paper's retinal damage index.
+//! What the motion means: the paper's index, and published injury curves beside it.
 //!
-//! damage = 25 S / 1.5 + 25 M / 4 + 50 E / 5.3 in percent, with S the growth of the shell's length
-//! in %, M the growth of the vertical diameter in %, and E the energy imparted in J (paper,
-//! "Prediction of retinal damage"). It is an index, not a probability: above 100 it grades the
-//! extent. The paper gives no source for its weights and thresholds.
+//! The two are never mixed. The index has no source for its weights and is no probability; the
+//! curves are probabilities, each with its measure, source, species and data.
 
-use crate::recording::Extremes;
+mod curve;
+mod index;
+mod published;
+mod risk;
 
-/// One of the three parts of the index.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Term {
-    /// Share of the index at the threshold, in %.
-    pub weight: f64,
-    /// Value at which the part reaches its weight.
-    pub threshold: f64,
-}
-
-/// Growth of the shell's length, in %.
-pub const SHELL: Term = Term {
-    weight: 25.0,
-    threshold: 1.5,
-};
-/// Growth of the vertical diameter, in %.
-pub const MERIDIAN: Term = Term {
-    weight: 25.0,
-    threshold: 4.0,
-};
-/// Energy imparted, in J.
-pub const ENERGY: Term = Term {
-    weight: 50.0,
-    threshold: 5.3,
-};
-
-impl Term {
-    /// What `value` adds to the index, in %; nothing below 0.
-    pub fn points(self, value: f64) -> f64 {
-        // A comparison and not `max`, which would turn what is not a number into 0.
-        let value = if value < 0.0 { 0.0 } else { value };
-        self.weight * value / self.threshold
-    }
-}
-
-/// The damage index and its parts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DamageIndex {
-    /// S, in %.
-    pub shell_growth: f64,
-    /// M, in %.
-    pub meridian_growth: f64,
-    /// E, in J.
-    pub energy: f64,
-}
-
-impl DamageIndex {
-    /// The parts as a march left them.
-    pub fn of(extremes: &Extremes) -> Self {
-        Self {
-            shell_growth: 100.0 * extremes.shell_growth.value,
-            meridian_growth: 100.0 * extremes.meridian_growth.value,
-            energy: extremes.work,
-        }
-    }
-
-    /// The index, in %.
-    pub fn damage(&self) -> f64 {
-        SHELL.points(self.shell_growth)
-            + MERIDIAN.points(self.meridian_growth)
-            + ENERGY.points(self.energy)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_part_at_its_threshold_makes_one_hundred() {
-        let index = DamageIndex {
-            shell_growth: 1.5,
-            meridian_growth: 4.0,
-            energy: 5.3,
-        };
-        assert!((index.damage() - 100.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn shrinking_counts_as_nothing() {
-        let index = DamageIndex {
-            shell_growth: -1.0,
-            meridian_growth: -2.0,
-            energy: 0.53,
-        };
-        assert!((index.damage() - 5.0).abs() < 1e-12);
-    }
-}
+pub use curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing, normal_cdf};
+pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
+pub use published::CURVES;
+pub use risk::{Blow, Caution, ORBIT, Risk, assess, disagreement};

@@ -1,0 +1,286 @@
+//! An injury curve: the chance of an injury against one measure of the blow.
+//!
+//! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the slope
+//! in units of x50. The regressions publish x50 but not s, so s is assumed and carries a range,
+//! which is shown as a range of risk and drawn from by an ensemble.
+//! Normal, P = Phi((x - mean)/sd), where tests to failure publish both.
+//!
+//! Left out: confidence limits of the published points themselves, which no source at hand gives.
+
+use std::f64::consts::{FRAC_1_SQRT_2, LN_10};
+
+/// An injury that a curve speaks of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Injury {
+    /// Loss of the cornea's outermost layer.
+    CornealAbrasion,
+    /// The lens torn off its zonule.
+    LensDislocation,
+    /// Blood in the anterior chamber.
+    Hyphema,
+    /// The wall of the globe torn through.
+    GlobeRupture,
+    /// Any damage of the retina.
+    RetinalDamage,
+}
+
+impl Injury {
+    /// All of them, from the front of the eye to its back.
+    pub const ALL: [Self; 5] = [
+        Self::CornealAbrasion,
+        Self::LensDislocation,
+        Self::Hyphema,
+        Self::GlobeRupture,
+        Self::RetinalDamage,
+    ];
+
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CornealAbrasion => "corneal abrasion",
+            Self::LensDislocation => "lens dislocation",
+            Self::Hyphema => "hyphema",
+            Self::GlobeRupture => "globe rupture",
+            Self::RetinalDamage => "retinal damage",
+        }
+    }
+
+    /// Its name in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::CornealAbrasion => "corneal_abrasion",
+            Self::LensDislocation => "lens_dislocation",
+            Self::Hyphema => "hyphema",
+            Self::GlobeRupture => "globe_rupture",
+            Self::RetinalDamage => "retinal_damage",
+        }
+    }
+}
+
+/// What a curve runs against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Measure {
+    /// Kinetic energy over the object's projected area, J/m^2 (the literature's kg/s^2).
+    NormalizedEnergy,
+    /// Kinetic energy, J.
+    KineticEnergy,
+    /// Peak pressure in the vitreous, Pa.
+    Pressure,
+}
+
+impl Measure {
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NormalizedEnergy => "normalized energy",
+            Self::KineticEnergy => "kinetic energy",
+            Self::Pressure => "peak pressure",
+        }
+    }
+
+    /// Its name in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::NormalizedEnergy => "normalized_energy",
+            Self::KineticEnergy => "kinetic_energy",
+            Self::Pressure => "peak_pressure",
+        }
+    }
+
+    /// The unit that people read, and how many SI units it holds.
+    pub fn unit(self) -> (&'static str, f64) {
+        match self {
+            Self::NormalizedEnergy => ("kJ/m2", 1e3),
+            Self::KineticEnergy => ("J", 1.0),
+            Self::Pressure => ("MPa", 1e6),
+        }
+    }
+}
+
+/// The assumed slope of a logistic curve: at 4.6 the risk of nothing is 1 %.
+pub const ASSUMED_SLOPE: Slope = Slope {
+    least: 3.0,
+    usual: 4.6,
+    most: 7.0,
+};
+
+/// The slope of a logistic curve in units of 1/x50, with the range it may have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slope {
+    /// Flattest.
+    pub least: f64,
+    /// Taken for the figure shown.
+    pub usual: f64,
+    /// Steepest.
+    pub most: f64,
+}
+
+/// The law of a curve; values in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
+    /// Logistic through 50 % at `half`.
+    Logistic {
+        /// Where the risk is 50 %.
+        half: f64,
+        /// How steep.
+        slope: Slope,
+    },
+    /// Cumulative normal.
+    Normal {
+        /// Where the risk is 50 %.
+        mean: f64,
+        /// Standard deviation.
+        sd: f64,
+    },
+}
+
+/// How well founded a curve is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Standing {
+    /// Its points and its slope are published.
+    Published,
+    /// Its point of 50 % is published; its slope is assumed.
+    SlopeAssumed,
+    /// Derived here from two published points of risk.
+    Reconstructed,
+    /// Cited from memory: no source at hand confirms the figure.
+    Unverified,
+}
+
+impl Standing {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::SlopeAssumed => "slope assumed",
+            Self::Reconstructed => "reconstructed",
+            Self::Unverified => "unverified",
+        }
+    }
+}
+
+/// The range of its data, beyond which a curve extrapolates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Range {
+    /// Of the measure itself, SI.
+    Measure(f64, f64),
+    /// Of the object's speed, m/s: the source gives no other.
+    Speed(f64, f64),
+}
+
+/// One published curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curve {
+    /// Of what.
+    pub injury: Injury,
+    /// Against what.
+    pub measure: Measure,
+    /// Its law.
+    pub form: Form,
+    /// Authors, year, journal.
+    pub source: &'static str,
+    /// Whose eyes.
+    pub species: &'static str,
+    /// The data it rests on.
+    pub range: Range,
+    /// The range in words.
+    pub data: &'static str,
+    /// How well founded it is.
+    pub standing: Standing,
+    /// Anything a reader must know beside.
+    pub remark: &'static str,
+}
+
+impl Curve {
+    /// Risk at `value`, 0 to 1.
+    pub fn risk(&self, value: f64) -> f64 {
+        match self.form {
+            Form::Logistic { slope, .. } => self.risk_with(value, slope.usual),
+            Form::Normal { .. } => self.risk_with(value, 0.0),
+        }
+    }
+
+    /// Risk at `value` if the slope were `slope`, in units of 1/x50; a normal curve has its own.
+    pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
+        match self.form {
+            Form::Logistic { half, .. } => 1.0 / (1.0 + (-slope * (value / half - 1.0)).exp()),
+            Form::Normal { mean, sd } => normal_cdf((value - mean) / sd),
+        }
+    }
+
+    /// Least and greatest risk at `value` over the range of slopes.
+    pub fn band(&self, value: f64) -> (f64, f64) {
+        match self.form {
+            Form::Logistic { slope, .. } => {
+                let ends = [slope.least, slope.most].map(|s| self.risk_with(value, s));
+                (ends[0].min(ends[1]), ends[0].max(ends[1]))
+            }
+            Form::Normal { .. } => (self.risk(value), self.risk(value)),
+        }
+    }
+
+    /// Where the risk is 50 %, SI.
+    pub fn half(&self) -> f64 {
+        match self.form {
+            Form::Logistic { half, .. } => half,
+            Form::Normal { mean, .. } => mean,
+        }
+    }
+}
+
+/// Share of the standard normal distribution below `z`, to 1e-13 or better.
+///
+/// Series of the error function where it converges fast, continued fraction of its complement
+/// beyond (Abramowitz and Stegun, 7.1.6 and 7.1.14).
+pub fn normal_cdf(z: f64) -> f64 {
+    if z.is_nan() {
+        return z;
+    }
+    let x = z.abs() * FRAC_1_SQRT_2;
+    // Beyond this the tail is below the least number that f64 holds.
+    if x * x > 300.0 * LN_10 {
+        return if z > 0.0 { 1.0 } else { 0.0 };
+    }
+    let root_pi = std::f64::consts::PI.sqrt();
+    let tail = if x < 2.5 {
+        let mut term = x;
+        let mut sum = x;
+        let mut n = 0.0;
+        while term > 1e-17 * sum {
+            n += 1.0;
+            term *= 2.0 * x * x / (2.0 * n + 1.0);
+            sum += term;
+        }
+        0.5 - sum * (-x * x).exp() / root_pi
+    } else {
+        let fraction = (1..=80)
+            .rev()
+            .fold(x, |below, k| x + 0.5 * f64::from(k) / below);
+        0.5 * (-x * x).exp() / (root_pi * fraction)
+    };
+    if z > 0.0 { 1.0 - tail } else { tail }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_normal_distribution_has_its_known_values() {
+        for (z, wanted) in [
+            (0.0, 0.5),
+            (1.0, 0.841_344_746_068_542_9),
+            (-1.0, 0.158_655_253_931_457_05),
+            (1.96, 0.975_002_104_851_779_7),
+            (-3.0, 1.349_898_031_630_094_6e-3),
+            (-3.5, 2.326_290_790_355_250_4e-4),
+            (-3.6, 1.591_085_901_575_339_4e-4),
+            (-6.0, 9.865_876_450_376_98e-10),
+        ] {
+            let found = normal_cdf(z);
+            assert!((found / wanted - 1.0).abs() < 1e-11, "{z}: {found}");
+        }
+        assert_eq!((normal_cdf(50.0), normal_cdf(-50.0)), (1.0, 0.0));
+        assert!(normal_cdf(f64::NAN).is_nan());
+    }
+}

@@ -1,0 +1,168 @@
+//! The published curves that the program knows.
+//!
+//! Each is kept as its source gives it: its measure, its species, its data. None is averaged with
+//! another, and where two of one injury disagree, both are shown.
+//!
+//! Left out: strain and stress limits (a plane model of springs has no stress through the wall),
+//! and force limits of synthetic eyes, which are not forces on a human one.
+
+use super::curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing};
+
+const DUMA: &str = "Duma 2005, J Trauma 59:960";
+const PROJECTILES: &str = "BBs, metal rods and foam at 2 to 122 m/s";
+
+const fn logistic(half: f64) -> Form {
+    Form::Logistic {
+        half,
+        slope: ASSUMED_SLOPE,
+    }
+}
+
+/// A curve against normalized energy by Duma and others, who pooled published tests.
+const fn pooled(injury: Injury, half: f64, remark: &'static str) -> Curve {
+    Curve {
+        injury,
+        measure: Measure::NormalizedEnergy,
+        form: logistic(half),
+        source: DUMA,
+        species: "pooled tests, species not told apart",
+        range: Range::Speed(2.0, 122.0),
+        data: PROJECTILES,
+        standing: Standing::SlopeAssumed,
+        remark,
+    }
+}
+
+/// Two points of risk of the water-stream tests (3,156 and 7,006 mmHg) fix a logistic curve.
+const fn water_stream(injury: Injury, half: f64, slope: f64, remark: &'static str) -> Curve {
+    Curve {
+        injury,
+        measure: Measure::Pressure,
+        form: Form::Logistic {
+            half,
+            // The lower risks are rounded; +-15 % of the slope covers that.
+            slope: Slope {
+                least: 0.85 * slope,
+                usual: slope,
+                most: 1.15 * slope,
+            },
+        },
+        source: "water streams on human eyes, Virginia Tech",
+        species: "human",
+        range: Range::Measure(0.4208e6, 0.9341e6),
+        data: "pressures of 0.42 to 0.93 MPa, risks up to 28 %",
+        standing: Standing::Reconstructed,
+        remark,
+    }
+}
+
+/// Every curve, by injury and measure.
+pub static CURVES: &[Curve] = &[
+    pooled(Injury::CornealAbrasion, 1_503.0, ""),
+    Curve {
+        injury: Injury::CornealAbrasion,
+        measure: Measure::KineticEnergy,
+        form: logistic(0.183),
+        source: "Duma and Crandall 2000, J Trauma 48:786",
+        species: "pig",
+        range: Range::Measure(0.0, 0.366),
+        data: "foam of airbag covers; range not at hand, taken up to twice the 50 % point",
+        standing: Standing::SlopeAssumed,
+        remark: "measured with light foam",
+    },
+    pooled(Injury::LensDislocation, 19_194.0, ""),
+    pooled(Injury::Hyphema, 20_188.0, ""),
+    water_stream(
+        Injury::Hyphema,
+        1.163e6,
+        4.82,
+        "4.4 % at 0.42 MPa, 27.8 % at 0.93 MPa",
+    ),
+    pooled(Injury::GlobeRupture, 23_771.0, ""),
+    Curve {
+        source: "Kennedy 2006, Stapp Car Crash J 50",
+        species: "human",
+        standing: Standing::Unverified,
+        data: "human eyes; range not at hand",
+        ..pooled(
+            Injury::GlobeRupture,
+            35_519.0,
+            "figure from memory, not confirmed",
+        )
+    },
+    Curve {
+        injury: Injury::GlobeRupture,
+        measure: Measure::Pressure,
+        form: Form::Normal {
+            mean: 0.93e6,
+            sd: 0.29e6,
+        },
+        source: "Kennedy (PMC3217427); Bisplinghoff 2009, Arch Ophthalmol 127:520",
+        species: "human",
+        range: Range::Measure(0.35e6, 1.51e6),
+        data: "40 eyes burst from inside; mean +- 2 standard deviations",
+        standing: Standing::Published,
+        remark: "between the two means, 0.91 and 0.97 MPa, and the 50 % point, 0.90",
+    },
+    pooled(
+        Injury::RetinalDamage,
+        30_351.0,
+        "little data: above the point for rupture",
+    ),
+    water_stream(
+        Injury::RetinalDamage,
+        1.425e6,
+        9.80,
+        "0.1 % at 0.42 MPa, 3.3 % at 0.93 MPa",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(injury: Injury, measure: Measure) -> &'static Curve {
+        CURVES
+            .iter()
+            .find(|c| c.injury == injury && c.measure == measure)
+            .unwrap()
+    }
+
+    #[test]
+    fn every_curve_gives_one_half_at_its_published_point_and_rises() {
+        for curve in CURVES {
+            assert!((curve.risk(curve.half()) - 0.5).abs() < 1e-12);
+            let mut before = curve.risk(0.0);
+            for i in 1..=20 {
+                let risk = curve.risk(curve.half() * f64::from(i) * 0.1);
+                assert!(risk > before && risk <= 1.0);
+                before = risk;
+            }
+        }
+    }
+
+    #[test]
+    fn pressure_curves_pass_through_the_risks_that_were_published() {
+        for (injury, pressure, risk) in [
+            (Injury::Hyphema, 0.4208e6, 0.044),
+            (Injury::Hyphema, 0.9341e6, 0.278),
+            (Injury::RetinalDamage, 0.4208e6, 0.001),
+            (Injury::RetinalDamage, 0.9341e6, 0.033),
+        ] {
+            let found = curve(injury, Measure::Pressure).risk(pressure);
+            assert!((found / risk - 1.0).abs() < 0.05, "{injury:?}: {found}");
+        }
+        let rupture = curve(Injury::GlobeRupture, Measure::Pressure);
+        assert!((rupture.risk(1.22e6) - 0.841_34).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_slope_that_is_assumed_shows_as_a_band_around_the_risk() {
+        let lens = curve(Injury::LensDislocation, Measure::NormalizedEnergy);
+        assert!((lens.risk(0.0) - 0.01).abs() < 1e-3);
+        for value in [5e3, 3e4] {
+            let (low, high) = lens.band(value);
+            assert!(low < lens.risk(value) && lens.risk(value) < high);
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! What the published curves say of one blow.
+//!
+//! Normalized energy is the kinetic energy over the object's projected area, m v^2 / 2 / (pi d^2 / 4):
+//! it needs no simulation, and means something only while the object can enter the orbit. Peak
+//! pressure comes from the simulation. Where the two disagree, the reader sees both.
+
+use super::curve::{Curve, Injury, Measure, Range};
+use super::published::CURVES;
+use std::f64::consts::FRAC_PI_4;
+
+/// Width and height of the orbit's opening, in m (anatomy texts: 40 mm and 35 mm).
+pub const ORBIT: (f64, f64) = (0.040, 0.035);
+/// Diameter of the eye across, in m.
+const EYE: f64 = 0.0242;
+/// Two risks of one injury that differ by more than this disagree.
+const DISAGREEMENT: f64 = 0.25;
+
+/// An object on its way to the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blow {
+    /// kg.
+    pub mass: f64,
+    /// m.
+    pub diameter: f64,
+    /// m/s.
+    pub speed: f64,
+}
+
+impl Blow {
+    /// J.
+    pub fn kinetic_energy(&self) -> f64 {
+        0.5 * self.mass * self.speed * self.speed
+    }
+
+    /// J/m^2, over the object's own projected area as the curves define it.
+    pub fn normalized_energy(&self) -> f64 {
+        self.kinetic_energy() / (FRAC_PI_4 * self.diameter * self.diameter)
+    }
+
+    /// J/m^2, over no more than the opening of the orbit.
+    pub fn normalized_energy_in_the_orbit(&self) -> f64 {
+        let area = (self.diameter * self.diameter).min(ORBIT.0 * ORBIT.1);
+        self.kinetic_energy() / (FRAC_PI_4 * area)
+    }
+
+    /// What speaks against normalized energy for this object.
+    pub fn caution(&self) -> Option<Caution> {
+        if self.diameter > ORBIT.0 {
+            Some(Caution::LargerThanOrbit)
+        } else if self.diameter > EYE {
+            Some(Caution::LargerThanEye)
+        } else {
+            None
+        }
+    }
+}
+
+/// Why a measure should be doubted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Caution {
+    /// The object's area is not what meets the eye: the measure is invalid.
+    LargerThanOrbit,
+    /// The object is larger than the eye: beyond the objects that the curves were made with.
+    LargerThanEye,
+}
+
+impl Caution {
+    /// Its name in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::LargerThanOrbit => "invalid_larger_than_orbit",
+            Self::LargerThanEye => "larger_than_eye",
+        }
+    }
+
+    /// In words.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::LargerThanOrbit => {
+                "the object is larger than the orbit, so normalized energy is not valid"
+            }
+            Self::LargerThanEye => {
+                "the object is larger than the eye, beyond the data of normalized energy"
+            }
+        }
+    }
+}
+
+/// What one curve says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Risk {
+    /// The curve.
+    pub curve: &'static Curve,
+    /// The measure's value, SI.
+    pub value: f64,
+    /// 0 to 1.
+    pub risk: f64,
+    /// Least and greatest over the range of the slope.
+    pub band: (f64, f64),
+    /// Whether the blow lies outside the curve's data.
+    pub extrapolated: bool,
+    /// Whether the measure itself is doubtful here.
+    pub caution: Option<Caution>,
+}
+
+/// What every curve that applies says of a blow and of the peak pressure, in Pa, that it made.
+pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
+    let one = |curve: &'static Curve| {
+        let value = match curve.measure {
+            Measure::NormalizedEnergy => blow?.normalized_energy(),
+            Measure::KineticEnergy => blow?.kinetic_energy(),
+            Measure::Pressure => pressure?,
+        };
+        let (inside, caution) = match curve.measure {
+            Measure::Pressure => (value, None),
+            _ => (value, blow?.caution()),
+        };
+        let extrapolated = match curve.range {
+            Range::Measure(low, high) => !(low..=high).contains(&inside),
+            Range::Speed(low, high) => !(low..=high).contains(&blow?.speed),
+        };
+        Some(Risk {
+            curve,
+            value,
+            risk: curve.risk(value),
+            band: curve.band(value),
+            extrapolated,
+            caution,
+        })
+    };
+    CURVES.iter().filter_map(one).collect()
+}
+
+/// Least and greatest risk of one injury where its curves differ so much that a reader must know.
+pub fn disagreement(risks: &[Risk], injury: Injury) -> Option<(f64, f64)> {
+    let of = risks.iter().filter(|r| r.curve.injury == injury);
+    let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| {
+        (low.min(r.risk), high.max(r.risk))
+    });
+    (high - low > DISAGREEMENT).then_some((low, high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BB: Blow = Blow {
+        mass: 0.345e-3,
+        diameter: 4.5e-3,
+        speed: 56.0,
+    };
+
+    #[test]
+    fn a_bb_has_its_known_normalized_energy() {
+        assert!((BB.kinetic_energy() - 0.541).abs() < 1e-3);
+        assert!((BB.normalized_energy() / 34.0e3 - 1.0).abs() < 1e-2);
+    }
+
+    #[test]
+    fn without_an_object_only_pressure_speaks_and_without_either_nothing() {
+        assert!(assess(None, None).is_empty());
+        let risks = assess(None, Some(1e6));
+        assert!(!risks.is_empty());
+        assert!(risks.iter().all(|r| r.curve.measure == Measure::Pressure));
+    }
+
+    #[test]
+    fn beyond_its_data_a_curve_says_so() {
+        let slow = Blow { speed: 1.0, ..BB };
+        let fast = Blow { speed: 123.0, ..BB };
+        let extrapolated = |blow| {
+            assess(Some(blow), None)
+                .into_iter()
+                .filter(|r| r.curve.measure == Measure::NormalizedEnergy)
+                .all(|r| r.extrapolated)
+        };
+        assert!(extrapolated(slow) && extrapolated(fast) && !extrapolated(BB));
+        let burst = |p| {
+            assess(None, Some(p))
+                .into_iter()
+                .find(|r| r.curve.injury == Injury::GlobeRupture)
+                .unwrap()
+        };
+        assert!(burst(0.2e6).extrapolated && !burst(0.9e6).extrapolated);
+        assert!(burst(2e6).extrapolated);
+    }
+
+    #[test]
+    fn an_object_that_cannot_enter_the_orbit_makes_normalized_energy_invalid() {
+        let ball = Blow {
+            mass: 0.43,
+            diameter: 0.22,
+            speed: 18.0,
+        };
+        for risk in assess(Some(ball), Some(1e6)) {
+            let pressure = risk.curve.measure == Measure::Pressure;
+            assert_eq!(
+                risk.caution,
+                (!pressure).then_some(Caution::LargerThanOrbit)
+            );
+        }
+        assert!(ball.normalized_energy_in_the_orbit() > 30.0 * ball.normalized_energy());
+        let golf = Blow {
+            diameter: 0.0427,
+            ..ball
+        };
+        assert_eq!(golf.caution(), Some(Caution::LargerThanOrbit));
+        let squash = Blow {
+            diameter: 0.0398,
+            ..ball
+        };
+        assert_eq!(squash.caution(), Some(Caution::LargerThanEye));
+        assert_eq!(BB.caution(), None);
+    }
+
+    #[test]
+    fn measures_that_disagree_are_found_and_not_averaged() {
+        let risks = assess(Some(BB), Some(0.3e6));
+        let (low, high) = disagreement(&risks, Injury::GlobeRupture).unwrap();
+        assert!(low < 0.05 && high > 0.8);
+        assert_eq!(disagreement(&risks, Injury::LensDislocation), None);
+    }
+}
