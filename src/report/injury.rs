@@ -1,0 +1,176 @@
+//! What the published injury curves say, in text and as JSON.
+
+use crate::injury::{Caution, Injury, Risk, disagreement};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+use super::text::significant;
+
+/// A share as whole percent, or finer where it is small.
+fn share(risk: f64) -> String {
+    let percent = 100.0 * risk;
+    if percent < 0.1 {
+        "< 0.1 %".to_owned()
+    } else if percent < 9.95 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{percent:.0} %")
+    }
+}
+
+/// Prints the risks by injury, the sources, and where measures disagree; nothing if there are none.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
+    if risks.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nPublished injury curves, beside the index and not part of it:")?;
+    let mut sources: Vec<&'static str> = Vec::new();
+    for injury in Injury::ALL {
+        let mut name = injury.name();
+        for risk in risks.iter().filter(|r| r.curve.injury == injury) {
+            let known = sources.iter().position(|s| *s == risk.curve.source);
+            let number = known.unwrap_or_else(|| {
+                sources.push(risk.curve.source);
+                sources.len() - 1
+            });
+            let (unit, scale) = risk.curve.measure.unit();
+            let band = if risk.band.1 - risk.band.0 < 5e-4 {
+                String::new()
+            } else {
+                format!("{:.0}-{:.0} %", 100.0 * risk.band.0, 100.0 * risk.band.1)
+            };
+            let mut marks = vec![risk.curve.standing.name()];
+            if risk.extrapolated {
+                marks.push("extrapolated");
+            }
+            if risk.caution == Some(Caution::LargerThanOrbit) {
+                marks.push("INVALID");
+            }
+            writeln!(
+                out,
+                "  {name:<17}{:>7}{band:>11}  {} {} {unit} [{}] {}",
+                share(risk.risk),
+                risk.curve.measure.name(),
+                significant(risk.value / scale),
+                number + 1,
+                marks.join(", "),
+            )?;
+            name = "";
+        }
+        if let Some((low, high)) = disagreement(risks, injury) {
+            writeln!(
+                out,
+                "  {:<17}the measures disagree: {} to {}",
+                "",
+                share(low),
+                share(high)
+            )?;
+        }
+    }
+    for (i, source) in sources.iter().enumerate() {
+        writeln!(out, "  [{}] {source}", i + 1)?;
+        for risk in risks.iter().filter(|r| r.curve.source == *source) {
+            if !risk.curve.remark.is_empty() {
+                writeln!(out, "      {}: {}", risk.curve.injury.name(), risk.curve.remark)?;
+            }
+        }
+        if let Some(risk) = risks.iter().find(|r| r.curve.source == *source) {
+            writeln!(out, "      {}; {}", risk.curve.species, risk.curve.data)?;
+        }
+    }
+    let mut cautions: Vec<Caution> = risks.iter().filter_map(|r| r.caution).collect();
+    cautions.dedup();
+    for caution in cautions {
+        writeln!(out, "WARNING {}: {}", caution.key(), caution.text())?;
+    }
+    Ok(())
+}
+
+/// The same as JSON: one object a curve.
+pub fn json(risks: &[Risk]) -> Value {
+    let one = |risk: &Risk| {
+        let (unit, scale) = risk.curve.measure.unit();
+        json!({
+            "injury": risk.curve.injury.key(),
+            "measure": risk.curve.measure.key(),
+            "value": risk.value / scale,
+            "unit": unit,
+            "risk_percent": 100.0 * risk.risk,
+            "risk_band_percent": [100.0 * risk.band.0, 100.0 * risk.band.1],
+            "half_at": risk.curve.half() / scale,
+            "standing": risk.curve.standing.name(),
+            "source": risk.curve.source,
+            "species": risk.curve.species,
+            "data": risk.curve.data,
+            "remark": risk.curve.remark,
+            "extrapolated": risk.extrapolated,
+            "caution": risk.caution.map(Caution::key),
+        })
+    };
+    let split: Vec<Value> = Injury::ALL
+        .into_iter()
+        .filter_map(|injury| {
+            let (low, high) = disagreement(risks, injury)?;
+            Some(json!({
+                "injury": injury.key(),
+                "risk_percent": [100.0 * low, 100.0 * high],
+            }))
+        })
+        .collect();
+    json!({ "curves": risks.iter().map(one).collect::<Vec<_>>(), "disagreements": split })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::injury::{Blow, assess};
+
+    fn printed(blow: Option<Blow>, pressure: Option<f64>) -> String {
+        let mut out = Vec::new();
+        text(&assess(blow, pressure), &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn each_curve_is_printed_with_its_value_its_standing_and_its_source() {
+        let bb = Blow {
+            mass: 0.345e-3,
+            diameter: 4.5e-3,
+            speed: 56.0,
+        };
+        let page = printed(Some(bb), Some(0.3e6));
+        for words in [
+            "globe rupture",
+            "slope assumed",
+            "unverified",
+            "normalized energy 34.01 kJ/m2",
+            "peak pressure 0.3000 MPa",
+            "the measures disagree",
+            "Duma 2005",
+            "extrapolated",
+        ] {
+            assert!(page.contains(words), "{words} in\n{page}");
+        }
+        assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+    }
+
+    #[test]
+    fn an_object_larger_than_the_orbit_brings_a_warning() {
+        let ball = Blow {
+            mass: 0.43,
+            diameter: 0.22,
+            speed: 18.0,
+        };
+        let page = printed(Some(ball), None);
+        assert!(page.contains("INVALID") && page.contains("WARNING"));
+        assert_eq!(page.matches("WARNING").count(), 1);
+    }
+
+    #[test]
+    fn a_scene_without_object_or_pressure_says_nothing() {
+        assert!(printed(None, None).is_empty());
+    }
+}
