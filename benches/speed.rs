@@ -229,7 +229,9 @@ fn batches() {
     let scenarios: Vec<Scenario> = (0..COUNT)
         .map(|i| {
             let mut scenario = Scenario::default();
-            let Impact::ForcePulse(pulse) = &mut scenario.impact;
+            let Impact::ForcePulse(pulse) = &mut scenario.impact else {
+                panic!()
+            };
             pulse.force_n = 100.0 + 2.0 * f64::from(i);
             scenario
         })

@@ -165,7 +165,9 @@ mod tests {
             "--set=name=a = b",
         ])
         .unwrap();
-        let Impact::ForcePulse(pulse) = &changed.impact;
+        let Impact::ForcePulse(pulse) = &changed.impact else {
+            panic!()
+        };
         assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
         assert_eq!(
             changed.numerics.integrator,

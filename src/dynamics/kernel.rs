@@ -336,7 +336,9 @@ mod tests {
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {
         let mut scenario = Scenario::default();
         scenario.eye.level = eye_level;
-        let Impact::ForcePulse(pulse) = &scenario.impact;
+        let Impact::ForcePulse(pulse) = &scenario.impact else {
+            panic!()
+        };
         let eye = Eye::build(&scenario.eye);
         let load = ArcLoad::new(pulse, &eye);
         let mut system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
@@ -378,7 +380,9 @@ mod tests {
     fn without_filaments_the_load_does_not_pile_up() {
         let mut scenario = Scenario::default();
         scenario.eye.filament_factor = 0.0;
-        let Impact::ForcePulse(pulse) = &scenario.impact;
+        let Impact::ForcePulse(pulse) = &scenario.impact else {
+            panic!()
+        };
         let eye = Eye::build(&scenario.eye);
         let load = ArcLoad::new(pulse, &eye);
         let system = System::new(&eye, Pulse::new(pulse), &load, true, false);

@@ -26,6 +26,8 @@ pub enum Piece {
     Arch,
     /// After the pulse.
     Nothing,
+    /// No pulse at all: what acts is not known beforehand.
+    Free,
 }
 
 /// A stretch of time with a smooth load.
@@ -57,6 +59,15 @@ impl Pulse {
         }
     }
 
+    /// No force at any time, where something else acts.
+    pub fn none() -> Self {
+        Self {
+            peak: 0.0,
+            duration: 0.0,
+            shape: PulseShape::HalfSine,
+        }
+    }
+
     /// Peak force, in N.
     pub fn peak(&self) -> f64 {
         self.peak
@@ -76,6 +87,13 @@ impl Pulse {
 
     /// Smooth stretches from 0 to `window` seconds, in order.
     pub fn segments(&self, window: f64) -> Vec<Segment> {
+        if self.duration == 0.0 {
+            return vec![Segment {
+                start: 0.0,
+                end: window,
+                piece: Piece::Free,
+            }];
+        }
         let edge = self.edge();
         let t = self.duration;
         let pieces = match self.shape {
@@ -111,7 +129,7 @@ impl Pulse {
                 Piece::Plateau => 1.0,
                 Piece::Fall => raised((self.duration - t) / self.edge()),
                 Piece::Arch => (PI * t / self.duration).sin(),
-                Piece::Nothing => 0.0,
+                Piece::Nothing | Piece::Free => 0.0,
             }
     }
 
@@ -141,6 +159,16 @@ pub struct ArcLoad {
 }
 
 impl ArcLoad {
+    /// No load on any arc.
+    pub fn none() -> Self {
+        Self {
+            shares: Vec::new(),
+            direction: Vector2::x(),
+            shielded: 0.0,
+            arc: (0.0, 0.0),
+        }
+    }
+
     /// Spreads a force over the arc that `input` asks for.
     pub fn new(input: &ForcePulse, eye: &Eye) -> Self {
         let theta = input.angle_deg.to_radians();

@@ -42,7 +42,11 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let index = &answer.index;
     let eye = &answer.case.eye;
     let model = match scenario.model {
-        Model::Paper => "Paper model, unit depth (1 m)",
+        Model::Paper => "Paper model, unit depth (1 m)".to_owned(),
+        Model::Physiological(parts) if parts.slab => {
+            format!("Physiological model, {} mm deep", parts.depth_mm)
+        }
+        Model::Physiological(_) => "Physiological model, unit depth (1 m)".to_owned(),
     };
     writeln!(out, "{}", printable(&scenario.name))?;
     writeln!(

@@ -5,7 +5,7 @@
 
 use super::fields::{Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, is_unprintable, plain};
-use super::{Impact, Scenario};
+use super::{Impact, Projectile, Scenario};
 
 /// Everything that is wrong with the values, in the order of the fields.
 ///
@@ -15,7 +15,10 @@ pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
     let ranges = FIELDS
         .iter()
         .filter_map(|field| check_field(field, scenario));
-    outcome(ranges.chain(behind_bone(scenario)).collect())
+    let rules = behind_bone(scenario)
+        .into_iter()
+        .chain(unknown_marks(scenario));
+    outcome(ranges.chain(rules).collect())
 }
 
 /// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
@@ -100,9 +103,12 @@ fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str>
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {
-    let Impact::ForcePulse(pulse) = &scenario.impact;
+    let angle = match &scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.angle_deg,
+        Impact::Projectile(shot) => shot.angle_deg,
+    };
     let opening = scenario.eye.opening_deg;
-    (pulse.angle_deg.abs() > opening).then(|| {
+    (angle.abs() > opening).then(|| {
         let allowed = format!(
             "{} to {} deg, the opening of the orbit (eye.opening_deg)",
             plain(-opening),
@@ -110,11 +116,26 @@ fn behind_bone(scenario: &Scenario) -> Option<Problem> {
         );
         Problem::refused(
             "impact.angle_deg",
-            &plain(pulse.angle_deg),
+            &plain(angle),
             "is out of range, since bone shields the eye there",
             allowed,
         )
     })
+}
+
+/// A mark of doubt must name something.
+fn unknown_marks(scenario: &Scenario) -> Option<Problem> {
+    let Impact::Projectile(shot) = &scenario.impact else {
+        return None;
+    };
+    let known = |name: &&String| Projectile::FIELDS.contains(&name.as_str());
+    let stranger = shot.unverified.iter().find(|name| !known(name))?;
+    Some(Problem::refused(
+        "impact.unverified",
+        &format!("{stranger:?}"),
+        "names no field of a projectile",
+        Projectile::FIELDS.join(", "),
+    ))
 }
 
 #[cfg(test)]
@@ -135,7 +156,9 @@ mod tests {
         scenario.eye.filament_hops = vec![2, 2];
         scenario.eye.opening_deg = 10.0;
         scenario.name = "\u{1b}[31m".to_owned();
-        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        let Impact::ForcePulse(pulse) = &mut scenario.impact else {
+            panic!()
+        };
         pulse.angle_deg = -10.5;
         let error = check(&scenario).unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
@@ -145,5 +168,22 @@ mod tests {
         );
         assert!(error.problems[3].message.contains("-10 to 10 deg"));
         assert!(!error.to_string().contains('\u{1b}'));
+    }
+
+    #[test]
+    fn a_projectile_must_aim_at_the_opening_and_doubt_what_it_has() {
+        let shot = Projectile {
+            angle_deg: 50.0,
+            unverified: vec!["speed_m_s".to_owned(), "colour".to_owned()],
+            ..Projectile::default()
+        };
+        let scenario = Scenario {
+            impact: Impact::Projectile(shot),
+            ..Scenario::default()
+        };
+        let error = check(&scenario).unwrap_err();
+        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        assert_eq!(fields, ["impact.angle_deg", "impact.unverified"]);
+        assert!(error.problems[1].message.contains("colour"));
     }
 }

@@ -9,7 +9,10 @@
 use std::mem::discriminant;
 
 use super::problem::plain;
-use super::{ForcePulse, Impact, IntegratorChoice, Model, PulseShape, Scenario};
+use super::{
+    ForcePulse, Impact, IntegratorChoice, Model, Physiological, Projectile, ProjectileStiffness,
+    PulseShape, Scenario,
+};
 
 /// A field of a scenario.
 pub struct Field {
@@ -75,8 +78,20 @@ pub trait Choices {
 
 type Variants<T> = &'static [(&'static str, fn() -> T)];
 
-const MODELS: Variants<Model> = &[("Paper", || Model::Paper)];
-const IMPACTS: Variants<Impact> = &[("ForcePulse", || Impact::ForcePulse(ForcePulse::default()))];
+const MODELS: Variants<Model> = &[
+    ("Paper", || Model::Paper),
+    ("Physiological", || {
+        Model::Physiological(Physiological::default())
+    }),
+];
+const IMPACTS: Variants<Impact> = &[
+    ("ForcePulse", || Impact::ForcePulse(ForcePulse::default())),
+    ("Projectile", || Impact::Projectile(Projectile::default())),
+];
+const STIFFNESSES: Variants<ProjectileStiffness> = &[
+    ("Rigid", || ProjectileStiffness::Rigid),
+    ("Linear", || ProjectileStiffness::LINEAR),
+];
 const SHAPES: Variants<PulseShape> = &[
     ("SmoothRectangle", PulseShape::default),
     ("Triangle", || PulseShape::Triangle),
@@ -135,20 +150,70 @@ macro_rules! within {
     };
 }
 
-// The compiler asks for a decision here when a second impact joins the first.
-#[expect(clippy::unnecessary_wraps, reason = "other impacts have no pulse")]
 fn pulse(scenario: &Scenario) -> Option<&ForcePulse> {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => Some(pulse),
+        Impact::Projectile(_) => None,
     }
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "other impacts have no pulse")]
 pub(super) fn pulse_mut(scenario: &mut Scenario) -> Option<&mut ForcePulse> {
     match &mut scenario.impact {
         Impact::ForcePulse(pulse) => Some(pulse),
+        Impact::Projectile(_) => None,
     }
 }
+
+fn shot(scenario: &Scenario) -> Option<&Projectile> {
+    match &scenario.impact {
+        Impact::Projectile(shot) => Some(shot),
+        Impact::ForcePulse(_) => None,
+    }
+}
+
+pub(super) fn shot_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
+    match &mut scenario.impact {
+        Impact::Projectile(shot) => Some(shot),
+        Impact::ForcePulse(_) => None,
+    }
+}
+
+fn physiological(scenario: &Scenario) -> Option<&Physiological> {
+    match &scenario.model {
+        Model::Physiological(parts) => Some(parts),
+        Model::Paper => None,
+    }
+}
+
+fn physiological_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
+    match &mut scenario.model {
+        Model::Physiological(parts) => Some(parts),
+        Model::Paper => None,
+    }
+}
+
+/// Both impacts have an angle.
+const ANGLE: Place<f64> = Place {
+    get: |s| match &s.impact {
+        Impact::ForcePulse(pulse) => Some(&pulse.angle_deg),
+        Impact::Projectile(shot) => Some(&shot.angle_deg),
+    },
+    get_mut: |s| match &mut s.impact {
+        Impact::ForcePulse(pulse) => Some(&mut pulse.angle_deg),
+        Impact::Projectile(shot) => Some(&mut shot.angle_deg),
+    },
+};
+
+const N_PER_M: Place<f64> = Place {
+    get: |s| match &shot(s)?.stiffness {
+        ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
+        ProjectileStiffness::Rigid => None,
+    },
+    get_mut: |s| match &mut shot_mut(s)?.stiffness {
+        ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
+        ProjectileStiffness::Rigid => None,
+    },
+};
 
 fn edge(scenario: &Scenario) -> Option<&f64> {
     match &pulse(scenario)?.shape {
@@ -190,10 +255,26 @@ use within_bounds as b;
 pub static FIELDS: &[Field] = &[
     field("name", "Name", "", Text(80, at!(name))),
     field("model", "Model", "", Choice(&OneOf(MODELS, at!(model)))),
+    field("model.slab", "Slab depth", "", Toggle(within!(physiological, physiological_mut, slab))),
+    field("model.depth_mm", "Depth of the slab", "mm", Number(b(0.1, 1e3, 1.0, 4.0), within!(physiological, physiological_mut, depth_mm))),
+    field("model.pressure", "Vitreous pressure", "", Toggle(within!(physiological, physiological_mut, pressure))),
+    field("model.initial_pressure_mmhg", "Resting pressure", "mmHg", Number(b(0.0, 1e3, 1.0, 5.0), within!(physiological, physiological_mut, initial_pressure_mmhg))),
+    field("model.bulk_modulus_mpa", "Bulk modulus", "MPa", Number(b(0.0, 1e4, 5.0, 20.0), within!(physiological, physiological_mut, bulk_modulus_mpa))),
+    field("model.dashpots", "Dashpots, no drag", "", Toggle(within!(physiological, physiological_mut, dashpots))),
+    field("model.globe_damping_ratio", "Globe damping", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(physiological, physiological_mut, globe_damping_ratio))),
+    field("model.fat_damping_ratio", "Fat damping", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(physiological, physiological_mut, fat_damping_ratio))),
+    field("model.sclera_stiffening", "Sclera stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, sclera_stiffening))),
+    field("model.fat_stiffening", "Fat stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, fat_stiffening))),
     field("impact", "Impact", "", Choice(&OneOf(IMPACTS, at!(impact)))),
     field("impact.force_n", "Peak force", "N", Number(b(0.0, 1e5, 10.0, 100.0), within!(pulse, pulse_mut, force_n))),
     field("impact.duration_ms", "Duration", "ms", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
-    field("impact.angle_deg", "Angle", "deg", Number(b(-120.0, 120.0, 1.0, 10.0), within!(pulse, pulse_mut, angle_deg))),
+    field("impact.mass_g", "Mass", "g", Number(b(1e-3, 1e4, 0.1, 1.0), within!(shot, shot_mut, mass_g))),
+    field("impact.diameter_mm", "Diameter", "mm", Number(b(0.1, 500.0, 0.1, 1.0), within!(shot, shot_mut, diameter_mm))),
+    field("impact.speed_m_s", "Speed", "m/s", Number(b(1e-2, 500.0, 1.0, 10.0), within!(shot, shot_mut, speed_m_s))),
+    field("impact.angle_deg", "Angle", "deg", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field("impact.offset_mm", "Offset of the path", "mm", Number(b(-100.0, 100.0, 0.1, 1.0), within!(shot, shot_mut, offset_mm))),
+    field("impact.stiffness", "Its stiffness", "", Choice(&OneOf(STIFFNESSES, within!(shot, shot_mut, stiffness)))),
+    field("impact.stiffness.n_per_m", "Its spring", "N/m", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
     field("impact.half_width_deg", "Half width", "deg", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", Choice(&OneOf(SHAPES, within!(pulse, pulse_mut, shape)))),
     field("impact.shape.edge_fraction", "Edge, of duration", "", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
@@ -263,13 +344,28 @@ impl Field {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
+    /// Scenarios that together hold every variant with fields.
+    pub(in crate::scenario) fn every_variant() -> [Scenario; 2] {
+        let shot = Projectile {
+            stiffness: ProjectileStiffness::LINEAR,
+            ..Projectile::default()
+        };
+        let other = Scenario {
+            model: Model::Physiological(Physiological::default()),
+            impact: Impact::Projectile(shot),
+            ..Scenario::default()
+        };
+        [Scenario::default(), other]
+    }
+
     #[test]
-    fn every_path_is_there_once_and_readable_in_the_default_scenario() {
+    fn every_path_is_there_once_and_readable_in_some_scenario() {
         for (index, field) in FIELDS.iter().enumerate() {
-            assert!(field.text(&Scenario::default()).is_some(), "{}", field.path);
+            let readable = every_variant().iter().any(|s| field.text(s).is_some());
+            assert!(readable, "{}", field.path);
             assert!(!FIELDS[..index].iter().any(|other| other.path == field.path));
         }
     }
@@ -292,10 +388,13 @@ mod tests {
     #[test]
     fn the_registry_names_every_field_of_the_types() {
         let mut held = Vec::new();
-        let whole = serde_json::to_value(Scenario::default()).unwrap();
-        collect(&whole, "", &mut held);
+        for scenario in every_variant() {
+            let whole = serde_json::to_value(scenario).unwrap();
+            collect(&whole, "", &mut held);
+        }
         held.retain(|path| path != "eye" && path != "numerics");
         held.sort();
+        held.dedup();
         let mut listed: Vec<_> = FIELDS.iter().map(|field| field.path.to_owned()).collect();
         listed.sort();
         assert_eq!(listed, held);

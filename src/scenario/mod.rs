@@ -11,9 +11,14 @@ pub mod fields;
 pub mod library;
 pub mod load;
 pub mod locate;
+mod physiological;
 pub mod problem;
+mod projectile;
 mod ron_text;
 pub mod set;
+
+pub use physiological::Physiological;
+pub use projectile::{Projectile, ProjectileStiffness};
 
 use serde::{Deserialize, Serialize};
 
@@ -59,12 +64,16 @@ impl Default for Scenario {
 }
 
 /// Which set of materials and which forces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Model {
     /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013): unit depth, drag on
     /// every node.
     #[default]
     Paper,
+    /// The same mesh as a slab of tissue, with a fluid that keeps its area and dashpots along the
+    /// springs.
+    Physiological(Physiological),
 }
 
 /// What hits the eye.
@@ -73,6 +82,8 @@ pub enum Model {
 pub enum Impact {
     /// A force on an arc of the cornea that follows a given pulse in time.
     ForcePulse(ForcePulse),
+    /// An object that flies at the eye.
+    Projectile(Projectile),
 }
 
 /// A force on an arc of the cornea, along the inward normal at its middle.

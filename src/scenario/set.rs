@@ -21,6 +21,10 @@ struct Group {
 /// The groups; a group's fields that the text leaves out take their defaults, as in a file.
 static GROUPS: &[Group] = &[
     Group {
+        path: "model",
+        replace: |s, text| put(Some(&mut s.model), text, "model"),
+    },
+    Group {
         path: "impact",
         replace: |s, text| put(Some(&mut s.impact), text, "impact"),
     },
@@ -29,6 +33,13 @@ static GROUPS: &[Group] = &[
         replace: |s, text| {
             let shape = fields::pulse_mut(s).map(|pulse| &mut pulse.shape);
             put(shape, text, "impact.shape")
+        },
+    },
+    Group {
+        path: "impact.stiffness",
+        replace: |s, text| {
+            let stiffness = fields::shot_mut(s).map(|shot| &mut shot.stiffness);
+            put(stiffness, text, "impact.stiffness")
         },
     },
     Group {
@@ -75,8 +86,19 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
         (None, _) => return Err(unknown(path).into()),
     }
     check_inside(&changed, path)?;
+    confirm(&mut changed, path);
     *scenario = changed;
     Ok(())
+}
+
+/// What a person has set is theirs, no longer an unverified figure of a preset.
+fn confirm(scenario: &mut Scenario, path: &str) {
+    let name = path
+        .strip_prefix("impact.")
+        .and_then(|p| p.split('.').next());
+    if let (Some(name), Some(shot)) = (name, fields::shot_mut(scenario)) {
+        shot.unverified.retain(|field| field != name);
+    }
 }
 
 fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
@@ -189,7 +211,11 @@ fn unknown(path: &str) -> Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::{EyeInput, ForcePulse, Impact, IntegratorChoice, PulseShape};
+    use crate::scenario::fields::tests::every_variant;
+    use crate::scenario::{
+        EyeInput, ForcePulse, Impact, IntegratorChoice, Model, Physiological, ProjectileStiffness,
+        PulseShape,
+    };
 
     fn after(path: &str, text: &str) -> Scenario {
         let mut scenario = Scenario::default();
@@ -205,21 +231,57 @@ mod tests {
     }
 
     fn pulse(scenario: &Scenario) -> &ForcePulse {
-        let Impact::ForcePulse(pulse) = &scenario.impact;
+        let Impact::ForcePulse(pulse) = &scenario.impact else {
+            panic!("{:?}", scenario.impact)
+        };
         pulse
     }
 
     #[test]
     fn every_field_takes_back_its_own_text() {
-        for field in FIELDS {
-            let text = field.text(&Scenario::default()).unwrap();
-            assert_eq!(
-                after(field.path, &text),
-                Scenario::default(),
-                "{}",
-                field.path
-            );
+        for scenario in every_variant() {
+            for field in FIELDS {
+                let Some(text) = field.text(&scenario) else {
+                    continue;
+                };
+                let mut same = scenario.clone();
+                set(&mut same, field.path, &text).unwrap();
+                assert_eq!(same, scenario, "{}", field.path);
+            }
         }
+    }
+
+    #[test]
+    fn projectiles_and_models_are_set_whole_or_by_field() {
+        let mut scenario = after(
+            "impact",
+            "Projectile(mass_g: 0.345, diameter_mm: 4.5, speed_m_s: 62.5, stiffness: Linear(n_per_m: 2.4e5), \
+             unverified: [\"speed_m_s\"])",
+        );
+        set(&mut scenario, "impact.mass_g", "0.35").unwrap();
+        let Impact::Projectile(shot) = &scenario.impact else {
+            panic!()
+        };
+        assert_eq!((shot.mass_g, shot.unverified.len()), (0.35, 1));
+        set(&mut scenario, "impact.speed_m_s", "60").unwrap();
+        set(&mut scenario, "impact.stiffness", "rigid").unwrap();
+        let Impact::Projectile(shot) = &scenario.impact else {
+            panic!()
+        };
+        assert_eq!(shot.stiffness, ProjectileStiffness::Rigid);
+        assert!(shot.unverified.is_empty());
+        assert!(set(&mut scenario, "impact.force_n", "1").is_err());
+
+        let parts = |scenario: &Scenario| match scenario.model {
+            Model::Physiological(parts) => parts,
+            Model::Paper => panic!(),
+        };
+        assert_eq!(
+            parts(&after("model", "physiological")),
+            Physiological::default()
+        );
+        assert!(!parts(&after("model", "Physiological(slab: false)")).slab);
+        assert!(refusal("model.slab", "false").contains("model is Paper, which has no slab"));
     }
 
     #[test]

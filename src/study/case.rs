@@ -134,10 +134,12 @@ impl Case {
     /// Compiles a validated scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &Scenario, whole: bool, portable: bool) -> Self {
-        let Impact::ForcePulse(pulse) = &scenario.impact;
         let eye = Eye::build(&scenario.eye);
-        let load = ArcLoad::new(pulse, &eye);
-        let system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
+        let (pulse, load) = match &scenario.impact {
+            Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),
+            Impact::Projectile(_) => (Pulse::none(), ArcLoad::none()),
+        };
+        let system = System::new(&eye, pulse, &load, whole, portable);
         Self {
             start: State::at_rest(&system),
             eye,

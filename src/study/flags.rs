@@ -154,7 +154,7 @@ pub(super) fn raise(
             Some(window),
         );
     }
-    if arc < spacing * (1.0 - NEGLIGIBLE) {
+    if !load.shares.is_empty() && arc < spacing * (1.0 - NEGLIGIBLE) {
         raise(
             FlagKind::ArcUnresolved,
             format!(

@@ -287,7 +287,9 @@ mod tests {
     #[test]
     fn a_rule_that_joins_two_fields_is_explained() {
         let mut scenario = Scenario::default();
-        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        let Impact::ForcePulse(pulse) = &mut scenario.impact else {
+            panic!()
+        };
         pulse.angle_deg = 40.0;
         let error = nudged(&scenario, field("impact.angle_deg"), Step::MORE, None);
         assert!(error.unwrap_err().contains("bone shields"));
@@ -307,7 +309,9 @@ mod tests {
         let basic = paths(&scenario, false);
         assert!(basic.contains(&"impact.shape.edge_fraction") && basic.contains(&"window_ms"));
         assert!(!basic.contains(&"eye.level") && paths(&scenario, true).contains(&"eye.level"));
-        let Impact::ForcePulse(pulse) = &mut scenario.impact;
+        let Impact::ForcePulse(pulse) = &mut scenario.impact else {
+            panic!()
+        };
         pulse.shape = PulseShape::Triangle;
         assert!(!paths(&scenario, true).contains(&"impact.shape.edge_fraction"));
     }

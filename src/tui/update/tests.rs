@@ -35,7 +35,9 @@ fn press(model: &mut Model, keys: &str) -> Vec<Effect> {
 }
 
 fn force(model: &Model) -> f64 {
-    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact else {
+        panic!()
+    };
     pulse.force_n
 }
 
@@ -198,10 +200,14 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
 fn the_dial_and_the_form_turn_the_same_angle() {
     let mut model = model();
     press(&mut model, "\tkkK");
-    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact else {
+        panic!()
+    };
     assert_eq!(pulse.angle_deg, 10.0);
     press(&mut model, "l");
-    let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+    let Impact::ForcePulse(pulse) = &model.work.scenario.impact else {
+        panic!()
+    };
     assert_eq!(pulse.half_width_deg, 21.0);
 }
 

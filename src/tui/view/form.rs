@@ -18,6 +18,7 @@ pub const PURPOSE: &str = "Research and education, not diagnosis";
 pub fn material(model: &Model) -> &'static str {
     match model.work.scenario.model {
         Material::Paper => "Paper model, unit depth",
+        Material::Physiological(_) => "Physiological model",
     }
 }
 
