@@ -15,6 +15,7 @@ mod presets;
 mod progress;
 mod run;
 mod stability;
+mod validate;
 
 pub use arguments::{Assignment, ScenarioArgs};
 pub use error::CliError;
@@ -55,6 +56,10 @@ pub enum Command {
     Stability(StabilityArgs),
     /// Check on random scenes how often the stated step errors hold
     Coverage(CoverageArgs),
+    /// Run published experiments again and print what was measured beside what the model gives
+    Validate(ValidateArgs),
+    /// Repeat the fit of the Physiological model to published experiments
+    Calibrate(CalibrateArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -95,6 +100,25 @@ pub struct AccuracyArgs {
     /// Finest mesh level, which the others are compared with
     #[arg(long, value_name = "K", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=8))]
     pub finest_level: u32,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `validate`.
+#[derive(Debug, Args)]
+pub struct ValidateArgs {
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `calibrate`.
+#[derive(Debug, Args)]
+pub struct CalibrateArgs {
+    /// Points of the first scan, from which the search starts
+    #[arg(long, value_name = "N", default_value_t = 96, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub scan: u32,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,
@@ -205,6 +229,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
         Some(Command::Coverage(args)) => coverage::run(args, out),
+        Some(Command::Validate(args)) => validate::run(args, out),
+        Some(Command::Calibrate(args)) => validate::fit(args, out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Stability(args)) => stability::run(args, out),

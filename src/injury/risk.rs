@@ -6,6 +6,7 @@
 
 use super::curve::{Curve, Injury, Measure, Range};
 use super::published::CURVES;
+use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
 
 /// Width and height of the orbit's opening, in m (anatomy texts: 40 mm and 35 mm).
@@ -27,6 +28,18 @@ pub struct Blow {
 }
 
 impl Blow {
+    /// The object of a scenario; none if it has only a force.
+    pub fn of(scenario: &Scenario) -> Option<Self> {
+        match &scenario.impact {
+            Impact::ForcePulse(_) => None,
+            Impact::Projectile(object) => Some(Self {
+                mass: object.mass_g * 1e-3,
+                diameter: object.diameter_mm * 1e-3,
+                speed: object.speed_m_s,
+            }),
+        }
+    }
+
     /// J.
     pub fn kinetic_energy(&self) -> f64 {
         0.5 * self.mass * self.speed * self.speed

@@ -2,6 +2,8 @@
 
 pub mod accuracy;
 pub mod coverage;
+pub mod injury;
 pub mod json;
 pub mod stability;
 pub mod text;
+pub mod validate;

@@ -32,6 +32,13 @@ pub struct Free {
     set: fn(&mut Physiological, f64),
 }
 
+impl Free {
+    /// Its value in `model`.
+    pub fn of(&self, model: &Physiological) -> f64 {
+        (self.get)(model)
+    }
+}
+
 /// Everything that is fitted.
 pub static FREE: [Free; 3] = [
     Free {

@@ -2,14 +2,17 @@
 
 pub mod accuracy;
 pub mod batch;
+pub mod calibrate;
 mod case;
 pub mod choose;
 pub mod coverage;
+pub mod experiments;
 mod flags;
 pub mod hard_cases;
 mod mesh_error;
 mod quantity;
 mod solve;
+pub mod validate;
 
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
