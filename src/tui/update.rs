@@ -3,32 +3,32 @@
 //! This is the only place that changes a [`Model`]. It reads no clock and touches no file: time
 //! comes with messages, and what must be done goes out as an [`Effect`].
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent};
+use tui_input::Input;
 use tui_input::backend::crossterm::EventHandler;
-use tui_input::{Input, InputRequest};
 
 use super::action::{Action, Step};
 use super::clock::Moment;
-use super::comparison::{COLUMNS, Found};
-use super::form::{Row, Typing, nudged, with_text};
+use super::comparison::COLUMNS;
+use super::form::{Row, Typing, nudged};
 use super::keys::{self, Context};
-use super::model::{Choice, FORM, Model, Overlay, Question, Run, Shown, Work};
-use super::save::{SaveError, check_name};
+use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
+use super::save::SaveError;
 use super::screens::Screen;
-use super::view::eye::hottest;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
 use crate::scenario::Scenario;
 use crate::scenario::fields;
-use crate::scenario::load::to_ron;
-use crate::scenario::problem::quoted;
+use crate::study::MeshError;
 use crate::study::accuracy::Accuracy;
-use crate::study::{MeshError, Refusal};
 
 mod accuracy;
+mod compare;
+mod news;
+mod presets;
+mod typing;
 
 /// Something that happened.
 pub enum Message {
@@ -83,7 +83,7 @@ pub enum Effect {
 pub fn begin(model: &mut Model) -> Vec<Effect> {
     let mut effects = Vec::new();
     solve(model, &mut effects);
-    effects.extend(next_comparison(model));
+    effects.extend(compare::next(model));
     effects
 }
 
@@ -93,9 +93,9 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
     match message {
         Message::Tick(now) => tick(model, now),
         Message::Key(event) => key(model, event, &mut effects),
-        Message::Paste(text) => paste(model, &text, &mut effects),
+        Message::Paste(text) => typing::paste(model, &text, &mut effects),
         Message::Form(report) => {
-            hear(model, report);
+            news::hear(model, report);
             // The finer mesh is for the time when nothing else is wanted.
             if let (Run::Settled, Some(shown)) = (&model.run, &model.shown)
                 && shown.answer.errors.mesh.is_none()
@@ -103,27 +103,16 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
                 effects.push(Effect::EstimateMesh(shown.ticket, shown.scenario.clone()));
             }
         }
-        Message::Mesh(report) => hear_mesh(model, report),
-        Message::Comparison(report) => {
-            if let Report::Done(ticket, answer) = report {
-                let found = match *answer {
-                    Ok(answer) => {
-                        let hottest = hottest(&answer);
-                        Found::Answer(Arc::new(answer), hottest)
-                    }
-                    Err(refusal) => Found::Refused(refusal.to_string()),
-                };
-                model.compare.take(ticket, found);
-            }
-        }
+        Message::Mesh(report) => news::hear_mesh(model, report),
+        Message::Comparison(report) => compare::hear(model, report),
         Message::Accuracy(report) => accuracy::hear(model, report),
-        Message::Saved(name, outcome) => saved(model, name, outcome),
+        Message::Saved(name, outcome) => presets::saved(model, name, outcome),
         Message::Choices(choices) => model.choices = choices,
     }
     if model.screen == Screen::Compare {
         model.compare.replace(FORM, &model.work.scenario);
     }
-    effects.extend(next_comparison(model));
+    effects.extend(compare::next(model));
     effects.extend(accuracy::stop_if_unwanted(model));
     effects
 }
@@ -145,55 +134,6 @@ fn solve(model: &mut Model, effects: &mut Vec<Effect>) {
     let ticket = ticket(model);
     model.run = Run::Running(ticket, None);
     effects.push(Effect::Solve(ticket, model.work.scenario.clone()));
-}
-
-fn next_comparison(model: &mut Model) -> Option<Effect> {
-    let entry = model.compare.next()?;
-    let (name, scenario) = (entry.name.clone(), entry.scenario.clone());
-    let ticket = ticket(model);
-    model.compare.job = Some((ticket, name));
-    Some(Effect::Compare(ticket, scenario))
-}
-
-/// Adds a mesh error to the answer on show, if it is that answer's.
-fn hear_mesh(model: &mut Model, report: Report<MeshError>) {
-    let Report::Done(ticket, mesh) = report else {
-        return;
-    };
-    if let (Ok(mesh), Some(shown)) = (*mesh, model.shown.as_mut())
-        && shown.ticket == ticket
-    {
-        Arc::make_mut(&mut shown.answer).add(mesh);
-    }
-}
-
-/// What the worker of the form says. Late news of superseded jobs is dropped.
-fn hear(model: &mut Model, report: Report) {
-    let Run::Running(awaited, _) = model.run else {
-        return;
-    };
-    match report {
-        Report::Progress(ticket, share) if ticket == awaited => {
-            model.run = Run::Running(ticket, Some(share));
-        }
-        Report::Done(ticket, answer) if ticket == awaited => match *answer {
-            Ok(answer) => {
-                model.run = Run::Settled;
-                model.shown = Some(Shown {
-                    ticket,
-                    scenario: model.work.scenario.clone(),
-                    hottest: hottest(&answer),
-                    answer: Arc::new(answer),
-                });
-            }
-            Err(Refusal::Cancelled) => {
-                let text = "cancelled: the next edit simulates again";
-                model.run = Run::Refused(text.to_owned());
-            }
-            Err(refusal) => model.run = Run::Refused(refusal.to_string()),
-        },
-        _ => {}
-    }
 }
 
 /// Takes another scenario and simulates it at once.
@@ -220,38 +160,9 @@ fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
     if let Some(action) = keys::action(context, event) {
         act(model, action, effects);
     } else if context == Context::Typing {
-        type_into(model, effects, |input| {
+        typing::type_into(model, effects, |input| {
             input.handle_event(&Event::Key(event));
         });
-    }
-}
-
-fn paste(model: &mut Model, text: &str, effects: &mut Vec<Effect>) {
-    if model.context() == Context::Typing {
-        type_into(model, effects, |input| {
-            for c in text.chars().filter(|c| !c.is_control()).take(200) {
-                input.handle(InputRequest::InsertChar(c));
-            }
-        });
-    }
-}
-
-/// Changes the text that is being typed. A value that makes sense is simulated while it is typed.
-fn type_into(model: &mut Model, effects: &mut Vec<Effect>, change: impl FnOnce(&mut Input)) {
-    if let Some(Overlay::SaveAs(input, error)) = &mut model.overlay {
-        change(input);
-        *error = check_name(input.value()).err().map(|e| e.to_string());
-        return;
-    }
-    let Some(typing) = &mut model.form.typing else {
-        return;
-    };
-    change(&mut typing.input);
-    let outcome = with_text(&typing.before, typing.field, typing.input.value());
-    typing.error = outcome.as_ref().err().cloned();
-    if let Ok(scenario) = outcome {
-        let work = model.work.with(scenario);
-        put(model, work, effects);
     }
 }
 
@@ -279,8 +190,8 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
         Action::Undo | Action::Redo => travel(model, action == Action::Undo, effects),
-        Action::Save => ask_for_name(model),
-        Action::Presets => open_picker(model),
+        Action::Save => presets::ask_for_name(model),
+        Action::Presets => presets::open_picker(model),
         Action::Up | Action::Down => go(model, action == Action::Down),
         Action::Step(step) => step_here(model, step, effects),
         Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
@@ -318,7 +229,7 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
             model.compare.curve = (model.compare.curve + 1) % profiles::CURVES.len();
         }
         Action::Curves => model.curves = (model.curves + 1) % profiles::VIEWS.len(),
-        Action::Mark => mark(model, effects),
+        Action::Mark => compare::mark(model, effects),
         Action::Sort => model.compare.sort_here(),
         Action::Yes | Action::No => answer_question(model, action == Action::Yes, effects),
     }
@@ -368,7 +279,7 @@ fn go(model: &mut Model, down: bool) {
 fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
     match model.context() {
         Context::Form => match model.form.selected {
-            Row::Preset => next_preset(model, step.up, effects),
+            Row::Preset => presets::next_preset(model, step.up, effects),
             Row::Fold => model.form.fold(&model.work.scenario),
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
@@ -406,59 +317,21 @@ fn nudge(model: &mut Model, path: &'static str, step: Step, effects: &mut Vec<Ef
     }
 }
 
-fn next_preset(model: &mut Model, forward: bool, effects: &mut Vec<Effect>) {
-    let count = model.choices.len();
-    if count == 0 {
-        return;
-    }
-    let here = model
-        .choices
-        .iter()
-        .position(|choice| choice.name == model.work.source);
-    let next = match here {
-        Some(here) if forward => (here + 1) % count,
-        Some(here) => (here + count - 1) % count,
-        None => 0,
-    };
-    open(model, next, effects);
-}
-
-fn open(model: &mut Model, index: usize, effects: &mut Vec<Effect>) {
-    let Some(choice) = model.choices.get(index) else {
-        return;
-    };
-    match &choice.scenario {
-        Ok(scenario) => {
-            let work = Work::fresh(&choice.name, scenario);
-            change(model, work, "", effects);
-        }
-        Err(why) => model.form.complaint = Some(format!("{}: {why}", choice.name)),
-    }
-}
-
-fn open_picker(model: &mut Model) {
-    let here = model
-        .choices
-        .iter()
-        .position(|choice| choice.name == model.work.source);
-    model.overlay = Some(Overlay::Picker(here.unwrap_or(0)));
-}
-
 fn enter(model: &mut Model, effects: &mut Vec<Effect>) {
     match &model.overlay {
         Some(Overlay::Picker(row)) => {
             let row = *row;
             model.overlay = None;
-            open(model, row, effects);
+            presets::open(model, row, effects);
         }
         Some(Overlay::SaveAs(input, _)) => {
             let name = input.value().trim().to_owned();
-            save(model, name, false, effects);
+            presets::save(model, name, false, effects);
         }
         Some(_) => {}
-        None if model.form.typing.is_some() => accept(model, effects),
+        None if model.form.typing.is_some() => typing::accept(model, effects),
         None => match model.form.selected {
-            Row::Preset => open_picker(model),
+            Row::Preset => presets::open_picker(model),
             Row::Fold => model.form.fold(&model.work.scenario),
             Row::Field(field) => {
                 let text = field.text(&model.work.scenario).unwrap_or_default();
@@ -470,29 +343,6 @@ fn enter(model: &mut Model, effects: &mut Vec<Effect>) {
                 });
             }
         },
-    }
-}
-
-/// Ends typing with what was typed, unless it makes no sense.
-fn accept(model: &mut Model, effects: &mut Vec<Effect>) {
-    let Some(typing) = model.form.typing.take() else {
-        return;
-    };
-    match with_text(&typing.before, typing.field, typing.input.value()) {
-        Ok(scenario) => {
-            let before = model.work.with(typing.before);
-            if scenario != before.scenario {
-                model.history.record(before, "", model.now);
-            }
-            let work = model.work.with(scenario);
-            put(model, work, effects);
-        }
-        Err(why) => {
-            model.form.typing = Some(Typing {
-                error: Some(why),
-                ..typing
-            });
-        }
     }
 }
 
@@ -508,93 +358,12 @@ fn cancel(model: &mut Model, effects: &mut Vec<Effect>) {
     }
 }
 
-fn ask_for_name(model: &mut Model) {
-    let own = |choice: &&Choice| choice.name == model.work.source;
-    let is_own = model
-        .choices
-        .iter()
-        .find(own)
-        .is_some_and(|choice| choice.origin == "own");
-    let name = if is_own {
-        model.work.source.clone()
-    } else {
-        let stem = model.work.source.rsplit(['/', '\\']).next().unwrap_or("");
-        format!("my-{}", stem.trim_end_matches(".ron"))
-    };
-    model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
-}
-
-fn save(model: &mut Model, name: String, replace: bool, effects: &mut Vec<Effect>) {
-    if let Err(error) = check_name(&name) {
-        if let Some(Overlay::SaveAs(_, shown)) = &mut model.overlay {
-            *shown = Some(error.to_string());
-        }
-        return;
-    }
-    if !replace && model.choices.iter().any(|choice| choice.name == name) {
-        model.overlay = Some(Overlay::Question(Question::Replace(name)));
-        return;
-    }
-    let mut scenario = model.work.scenario.clone();
-    // A title that a preset brought along says what the preset was.
-    if scenario.name == model.work.original.name && model.is_edited() {
-        scenario.name.clone_from(&name);
-    }
-    effects.push(Effect::Save(name, to_ron(&scenario), replace));
-}
-
-fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
-    match outcome {
-        Ok(()) => {
-            model.overlay = None;
-            model.notice = Some(format!("saved as {name}"));
-            if model.work.scenario.name == model.work.original.name && model.is_edited() {
-                model.work.scenario.name.clone_from(&name);
-                if let Some(shown) = &mut model.shown {
-                    shown.scenario.name.clone_from(&name);
-                }
-            }
-            model.work = Work::fresh(&name, &model.work.scenario);
-        }
-        Err(SaveError::Exists(name)) => {
-            model.overlay = Some(Overlay::Question(Question::Replace(name)));
-        }
-        Err(error) => {
-            let input = Input::new(name);
-            model.overlay = Some(Overlay::SaveAs(input, Some(error.to_string())));
-        }
-    }
-}
-
-fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
-    let row = model.compare.row;
-    let outcome = if row == 0 {
-        let scenario = model.work.scenario.clone();
-        model.compare.mark(FORM, &scenario)
-    } else if let Some(choice) = model.choices.get(row - 1) {
-        match &choice.scenario {
-            Ok(scenario) => model.compare.mark(&choice.name, scenario),
-            Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
-        }
-    } else {
-        Ok(())
-    };
-    model.notice = outcome.err();
-    // Nobody wants the answer of what was just unmarked.
-    let marked = |name: &str| model.compare.is_marked(name);
-    let unwanted = model.compare.job.as_ref().filter(|(_, name)| !marked(name));
-    if let Some((ticket, _)) = unwanted {
-        effects.push(Effect::StopComparing(*ticket));
-        model.compare.job = None;
-    }
-}
-
 fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
     match model.overlay.take() {
         Some(Overlay::Question(Question::Quit)) if yes => effects.push(Effect::Quit(0)),
         Some(Overlay::Question(Question::Replace(name))) => {
             if yes {
-                save(model, name, true, effects);
+                presets::save(model, name, true, effects);
             } else {
                 model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
             }

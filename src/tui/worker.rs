@@ -33,7 +33,7 @@ pub enum Report<T = Answer> {
 }
 
 /// What a thread does with a scenario.
-type Job<T> = fn(&Scenario, Watch) -> Result<T, Refusal>;
+pub type Job<T> = fn(&Scenario, Watch) -> Result<T, Refusal>;
 
 struct Slot {
     job: Option<(Ticket, Scenario)>,
@@ -137,7 +137,11 @@ fn run<T>(
     Report::Done(ticket, Box::new(outcome))
 }
 
-fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
+/// A whole answer, with all that the screens show.
+///
+/// # Errors
+/// As for any run.
+pub fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
     solve(scenario, keep(scenario), watch)
 }
 

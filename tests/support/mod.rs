@@ -16,6 +16,11 @@ const QUESTION: &[u8] = b"\x1b[6n";
 /// The beginning of a frame.
 const FRAME: &[u8] = b"\x1b[?2026h";
 
+/// Keys as a terminal sends them.
+pub const RIGHT: &str = "\x1b[C";
+pub const UP: &str = "\x1b[A";
+pub const DOWN: &str = "\x1b[B";
+
 /// How the terminal treats questions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Replies {
@@ -70,6 +75,13 @@ pub fn app(arguments: &[&str]) -> CommandBuilder {
     command.args(arguments);
     plain(&mut command);
     command
+}
+
+/// The app with nothing asked for, once it shows its first result.
+pub fn started() -> Term {
+    let term = Term::start(app(&[]));
+    term.wait_for("26.42 %");
+    term
 }
 
 /// Takes out of the environment what would change the screen.

@@ -14,19 +14,16 @@ use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
 use super::input::{Input, Parser};
+use super::jobs::Jobs;
 use super::pacer::{Cause, Pacer};
 use super::paint::{BEGIN, END, Pen, QUESTION};
 use super::session::Session;
 use crate::scenario::library;
-use crate::study::MeshError;
-use crate::study::accuracy::Accuracy;
-use crate::tui::accuracy::measure;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
-use crate::tui::worker::{Report, Worker, mesh_error};
 
 /// How the app runs.
 pub struct Settings {
@@ -44,14 +41,11 @@ const FAREWELL: Duration = Duration::from_secs(1);
 const LARGEST: (u16, u16) = (500, 200);
 
 /// Something that came from outside.
-enum Event {
+pub(super) enum Event {
     Bytes(Vec<u8>),
     Hangup,
     Signal(i32),
-    Form(Report),
-    Comparison(Report),
-    Accuracy(Report<Accuracy>),
-    Mesh(Report<MeshError>),
+    News(Message),
 }
 
 /// Runs the app until the person leaves; gives the exit code.
@@ -73,17 +67,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let sender = send.clone();
     thread::spawn(move || read_keyboard(&sender));
     let mut app = App {
-        form: worker(&send, Event::Form),
-        comparison: worker(&send, Event::Comparison),
-        mesh: {
-            let send = send.clone();
-            Worker::of(mesh_error, move |report| {
-                let _ = send.send(Event::Mesh(report));
-            })
-        },
-        accuracy: Worker::of(measure, move |report| {
-            let _ = send.send(Event::Accuracy(report));
-        }),
+        jobs: Jobs::start(&send),
         model,
         session,
         events,
@@ -99,14 +83,6 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         fail_on: settings.fail_on,
     };
     app.run()
-}
-
-fn worker(send: &Sender<Event>, wrap: fn(Report) -> Event) -> Worker {
-    let send = send.clone();
-    Worker::start(move |report| {
-        // Nobody listens once the app is leaving.
-        let _ = send.send(wrap(report));
-    })
 }
 
 fn read_keyboard(send: &Sender<Event>) {
@@ -137,10 +113,7 @@ struct App {
     model: Model,
     session: Session,
     events: Receiver<Event>,
-    form: Worker,
-    comparison: Worker,
-    mesh: Worker,
-    accuracy: Worker,
+    jobs: Jobs,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
@@ -262,10 +235,7 @@ impl App {
                 return Ok(());
             }
             Event::Signal(signal) => return self.take_signal(signal),
-            Event::Form(report) => Message::Form(report),
-            Event::Comparison(report) => Message::Comparison(report),
-            Event::Accuracy(report) => Message::Accuracy(report),
-            Event::Mesh(report) => Message::Mesh(report),
+            Event::News(message) => message,
         };
         self.tell(message)
     }
@@ -361,20 +331,11 @@ impl App {
     fn perform(&mut self, effects: Vec<Effect>) -> io::Result<()> {
         for effect in effects {
             match effect {
-                Effect::Solve(ticket, scenario) => {
-                    self.mesh.cancel(ticket);
-                    self.form.submit(ticket, scenario);
-                }
-                Effect::EstimateMesh(ticket, scenario) => self.mesh.submit(ticket, scenario),
-                Effect::Stop(ticket) => self.form.cancel(ticket),
-                Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
-                Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
-                Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
-                Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
                 Effect::Repaint => self.repaint(),
                 Effect::Quit(code) => self.exit = Some(code),
+                job => self.jobs.perform(job),
             }
         }
         Ok(())

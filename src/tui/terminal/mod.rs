@@ -7,6 +7,7 @@
 mod app;
 pub mod caps;
 pub mod input;
+mod jobs;
 pub mod pacer;
 pub mod paint;
 mod session;

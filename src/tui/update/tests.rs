@@ -3,7 +3,7 @@
 use super::*;
 use crate::recording::Keep;
 use crate::scenario::Impact;
-use crate::study::{solve as simulate, unwatched};
+use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::model::Look;
 use crate::tui::open::prepare;
 use crate::tui::terminal::caps::{Depth, Symbols};

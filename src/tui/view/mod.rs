@@ -9,6 +9,8 @@ pub mod compare;
 pub mod eye;
 pub mod footer;
 pub mod form;
+pub mod heat;
+pub mod log_axis;
 pub mod main;
 pub mod overlay;
 pub mod profiles;

@@ -4,7 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::chart::{Curve, value_at};
-use super::eye::{Scene, heat_glyph, thresholds};
+use super::eye::Scene;
+use super::heat::{heat_glyph, thresholds};
 use super::raster::{Ink, Raster};
 use super::text::{put, put_right, wrapped};
 use super::theme::Theme;

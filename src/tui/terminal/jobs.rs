@@ -1,0 +1,60 @@
+//! The threads that compute for the app, and which effect is for which of them.
+
+use std::sync::mpsc::Sender;
+
+use super::app::Event;
+use crate::study::accuracy::Accuracy;
+use crate::study::{Answer, MeshError};
+use crate::tui::accuracy::measure;
+use crate::tui::update::{Effect, Message};
+use crate::tui::worker::{Job, Report, Worker, answer, mesh_error};
+
+/// One thread a kind of work.
+pub(super) struct Jobs {
+    form: Worker,
+    comparison: Worker,
+    mesh: Worker,
+    accuracy: Worker,
+}
+
+/// A thread whose news reach the loop as messages.
+fn worker<T: Send + 'static>(
+    send: &Sender<Event>,
+    job: Job<T>,
+    wrap: fn(Report<T>) -> Message,
+) -> Worker {
+    let send = send.clone();
+    Worker::of(job, move |report| {
+        // Nobody listens once the app is leaving.
+        let _ = send.send(Event::News(wrap(report)));
+    })
+}
+
+impl Jobs {
+    /// Starts all threads; they wait for work.
+    pub(super) fn start(send: &Sender<Event>) -> Self {
+        Self {
+            form: worker::<Answer>(send, answer, Message::Form),
+            comparison: worker::<Answer>(send, answer, Message::Comparison),
+            mesh: worker::<MeshError>(send, mesh_error, Message::Mesh),
+            accuracy: worker::<Accuracy>(send, measure, Message::Accuracy),
+        }
+    }
+
+    /// Hands an effect to its thread. What is for no thread is left to the loop.
+    pub(super) fn perform(&self, effect: Effect) {
+        match effect {
+            Effect::Solve(ticket, scenario) => {
+                self.mesh.cancel(ticket);
+                self.form.submit(ticket, scenario);
+            }
+            Effect::Stop(ticket) => self.form.cancel(ticket),
+            Effect::EstimateMesh(ticket, scenario) => self.mesh.submit(ticket, scenario),
+            Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
+            Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
+            Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
+            Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
+            Effect::Save(..) | Effect::Suspend | Effect::Repaint | Effect::Quit(_) => {}
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What is typed or pasted into a field of the form or into a name.
+
+use tui_input::{Input, InputRequest};
+
+use super::{Effect, put};
+use crate::tui::form::{Typing, with_text};
+use crate::tui::keys::Context;
+use crate::tui::model::{Model, Overlay};
+use crate::tui::save::check_name;
+
+pub(super) fn paste(model: &mut Model, text: &str, effects: &mut Vec<Effect>) {
+    if model.context() == Context::Typing {
+        type_into(model, effects, |input| {
+            for c in text.chars().filter(|c| !c.is_control()).take(200) {
+                input.handle(InputRequest::InsertChar(c));
+            }
+        });
+    }
+}
+
+/// Changes the text that is being typed. A value that makes sense is simulated while it is typed.
+pub(super) fn type_into(
+    model: &mut Model,
+    effects: &mut Vec<Effect>,
+    change: impl FnOnce(&mut Input),
+) {
+    if let Some(Overlay::SaveAs(input, error)) = &mut model.overlay {
+        change(input);
+        *error = check_name(input.value()).err().map(|e| e.to_string());
+        return;
+    }
+    let Some(typing) = &mut model.form.typing else {
+        return;
+    };
+    change(&mut typing.input);
+    let outcome = with_text(&typing.before, typing.field, typing.input.value());
+    typing.error = outcome.as_ref().err().cloned();
+    if let Ok(scenario) = outcome {
+        let work = model.work.with(scenario);
+        put(model, work, effects);
+    }
+}
+
+/// Ends typing with what was typed, unless it makes no sense.
+pub(super) fn accept(model: &mut Model, effects: &mut Vec<Effect>) {
+    let Some(typing) = model.form.typing.take() else {
+        return;
+    };
+    match with_text(&typing.before, typing.field, typing.input.value()) {
+        Ok(scenario) => {
+            let before = model.work.with(typing.before);
+            if scenario != before.scenario {
+                model.history.record(before, "", model.now);
+            }
+            let work = model.work.with(scenario);
+            put(model, work, effects);
+        }
+        Err(why) => {
+            model.form.typing = Some(Typing {
+                error: Some(why),
+                ..typing
+            });
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! A logarithmic axis: where a value lies on it, and which values are labelled.
+
+/// A logarithmic axis between two values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// Common logarithm of its beginning.
+    pub low: f64,
+    /// Common logarithm of its end.
+    pub high: f64,
+}
+
+impl Axis {
+    /// Wide enough for all values, with a margin.
+    pub fn over(values: impl Iterator<Item = f64>) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in values.filter(|v| v.is_finite() && *v > 0.0) {
+            low = low.min(value.log10());
+            high = high.max(value.log10());
+        }
+        if low > high {
+            (low, high) = (0.0, 1.0);
+        }
+        let margin = (0.04 * (high - low)).max(0.05);
+        Self {
+            low: low - margin,
+            high: high + margin,
+        }
+    }
+
+    /// Where a value lies, from 0 to 1.
+    pub fn share(self, value: f64) -> f64 {
+        ((value.log10() - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
+    }
+
+    /// Values to be labelled, at most so many unless there is but one decade.
+    pub fn ticks(self, most: usize) -> Vec<f64> {
+        let (first, last) = (self.low.floor() as i32, self.high.ceil() as i32);
+        let within = |v: &f64| (self.low..=self.high).contains(&v.log10());
+        let fine: Vec<f64> = (first..=last)
+            .flat_map(|n| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(n)))
+            .filter(within)
+            .collect();
+        if fine.len() <= most {
+            return fine;
+        }
+        let mut apart = 1;
+        loop {
+            let ticks: Vec<f64> = (first..=last)
+                .filter(|n| n.rem_euclid(apart) == 0)
+                .map(|n| 10f64.powi(n))
+                .filter(within)
+                .collect();
+            if ticks.len() <= most.max(1) {
+                return ticks;
+            }
+            apart += 1;
+        }
+    }
+}
+
+/// A tick's number: it has one digit.
+pub fn tick_label(value: f64) -> String {
+    if (0.99e-3..1e5).contains(&value) {
+        let digits = (-value.log10() - 1e-9).ceil().max(0.0) as usize;
+        format!("{value:.digits$}")
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_powers_of_ten_where_there_are_many_and_have_short_names() {
+        let axis = Axis::over([1e-6, 30.0].into_iter());
+        assert_eq!(axis.ticks(4).len(), 4);
+        assert!(axis.ticks(4).iter().all(|t| (t.log10() % 1.0).abs() < 1e-9));
+        let narrow = Axis::over([1.1, 4.0].into_iter());
+        assert_eq!(narrow.ticks(5), [1.0, 2.0]);
+        let labels = [1e-6, 1e-3, 0.02, 0.1, 1.0, 50.0].map(tick_label);
+        assert_eq!(labels, ["1e-6", "0.001", "0.02", "0.1", "1", "50"]);
+    }
+
+    #[test]
+    fn an_axis_over_one_value_or_none_still_has_a_length() {
+        for axis in [Axis::over([3.0].into_iter()), Axis::over([0.0].into_iter())] {
+            assert!(axis.high > axis.low && axis.share(3.0).is_finite());
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! Leaving the app by every door, and coming back: the terminal is as it was.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use portable_pty::CommandBuilder;
+use support::{PATIENCE, RIGHT, Replies, Term, app, plain, started};
+
+#[test]
+fn q_and_control_c_leave_a_clean_terminal() {
+    let mut term = started();
+    term.keys("q");
+    assert_eq!(term.exit_code(), 0);
+    term.assert_restored();
+    // Also while something is typed.
+    let mut term = started();
+    term.keys("\r12");
+    term.wait_for("Esc restore");
+    term.keys("\x03");
+    assert_eq!(term.exit_code(), 130);
+    term.assert_restored();
+}
+
+#[test]
+fn a_termination_signal_leaves_a_clean_terminal() {
+    for (name, code) in [("TERM", 143), ("INT", 130)] {
+        let mut term = started();
+        term.signal(name);
+        assert_eq!(term.exit_code(), code);
+        term.assert_restored();
+    }
+}
+
+#[test]
+fn a_panic_leaves_a_clean_terminal_and_says_what_happened() {
+    let mut command = app(&["tui", "--fail-on", "X"]);
+    command.env("RUST_BACKTRACE", "0");
+    let mut term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys("X");
+    assert_eq!(term.exit_code(), 101);
+    term.assert_restored();
+    term.wait_for("failed on purpose");
+}
+
+#[test]
+fn the_shell_can_stop_the_app_and_go_on_with_it() {
+    let mut shell = CommandBuilder::new("bash");
+    shell.args(["--norc", "--noprofile", "-i"]);
+    plain(&mut shell);
+    shell.env("PS1", "ready> ");
+    let term = Term::start(shell);
+    term.wait_for("ready> ");
+    term.keys(&format!("{} tui\r", env!("CARGO_BIN_EXE_contrecoup")));
+    term.wait_for("26.42 %");
+    term.keys(RIGHT);
+    term.wait_for("310 N");
+    term.keys("\x1a");
+    term.wait_for("Stopped");
+    term.assert_left();
+    term.keys("fg\r");
+    term.wait_for("310 N");
+    term.keys(RIGHT);
+    term.wait_for("320 N");
+    // A stop from outside leaves no time to tidy up, but going on does.
+    let app = children(term.pid());
+    support::signal("STOP", app[0]);
+    // What is typed before the shell has taken over would still go to the app.
+    term.wait_for("Stopped");
+    term.keys("fg\r");
+    term.wait_without("Stopped");
+    term.keys(RIGHT);
+    term.wait_for("330 N");
+}
+
+fn children(pid: u32) -> Vec<u32> {
+    let text = fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap();
+    text.split_whitespace()
+        .map(|p| p.parse().unwrap())
+        .collect()
+}
+
+/// The pid that a shell wrote before it became the app.
+fn pid_in(file: &Path) -> u32 {
+    let begun = Instant::now();
+    loop {
+        if let Ok(text) = fs::read_to_string(file)
+            && let Ok(pid) = text.trim().parse()
+        {
+            return pid;
+        }
+        assert!(begun.elapsed() < PATIENCE, "never started");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+#[test]
+fn a_hang_up_ends_the_app_even_where_the_signal_is_ignored() {
+    if !Path::new("/usr/bin/script").exists() {
+        eprintln!("SKIPPED: there is no script(1)");
+        return;
+    }
+    for before in ["", "trap '' HUP;"] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pid");
+        let line = format!(
+            "{before} stty cols 80 rows 24; echo $$ > {}; exec {} tui",
+            file.display(),
+            env!("CARGO_BIN_EXE_contrecoup")
+        );
+        let mut holder = Command::new("script")
+            .args(["-qfc", &line, "/dev/null"])
+            .env("TERM", "xterm")
+            .env("SHELL", "/bin/sh")
+            .stdin(std::process::Stdio::piped())
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let pid = pid_in(&file);
+        thread::sleep(Duration::from_millis(700));
+        holder.kill().unwrap();
+        holder.wait().unwrap();
+        let begun = Instant::now();
+        while Path::new(&format!("/proc/{pid}")).exists() {
+            assert!(begun.elapsed() < Duration::from_secs(5), "still running");
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+}
+
+#[test]
+fn no_reply_is_left_for_whoever_reads_the_terminal_next() {
+    let mut shell = CommandBuilder::new("sh");
+    let line = format!("{} tui; echo over; cat", env!("CARGO_BIN_EXE_contrecoup"));
+    shell.args(["-c", &line]);
+    plain(&mut shell);
+    let late = Replies::Late(Duration::from_millis(250));
+    let term = Term::open(shell, (80, 24), late);
+    term.wait_for("26.42 %");
+    term.keys("2");
+    term.wait_for("Node force");
+    term.keys("1q");
+    term.wait_for("over");
+    thread::sleep(Duration::from_millis(500));
+    assert!(!term.text().contains("1R"), "{}", term.text());
+}

@@ -1,0 +1,124 @@
+//! What goes over the wire: how much, how often, and in which colours.
+
+mod support;
+
+use std::thread;
+use std::time::Duration;
+
+use support::{DOWN, RIGHT, Replies, Term, app, started};
+
+/// The numbers of every colour code in what was sent.
+fn colour_codes(raw: &[u8]) -> Vec<u32> {
+    let text = String::from_utf8_lossy(raw);
+    let mut codes = Vec::new();
+    for part in text.split("\x1b[").skip(1) {
+        let end = part.find(|c: char| !(c.is_ascii_digit() || c == ';'));
+        if let Some(end) = end
+            && part[end..].starts_with('m')
+        {
+            codes.extend(part[..end].split(';').filter_map(|n| n.parse::<u32>().ok()));
+        }
+    }
+    codes.retain(|n| (30..=49).contains(n) || (90..=107).contains(n));
+    codes
+}
+
+#[test]
+fn no_color_means_no_colour() {
+    let mut command = app(&[]);
+    command.env("NO_COLOR", "1");
+    let term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys("2");
+    term.wait_for("Node force");
+    assert_eq!(colour_codes(&term.raw()), [] as [u32; 0]);
+    let coloured = started();
+    assert!(!colour_codes(&coloured.raw()).is_empty());
+}
+
+#[test]
+fn plain_ascii_is_enough() {
+    let term = Term::start(app(&["tui", "--symbols", "ascii"]));
+    term.wait_for("26.42 %");
+    for screen in ["2", "3", "4", "?"] {
+        term.keys(screen);
+        term.settle();
+        let text = term.text();
+        assert!(text.is_ascii(), "{screen}: {text}");
+    }
+}
+
+#[test]
+fn an_idle_app_sends_nothing() {
+    let term = started();
+    term.settle();
+    let before = term.traffic();
+    thread::sleep(Duration::from_secs(2));
+    assert_eq!(term.traffic(), before);
+}
+
+#[test]
+fn a_replay_frame_takes_no_more_than_its_budget() {
+    for screen in ["1", "2"] {
+        let term = started();
+        term.keys(screen);
+        // Slowly, so that the frames show the blow and not the rest after it.
+        term.keys("-");
+        term.settle();
+        let before = term.traffic();
+        term.keys(" ");
+        thread::sleep(Duration::from_secs(4));
+        term.keys(" ");
+        let after = term.traffic();
+        let frames = after.1 - before.1;
+        let mean = (after.0 - before.0) / frames.max(1);
+        println!("screen {screen}, 16 colours, 80x24: {mean} bytes a frame over {frames} frames");
+        assert!(frames >= 10, "only {frames} frames");
+        assert!(mean <= 3500, "{mean} bytes a frame");
+    }
+}
+
+#[test]
+fn queued_keys_go_into_few_frames() {
+    let term = started();
+    term.settle();
+    let before = term.traffic().1;
+    term.keys(&RIGHT.repeat(100));
+    term.wait_for("1300 N");
+    term.settle();
+    let frames = term.traffic().1 - before;
+    assert!(frames <= 20, "{frames} frames");
+    term.keys("u");
+    term.wait_for("26.42 %");
+}
+
+#[test]
+fn two_frames_at_most_wait_for_their_replies() {
+    let late = Replies::Late(Duration::from_millis(150));
+    let term = Term::open(app(&[]), (80, 24), late);
+    term.wait_for("26.42 %");
+    term.keys("2 ");
+    term.keys(&RIGHT.repeat(20));
+    term.keys(" ");
+    thread::sleep(Duration::from_secs(2));
+    assert_eq!(term.most_open(), 2);
+}
+
+#[test]
+fn a_terminal_that_never_answers_is_served_all_the_same() {
+    let term = Term::open(app(&[]), (80, 24), Replies::Never);
+    term.wait_for("26.42 %");
+    term.keys(RIGHT);
+    term.wait_for("310 N");
+    // Two silences later nothing is asked any more, and keys are answered at once.
+    term.keys(DOWN);
+    thread::sleep(Duration::from_secs(3));
+    term.keys("2");
+    term.wait_for("slow link");
+    let asked = term.most_open();
+    term.keys("1u");
+    term.settle();
+    term.keys("r");
+    assert!(term.wait_for("310 N") < Duration::from_secs(1));
+    assert_eq!(term.most_open(), asked);
+}
