@@ -2,6 +2,8 @@
 
 pub mod accuracy;
 pub mod coverage;
+pub mod ensemble;
 pub mod json;
 pub mod stability;
+pub mod sweep;
 pub mod text;

@@ -5,7 +5,7 @@
 
 use super::fields::{Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, is_unprintable, plain};
-use super::{Impact, Scenario};
+use super::{Impact, Scenario, doubt};
 
 /// Everything that is wrong with the values, in the order of the fields.
 ///
@@ -15,7 +15,8 @@ pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
     let ranges = FIELDS
         .iter()
         .filter_map(|field| check_field(field, scenario));
-    outcome(ranges.chain(behind_bone(scenario)).collect())
+    let joint = behind_bone(scenario).into_iter();
+    outcome(ranges.chain(joint).chain(doubt::check(scenario)).collect())
 }
 
 /// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
@@ -28,11 +29,8 @@ pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), Scenar
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
     let ranges = FIELDS.iter().filter(inside);
-    outcome(
-        ranges
-            .filter_map(|field| check_field(field, scenario))
-            .collect(),
-    )
+    let ranges = ranges.filter_map(|field| check_field(field, scenario));
+    outcome(ranges.chain(doubt::check(scenario)).collect())
 }
 
 fn outcome(problems: Vec<Problem>) -> Result<(), ScenarioError> {

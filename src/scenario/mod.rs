@@ -7,6 +7,7 @@
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
 pub mod check;
+pub mod doubt;
 pub mod fields;
 pub mod library;
 pub mod load;
@@ -14,6 +15,8 @@ pub mod locate;
 pub mod problem;
 mod ron_text;
 pub mod set;
+
+use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +40,9 @@ pub struct Scenario {
     /// Integrator and step.
     #[serde(default)]
     pub numerics: NumericsInput,
+    /// Standard deviations of numbers that are in doubt, by the path of their field; see [`doubt`].
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub doubt: BTreeMap<String, f64>,
 }
 
 impl Scenario {
@@ -54,6 +60,7 @@ impl Default for Scenario {
             window_ms: Self::default_window_ms(),
             eye: EyeInput::default(),
             numerics: NumericsInput::default(),
+            doubt: BTreeMap::new(),
         }
     }
 }
