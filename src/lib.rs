@@ -11,6 +11,7 @@ pub mod cli;
 pub mod dynamics;
 pub mod eye;
 pub mod injury;
+mod normal;
 pub mod recording;
 pub mod report;
 pub mod scenario;

@@ -11,6 +11,9 @@ pub enum CliError {
     /// The input was sound, but something went wrong.
     #[error("error: {0}")]
     Failed(String),
+    /// Somebody stopped it; what was done has been printed.
+    #[error("{0}")]
+    Interrupted(String),
     /// What was asked for makes no sense.
     #[error("{0}")]
     Input(String),
@@ -36,12 +39,14 @@ impl From<Refusal> for CliError {
 }
 
 impl CliError {
-    /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input.
+    /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input, 130 if it was
+    /// stopped.
     pub fn exit_code(&self) -> u8 {
         match self {
             _ if self.is_broken_pipe() => 0,
             Self::Failed(_) | Self::Output(_) => 1,
             Self::Input(_) | Self::Scenario(_) => 2,
+            Self::Interrupted(_) => 130,
         }
     }
 

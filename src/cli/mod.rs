@@ -1,6 +1,6 @@
 //! The command line: what can be typed, and which function answers it.
 //!
-//! Exit codes: 0 done, 1 failed, 2 bad input. A reader that closes the pipe early is no failure.
+//! Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted. A reader that closes the pipe early is no failure.
 //!
 //! Left out: the answers themselves, one module each, and the meaning of a field's value, which
 //! the registry of fields decides for files, flags and forms alike.
@@ -8,17 +8,21 @@
 mod accuracy;
 mod arguments;
 mod coverage;
+mod ensemble;
 mod error;
 mod export;
 mod generate;
+mod interrupt;
 mod presets;
 mod progress;
 mod run;
 mod stability;
 mod validate;
+mod sweep;
 
 pub use arguments::{Assignment, ScenarioArgs};
 pub use error::CliError;
+pub use sweep::Shard;
 
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -28,6 +32,8 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::study::coverage::MOST_SCENES;
+use crate::study::ensemble::{FEWEST_SAMPLES, MOST_SAMPLES};
+use crate::study::sweep::Axis;
 use crate::tui;
 
 /// Simulate a blow to a human eye.
@@ -60,6 +66,10 @@ pub enum Command {
     Validate(ValidateArgs),
     /// Repeat the fit of the Physiological model to published experiments
     Calibrate(CalibrateArgs),
+    /// Run many samples over what is not known of the inputs: median, band and what drives it
+    Ensemble(EnsembleArgs),
+    /// Run a grid over some fields, in shards for a cluster, and go on after a kill
+    Sweep(SweepArgs),
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -166,6 +176,61 @@ pub struct CoverageArgs {
     pub json: bool,
 }
 
+/// Arguments of `ensemble`.
+#[derive(Debug, Args)]
+pub struct EnsembleArgs {
+    /// What to simulate. Doubt in an input is written `--set impact.force_n="300 +- 20"`.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// How many samples
+    #[arg(long, value_name = "N", default_value_t = 1000,
+          value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MOST_SAMPLES)))]
+    pub samples: u32,
+    /// Which samples: a seed gives the same ones for good
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u32,
+    /// The result of which to print what drives it; JSON has all
+    #[arg(long, value_name = "RESULT", default_value = "damage_percent")]
+    pub drives: String,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `sweep`.
+#[derive(Debug, Args)]
+#[command(after_help = SWEEP_HELP)]
+pub struct SweepArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which the
+    /// last one runs fastest
+    #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = Axis::read)]
+    pub vary: Vec<Axis>,
+    /// Only the rows r with r mod N = I - 1; all N shards together are the whole
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: Shard,
+    /// Append to this file, and go on where an earlier run of the same command ended
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Print CSV: the default
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+    /// Print one JSON object a line instead of CSV
+    #[arg(long)]
+    pub json: bool,
+}
+
+const SWEEP_HELP: &str = "\
+Job arrays: each task takes its own shard and file; the shell fills in the number.
+  Slurm:         sbatch --array=1-8 --wrap 'contrecoup sweep paper-300n \\
+                   --vary impact.force_n=50:500:40 \\
+                   --shard $SLURM_ARRAY_TASK_ID/8 --out part-$SLURM_ARRAY_TASK_ID.csv'
+  GNU parallel:  parallel contrecoup sweep paper-300n --vary impact.force_n=50:500:40 \\
+                   --shard {}/8 --out part-{}.csv ::: $(seq 8)
+Together:        grep -hv '^#' part-*.csv | sort -un";
+
 /// Arguments of `presets`.
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true)]
@@ -234,6 +299,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Stability(args)) => stability::run(args, out),
+        Some(Command::Ensemble(args)) => ensemble::run(args, out),
+        Some(Command::Sweep(args)) => sweep::run(args, out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         // The app has been run already.

@@ -7,7 +7,7 @@
 //!
 //! Left out: confidence limits of the published points themselves, which no source at hand gives.
 
-use std::f64::consts::{FRAC_1_SQRT_2, LN_10};
+use crate::normal;
 
 /// An injury that a curve speaks of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -204,7 +204,7 @@ impl Curve {
     pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
         match self.form {
             Form::Logistic { half, .. } => 1.0 / (1.0 + (-slope * (value / half - 1.0)).exp()),
-            Form::Normal { mean, sd } => normal_cdf((value - mean) / sd),
+            Form::Normal { mean, sd } => normal::below((value - mean) / sd),
         }
     }
 
@@ -225,62 +225,5 @@ impl Curve {
             Form::Logistic { half, .. } => half,
             Form::Normal { mean, .. } => mean,
         }
-    }
-}
-
-/// Share of the standard normal distribution below `z`, to 1e-13 or better.
-///
-/// Series of the error function where it converges fast, continued fraction of its complement
-/// beyond (Abramowitz and Stegun, 7.1.6 and 7.1.14).
-pub fn normal_cdf(z: f64) -> f64 {
-    if z.is_nan() {
-        return z;
-    }
-    let x = z.abs() * FRAC_1_SQRT_2;
-    // Beyond this the tail is below the least number that f64 holds.
-    if x * x > 300.0 * LN_10 {
-        return if z > 0.0 { 1.0 } else { 0.0 };
-    }
-    let root_pi = std::f64::consts::PI.sqrt();
-    let tail = if x < 2.5 {
-        let mut term = x;
-        let mut sum = x;
-        let mut n = 0.0;
-        while term > 1e-17 * sum {
-            n += 1.0;
-            term *= 2.0 * x * x / (2.0 * n + 1.0);
-            sum += term;
-        }
-        0.5 - sum * (-x * x).exp() / root_pi
-    } else {
-        let fraction = (1..=80)
-            .rev()
-            .fold(x, |below, k| x + 0.5 * f64::from(k) / below);
-        0.5 * (-x * x).exp() / (root_pi * fraction)
-    };
-    if z > 0.0 { 1.0 - tail } else { tail }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_normal_distribution_has_its_known_values() {
-        for (z, wanted) in [
-            (0.0, 0.5),
-            (1.0, 0.841_344_746_068_542_9),
-            (-1.0, 0.158_655_253_931_457_05),
-            (1.96, 0.975_002_104_851_779_7),
-            (-3.0, 1.349_898_031_630_094_6e-3),
-            (-3.5, 2.326_290_790_355_250_4e-4),
-            (-3.6, 1.591_085_901_575_339_4e-4),
-            (-6.0, 9.865_876_450_376_98e-10),
-        ] {
-            let found = normal_cdf(z);
-            assert!((found / wanted - 1.0).abs() < 1e-11, "{z}: {found}");
-        }
-        assert_eq!((normal_cdf(50.0), normal_cdf(-50.0)), (1.0, 0.0));
-        assert!(normal_cdf(f64::NAN).is_nan());
     }
 }

@@ -8,7 +8,7 @@ mod index;
 mod published;
 mod risk;
 
-pub use curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing, normal_cdf};
+pub use curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing};
 pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
 pub use risk::{Blow, Caution, ORBIT, Risk, assess, disagreement};

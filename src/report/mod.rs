@@ -2,8 +2,10 @@
 
 pub mod accuracy;
 pub mod coverage;
+pub mod ensemble;
 pub mod injury;
 pub mod json;
 pub mod stability;
+pub mod sweep;
 pub mod text;
 pub mod validate;

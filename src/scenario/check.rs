@@ -5,7 +5,7 @@
 
 use super::fields::{Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, is_unprintable, plain};
-use super::{Impact, Projectile, Scenario};
+use super::{Impact, Projectile, Scenario, doubt};
 
 /// Everything that is wrong with the values, in the order of the fields.
 ///
@@ -18,7 +18,7 @@ pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
     let rules = behind_bone(scenario)
         .into_iter()
         .chain(unknown_marks(scenario));
-    outcome(ranges.chain(rules).collect())
+    outcome(ranges.chain(rules).chain(doubt::check(scenario)).collect())
 }
 
 /// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
@@ -31,11 +31,8 @@ pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), Scenar
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
     let ranges = FIELDS.iter().filter(inside);
-    outcome(
-        ranges
-            .filter_map(|field| check_field(field, scenario))
-            .collect(),
-    )
+    let ranges = ranges.filter_map(|field| check_field(field, scenario));
+    outcome(ranges.chain(doubt::check(scenario)).collect())
 }
 
 fn outcome(problems: Vec<Problem>) -> Result<(), ScenarioError> {

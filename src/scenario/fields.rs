@@ -306,7 +306,8 @@ impl Field {
     /// variant has no such field.
     pub fn text(&self, scenario: &Scenario) -> Option<String> {
         match &self.kind {
-            Number(_, place) => (place.get)(scenario).map(|number| plain(*number)),
+            Number(_, place) => (place.get)(scenario)
+                .map(|number| plain(*number) + &super::doubt::suffix(self, scenario)),
             OptionalNumber(_, place) => {
                 (place.get)(scenario).map(|number| number.map_or("None".to_owned(), plain))
             }

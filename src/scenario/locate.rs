@@ -13,6 +13,28 @@ use std::str::CharIndices;
 /// ancestor that the text holds. Variant names are passed through: `impact.force_n` is found
 /// inside `impact: ForcePulse(...)`.
 pub fn locate(text: &str, path: &str) -> (usize, usize) {
+    if let Some(of) = path.strip_prefix("doubt.") {
+        return line_and_column(text, doubt_of(text, of));
+    }
+    line_and_column(text, offset_of(text, path))
+}
+
+/// Doubts are a map by paths in quotes: the value behind the path, or else the map.
+fn doubt_of(text: &str, path: &str) -> usize {
+    let map = offset_of(text, "doubt");
+    let key = format!("\"{path}\"");
+    let Some(at) = text[map..].find(&key) else {
+        return map;
+    };
+    let mut walk = Walk::new(text);
+    walk.jump(map + at + key.len());
+    match walk.token() {
+        Some(Token::Colon) => walk.here(),
+        _ => map + at,
+    }
+}
+
+fn offset_of(text: &str, path: &str) -> usize {
     let mut walk = Walk::new(text);
     walk.skip_attributes();
     let mut found = walk.here();
@@ -22,7 +44,7 @@ pub fn locate(text: &str, path: &str) -> (usize, usize) {
         }
         found = walk.here();
     }
-    line_and_column(text, found)
+    found
 }
 
 fn line_and_column(text: &str, offset: usize) -> (usize, usize) {

@@ -7,6 +7,7 @@
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
 pub mod check;
+pub mod doubt;
 pub mod fields;
 pub mod library;
 pub mod load;
@@ -17,9 +18,10 @@ mod projectile;
 mod ron_text;
 pub mod set;
 
+use std::collections::BTreeMap;
+
 pub use physiological::Physiological;
 pub use projectile::{Projectile, ProjectileStiffness};
-
 use serde::{Deserialize, Serialize};
 
 /// One blow to one eye: everything that a run depends on.
@@ -42,6 +44,9 @@ pub struct Scenario {
     /// Integrator and step.
     #[serde(default)]
     pub numerics: NumericsInput,
+    /// Standard deviations of numbers that are in doubt, by the path of their field; see [`doubt`].
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub doubt: BTreeMap<String, f64>,
 }
 
 impl Scenario {
@@ -59,6 +64,7 @@ impl Default for Scenario {
             window_ms: Self::default_window_ms(),
             eye: EyeInput::default(),
             numerics: NumericsInput::default(),
+            doubt: BTreeMap::new(),
         }
     }
 }

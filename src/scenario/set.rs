@@ -6,11 +6,11 @@
 
 use serde::de::DeserializeOwned;
 
-use super::Scenario;
 use super::check::check_inside;
 use super::fields::{self, Choices, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, suggestion};
 use super::ron_text::{not_a, read};
+use super::{Scenario, doubt};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {
@@ -50,6 +50,10 @@ static GROUPS: &[Group] = &[
         path: "numerics",
         replace: |s, text| put(Some(&mut s.numerics), text, "numerics"),
     },
+    Group {
+        path: "doubt",
+        replace: |s, text| put(Some(&mut s.doubt), text, "doubt"),
+    },
 ];
 
 fn put<T: DeserializeOwned>(
@@ -67,6 +71,9 @@ fn put<T: DeserializeOwned>(
 /// scenario is left as it was. Rules that join two fields are not applied: see
 /// [`super::check::check`].
 ///
+/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older doubt:
+/// what is written is what holds.
+///
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
 pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), ScenarioError> {
@@ -82,9 +89,15 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
         (_, Some(group)) if field.is_none() || !is_name(text) => {
             (group.replace)(&mut changed, text)?;
         }
+        (Some(field), _) if matches!(field.kind, Kind::Number(..)) => {
+            let (value, doubted) = doubt::split(text);
+            set_field(&mut changed, field, value)?;
+            doubt::put(&mut changed, field, doubted)?;
+        }
         (Some(field), _) => set_field(&mut changed, field, text)?,
         (None, _) => return Err(unknown(path).into()),
     }
+    doubt::tidy(&mut changed, path);
     check_inside(&changed, path)?;
     confirm(&mut changed, path);
     *scenario = changed;
@@ -98,6 +111,13 @@ fn confirm(scenario: &mut Scenario, path: &str) {
         .and_then(|p| p.split('.').next());
     if let (Some(name), Some(shot)) = (name, fields::shot_mut(scenario)) {
         shot.unverified.retain(|field| field != name);
+    }
+}
+
+/// Puts a number into a field that holds one, unchecked; any doubt of it stays.
+pub fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
+    if let Kind::Number(_, place) = &field.kind {
+        store((place.get_mut)(scenario), Some(value));
     }
 }
 

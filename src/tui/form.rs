@@ -8,6 +8,7 @@ use tui_input::Input;
 use super::action::Step;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
+use crate::scenario::doubt;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::set;
@@ -205,7 +206,8 @@ pub fn nudged(
         }
     };
     text.map_or(Ok(scenario.clone()), |value| {
-        with_text(scenario, field, &value.to_string())
+        let text = doubt::keeping(field, scenario, &value.to_string());
+        with_text(scenario, field, &text)
     })
 }
 

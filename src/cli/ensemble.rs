@@ -1,0 +1,60 @@
+//! `contrecoup ensemble`: how far the answer may be off because the inputs are not known.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
+
+use super::interrupt;
+use super::progress::Progress;
+use super::{CliError, EnsembleArgs};
+use crate::report::ensemble::{json, text};
+use crate::scenario::problem::{quoted, suggestion};
+use crate::study::ensemble::run as run_samples;
+use crate::study::outputs::OUTPUTS;
+
+/// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.
+///
+/// # Errors
+/// Where the scenario is refused, the output cannot be written, or the work was interrupted.
+pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let scenario = args.scenario.scenario()?;
+    let output = output(&args.drives)?;
+    let stop = interrupt::flag()?;
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let ensemble = run_samples(&scenario, (args.samples, args.seed), &stop, &|share| {
+        lock().show("samples", share);
+        ControlFlow::Continue(())
+    });
+    lock().clear();
+    let ensemble = ensemble?;
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &json(&scenario, &ensemble))
+            .map_err(io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        text(&scenario, &ensemble, output, out)?;
+    }
+    out.flush()?;
+    if ensemble.stopped() {
+        let (done, asked) = (ensemble.samples.len(), ensemble.asked);
+        return Err(CliError::Interrupted(format!(
+            "interrupted: {done} of {asked} samples done"
+        )));
+    }
+    Ok(())
+}
+
+/// The output of this name.
+fn output(key: &str) -> Result<usize, CliError> {
+    let found = OUTPUTS.iter().position(|output| output.key == key);
+    found.ok_or_else(|| {
+        let keys: Vec<&str> = OUTPUTS.iter().map(|output| output.key).collect();
+        let near = suggestion(key, keys.iter().copied());
+        CliError::Input(format!(
+            "--drives {}: there is no such result{near} (allowed: {})",
+            quoted(key),
+            keys.join(", ")
+        ))
+    })
+}

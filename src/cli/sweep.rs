@@ -1,0 +1,263 @@
+//! `contrecoup sweep`: a grid of runs, in shards, to be gone on with after a kill.
+//!
+//! Rows are appended to the file whole and in order, so what a killed run leaves is the beginning of
+//! the shard and at most one torn line. The next run cuts the torn line off, reads which rows are there
+//! and does the rest. The heading holds a fingerprint of scenario, grid and version, by which a file of
+//! another sweep is known and left alone.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, PoisonError};
+
+use super::interrupt;
+use super::progress::Progress;
+use super::{CliError, SweepArgs};
+use crate::report::sweep::Form;
+use crate::scenario::problem::{printable, quoted};
+use crate::study::ordered;
+use crate::study::sweep::{Axis, Sweep};
+
+/// Which rows: number i of n, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    /// Which.
+    pub index: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+impl FromStr for Shard {
+    type Err = &'static str;
+
+    fn from_str(typed: &str) -> Result<Self, Self::Err> {
+        let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
+        let (index, of) = typed.split_once('/').ok_or(wanted)?;
+        match (index.trim().parse(), of.trim().parse()) {
+            (Ok(index), Ok(of)) if 1 <= index && index <= of && of <= 1_000_000 => {
+                Ok(Self { index, of })
+            }
+            _ => Err(wanted),
+        }
+    }
+}
+
+impl Shard {
+    /// Its rows of a grid of so many.
+    fn rows(self, all: usize) -> Vec<usize> {
+        (self.index - 1..all).step_by(self.of).collect()
+    }
+}
+
+/// Runs the rows of a shard that are not there yet.
+///
+/// # Errors
+/// Where scenario, grid or file are refused, the output cannot be written, or the work was interrupted.
+pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let scenario = args.scenario.scenario()?;
+    let axes: Vec<Axis> = args.vary.clone();
+    let sweep = Sweep::new(scenario, axes).map_err(|error| {
+        let line = |p: &crate::scenario::problem::Problem| {
+            format!("--vary {}: {}", printable(&p.field), printable(&p.message))
+        };
+        CliError::Input(
+            error
+                .problems
+                .iter()
+                .map(line)
+                .collect::<Vec<_>>()
+                .join("\n"),
+        )
+    })?;
+    let form = if args.json { Form::Json } else { Form::Csv };
+    let rows = args.shard.rows(sweep.rows());
+    let Some(path) = &args.out else {
+        out.write_all(form.heading(&sweep).as_bytes())?;
+        return work(&sweep, form, &rows, 0, &mut Unflushed(out));
+    };
+    let (mut file, done) = open(path, &form.heading(&sweep), form, &rows)?;
+    let left = rows.len() - done;
+    let said = |what: &str| format!("{}: {what}", printable(&path.display().to_string()));
+    if left == 0 {
+        let text = format!("all {} rows are there: nothing to do", rows.len());
+        writeln!(out, "{}", said(&text))?;
+        return Ok(());
+    }
+    work(&sweep, form, &rows, done, &mut file)?;
+    let before = if done > 0 {
+        format!(" to the {done} that were there")
+    } else {
+        String::new()
+    };
+    writeln!(out, "{}", said(&format!("{left} rows added{before}")))?;
+    Ok(())
+}
+
+/// Standard output, whose lock stays on one thread: lines are handed over and written at the end of
+/// each call.
+struct Unflushed<'a>(&'a mut dyn Write);
+
+/// Where rows go, one whole line at a time.
+trait Sink {
+    fn line(&mut self, line: &str) -> io::Result<()>;
+}
+
+impl Sink for Unflushed<'_> {
+    fn line(&mut self, line: &str) -> io::Result<()> {
+        self.0.write_all(line.as_bytes())?;
+        self.0.flush()
+    }
+}
+
+impl Sink for File {
+    fn line(&mut self, line: &str) -> io::Result<()> {
+        // One call, so that a kill tears at most this line.
+        self.write_all(line.as_bytes())
+    }
+}
+
+fn work(
+    sweep: &Sweep,
+    form: Form,
+    rows: &[usize],
+    done: usize,
+    sink: &mut dyn Sink,
+) -> Result<(), CliError> {
+    let stop = interrupt::flag()?;
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let (send, receive) = std::sync::mpsc::channel();
+    let mut written = done;
+    let mut failed = None;
+    // The sink stays on this thread; rows come to it by channel, in their order.
+    std::thread::scope(|scope| {
+        let stop = &stop;
+        scope.spawn(move || {
+            let job = |at: usize| {
+                sweep.run(rows[at], &mut |_| {
+                    if stop.load(Ordering::Relaxed) {
+                        ControlFlow::Break(())
+                    } else {
+                        ControlFlow::Continue(())
+                    }
+                })
+            };
+            ordered::run((done, rows.len()), stop, job, |_, row| {
+                match send.send(row) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(_) => ControlFlow::Break(()),
+                }
+            });
+        });
+        for row in receive {
+            if let Err(error) = sink.line(&form.row(sweep, &row)) {
+                failed = Some(error);
+                stop.store(true, Ordering::Relaxed);
+                break;
+            }
+            written += 1;
+            lock().show("rows", written as f64 / rows.len() as f64);
+        }
+    });
+    lock().clear();
+    if let Some(error) = failed {
+        return Err(error.into());
+    }
+    if written < rows.len() {
+        return Err(CliError::Interrupted(format!(
+            "interrupted: {written} of {} rows done; the same command with --out goes on from there",
+            rows.len()
+        )));
+    }
+    Ok(())
+}
+
+/// Opens a file to append to, and how many of `rows` it holds already.
+fn open(path: &Path, heading: &str, form: Form, rows: &[usize]) -> Result<(File, usize), CliError> {
+    let name = printable(&path.display().to_string()).into_owned();
+    let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
+    let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));
+    if path.metadata().is_ok_and(|m| !m.is_file()) {
+        return Err(refused(
+            "is not a regular file; without --out rows go to standard output".to_owned(),
+        ));
+    }
+    let mut options = OpenOptions::new();
+    let mut file = options
+        .read(true)
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(path)
+        .map_err(failed)?;
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => {
+            return Err(CliError::Failed(format!(
+                "{name} is being written by another run"
+            )));
+        }
+        // Some network file systems have no locks; then nobody is told of a second writer.
+        Ok(()) | Err(TryLockError::Error(_)) => {}
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes).map_err(failed)?;
+    let whole = bytes
+        .iter()
+        .rposition(|b| *b == b'\n')
+        .map_or(0, |at| at + 1);
+    let text = String::from_utf8_lossy(&bytes[..whole]);
+    let fresh = heading.as_bytes().starts_with(&bytes);
+    let done = if fresh {
+        0
+    } else if let Some(table) = text.strip_prefix(heading) {
+        for (at, line) in table.lines().enumerate() {
+            if form.number(line).is_none() || form.number(line) != rows.get(at).copied() {
+                let line_number = heading.lines().count() + at + 1;
+                return Err(refused(format!(
+                    "line {line_number}: {} is not the next row of this shard",
+                    quoted(line)
+                )));
+            }
+        }
+        table.lines().count()
+    } else {
+        let first = text.lines().next().unwrap_or_default();
+        return Err(refused(format!(
+            "holds something else: {} where {} was expected; choose another file",
+            quoted(first),
+            quoted(heading.lines().next().unwrap_or_default())
+        )));
+    };
+    let keep = if fresh { 0 } else { whole };
+    file.set_len(keep as u64).map_err(failed)?;
+    file.seek(SeekFrom::End(0)).map_err(failed)?;
+    if fresh {
+        let mut writer = BufWriter::new(&file);
+        writer.write_all(heading.as_bytes()).map_err(failed)?;
+        writer.flush().map_err(failed)?;
+    }
+    Ok((file, done))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_are_read_and_hold_every_row_once() {
+        let shard = |text: &str| text.parse::<Shard>();
+        for bad in ["", "1", "0/2", "3/2", "a/b", "-1/2", "1/0"] {
+            assert!(shard(bad).is_err(), "{bad}");
+        }
+        let mut all: Vec<usize> = (1..=3)
+            .flat_map(|i| shard(&format!("{i}/3")).unwrap().rows(10))
+            .collect();
+        all.sort_unstable();
+        assert_eq!(all, (0..10).collect::<Vec<_>>());
+        assert_eq!(shard("2/3").unwrap().rows(10), [1, 4, 7]);
+        assert!(shard("5/5").unwrap().rows(3).is_empty());
+    }
+}

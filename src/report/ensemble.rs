@@ -1,0 +1,251 @@
+//! An ensemble as text of 80 columns and as one JSON object.
+
+use super::text::{percent, significant};
+use crate::scenario::Scenario;
+use crate::scenario::problem::printable;
+use crate::study::ensemble::{Band, Ensemble};
+use crate::study::outputs::OUTPUTS;
+use crate::study::point::PROMISE_PERCENT;
+use crate::study::spreads::{Input, Shape};
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// Half the length of a bar of rank correlation, in characters.
+const BAR: usize = 12;
+
+/// A distribution in words.
+pub fn distribution(input: &Input) -> String {
+    let unit = input.field.unit;
+    let text = match input.shape {
+        Shape::LogUniform(a, b) => {
+            format!(
+                "log-uniform {} to {} {unit}",
+                significant(a),
+                significant(b)
+            )
+        }
+        Shape::Uniform(a, b) => format!("uniform {} to {} {unit}", significant(a), significant(b)),
+        Shape::Normal(mean, sd) => {
+            format!("normal {} ± {} {unit}", significant(mean), significant(sd))
+        }
+    };
+    text.trim_end().to_owned()
+}
+
+/// A bar from the middle, to the left for less than zero.
+pub fn bar(correlation: f64, half: usize) -> String {
+    let length = ((correlation.abs() * half as f64).round() as usize).min(half);
+    let (space, full) = (" ".repeat(half - length), "█".repeat(length));
+    if correlation < 0.0 {
+        format!("{space}{full}│{}", " ".repeat(half))
+    } else {
+        format!("{}│{full}{space}", " ".repeat(half))
+    }
+}
+
+/// Prints bands, drivers of `output`, counts and cost.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(
+    scenario: &Scenario,
+    ensemble: &Ensemble,
+    output: usize,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let done = ensemble.samples.len();
+    writeln!(out, "{}", printable(&scenario.name))?;
+    let stopped = if ensemble.stopped() {
+        format!(", stopped: {} were asked for", ensemble.asked)
+    } else {
+        String::new()
+    };
+    writeln!(out, "{done} samples of seed {}{stopped}\n", ensemble.seed)?;
+    writeln!(
+        out,
+        "{:<22}{:>12}{:>12}{:>12}{:>12}",
+        "", "5 %", "median", "95 %", "as it stands"
+    )?;
+    for index in ensemble.outputs() {
+        let Some(band) = ensemble.band(index) else {
+            continue;
+        };
+        let Band { low, median, high } = band;
+        let nominal = ensemble.nominal.as_ref().map_or(f64::NAN, |n| n[index]);
+        writeln!(
+            out,
+            "{:<19}{:>3}{:>12}{:>12}{:>12}{:>12}",
+            OUTPUTS[index].label,
+            OUTPUTS[index].unit,
+            significant(low),
+            significant(median),
+            significant(high),
+            significant(nominal)
+        )?;
+    }
+    if ensemble.valid().next().is_none() {
+        writeln!(out, "no sample has a valid result")?;
+    }
+    writeln!(
+        out,
+        "\nWhat drives {} (rank correlation)",
+        OUTPUTS[output].label
+    )?;
+    for (input, correlation) in ensemble.drivers(output) {
+        writeln!(
+            out,
+            "{:<20} {:>5.2} {}",
+            ensemble.inputs[input].field.label,
+            correlation,
+            bar(correlation, BAR)
+        )?;
+    }
+    if ensemble.inputs.is_empty() {
+        writeln!(out, "nothing was drawn: every input is held to be known")?;
+    }
+    writeln!(out, "\nDrawn from")?;
+    for input in &ensemble.inputs {
+        let source = input.source.unwrap_or("your doubt");
+        let what = format!("{:<20} {}", input.field.label, distribution(input));
+        writeln!(out, "{what}\n    {source}")?;
+    }
+    counts(ensemble, out)?;
+    cost(ensemble, out)?;
+    writeln!(out, "\nResearch and education, not diagnosis.")
+}
+
+fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
+    let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
+    writeln!(
+        out,
+        "\nThe bands hold {valid} of {done} samples: those that ran and whose mesh did not fold."
+    )?;
+    for (name, count) in ensemble.counts() {
+        writeln!(out, "{count:>7}  {name}")?;
+    }
+    let checks = ensemble.checks();
+    writeln!(
+        out,
+        "Step error: {} samples checked, the worst claims {} at the step the others take",
+        checks.count,
+        percent(checks.first)
+    )?;
+    if checks.refined > 0 {
+        writeln!(
+            out,
+            "  {} above {PROMISE_PERCENT} % were refined, {} of them after the pilot; now at most {}",
+            checks.refined,
+            checks.missed,
+            percent(checks.last)
+        )?;
+    }
+    Ok(())
+}
+
+fn cost(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
+    let timing = &ensemble.timing;
+    let each = timing.cores / ensemble.samples.len().max(1) as f64;
+    writeln!(
+        out,
+        "Took {:.2} s on {} threads: {:.2} core-ms a sample, {:.2} times the single case ({:.2} ms)",
+        timing.wall,
+        timing.threads,
+        each * 1e3,
+        each / timing.single,
+        timing.single * 1e3
+    )
+}
+
+fn band(ensemble: &Ensemble, output: usize) -> Value {
+    let nominal = ensemble.nominal.as_ref().map(|n| n[output]);
+    let drivers: Map<String, Value> = ensemble
+        .drivers(output)
+        .into_iter()
+        .map(|(i, r)| (ensemble.inputs[i].field.path.to_owned(), json!(r)))
+        .collect();
+    ensemble.band(output).map_or(Value::Null, |band| {
+        json!({
+            "p05": band.low,
+            "median": band.median,
+            "p95": band.high,
+            "as_it_stands": nominal,
+            "rank_correlation": drivers,
+        })
+    })
+}
+
+fn input(of: &Input) -> Value {
+    let (kind, a, b) = match of.shape {
+        Shape::LogUniform(a, b) => ("log_uniform", a, b),
+        Shape::Uniform(a, b) => ("uniform", a, b),
+        Shape::Normal(a, b) => ("normal", a, b),
+    };
+    let (first, second) = if kind == "normal" {
+        ("mean", "sd")
+    } else {
+        ("low", "high")
+    };
+    json!({
+        "field": of.field.path,
+        "unit": of.field.unit,
+        "distribution": kind,
+        first: a,
+        second: b,
+        "source": of.source.unwrap_or("doubt of the scenario"),
+    })
+}
+
+/// The same as one object.
+pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
+    let checks = ensemble.checks();
+    let timing = &ensemble.timing;
+    let done = ensemble.samples.len();
+    let each = timing.cores / done.max(1) as f64;
+    let results: Map<String, Value> = ensemble
+        .outputs()
+        .into_iter()
+        .map(|index| (OUTPUTS[index].key.to_owned(), band(ensemble, index)))
+        .collect();
+    json!({
+        "scenario": scenario,
+        "samples": done,
+        "asked": ensemble.asked,
+        "stopped": ensemble.stopped(),
+        "seed": ensemble.seed,
+        "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
+        "results": results,
+        "counted": {
+            "in_the_bands": ensemble.valid().count(),
+            "folded_left_out": ensemble.folded(),
+            "by_name": ensemble.counts().into_iter().map(|(name, n)| (name, json!(n))).collect::<Map<_, _>>(),
+        },
+        "step_error": {
+            "promise_percent": PROMISE_PERCENT,
+            "checked": checks.count,
+            "refined": checks.refined,
+            "above_promise_after_pilot": checks.missed,
+            "worst_claim_at_the_common_step_percent": checks.first,
+            "worst_claim_percent": checks.last,
+            "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
+        },
+        "timing": {
+            "wall_s": timing.wall,
+            "threads": timing.threads,
+            "core_ms_per_sample": each * 1e3,
+            "single_case_ms": timing.single * 1e3,
+            "ratio_to_single_case": each / timing.single,
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_grow_from_the_middle() {
+        assert_eq!(bar(0.5, 4), "    │██  ");
+        assert_eq!(bar(-1.0, 4), "████│    ");
+        assert_eq!(bar(0.0, 2), "  │  ");
+    }
+}

@@ -1,0 +1,207 @@
+//! How much a person doubts the numbers of a scenario: `300 ± 20`.
+//!
+//! A doubt is one standard deviation of a normal distribution about the value, cut off at the
+//! field's own bounds. It changes no single run; an ensemble draws from it. A doubt of 0 says that
+//! the value is known, which also keeps published spreads away from it. Only numbers that are always
+//! there can be doubted: no choices, whole numbers or optional ones.
+//!
+//! Left out: doubts that hang together. Every input is drawn by itself.
+
+use super::Scenario;
+use super::fields::{self, Bounds, Field, Kind};
+use super::problem::{Problem, plain, suggestion};
+
+/// What may stand between a value and its doubt; the first is what the program writes.
+const SIGNS: [&str; 3] = ["±", "+-", "+/-"];
+
+/// The number that a field holds now and its bounds, if it is one that can be doubted.
+pub fn number(field: &Field, scenario: &Scenario) -> Option<(f64, Bounds)> {
+    match &field.kind {
+        Kind::Number(bounds, place) => Some((*(place.get)(scenario)?, *bounds)),
+        _ => None,
+    }
+}
+
+/// ` ± 20`, or nothing where the field is not doubted.
+pub(super) fn suffix(field: &Field, scenario: &Scenario) -> String {
+    let doubt = scenario.doubt.get(field.path);
+    doubt.map_or_else(String::new, |d| format!(" {} {}", SIGNS[0], plain(*d)))
+}
+
+/// `text` in place of the field's value, with the doubt that the field has now.
+pub fn keeping(field: &Field, scenario: &Scenario, text: &str) -> String {
+    format!("{text}{}", suffix(field, scenario))
+}
+
+/// The value and the doubt of what was typed.
+pub(super) fn split(text: &str) -> (&str, Option<&str>) {
+    let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));
+    match parts {
+        Some((value, doubt)) => (value.trim(), Some(doubt.trim())),
+        None => (text, None),
+    }
+}
+
+/// Takes what was typed after the sign; without a sign the value counts as given, and an older
+/// doubt is dropped.
+pub(super) fn put(
+    scenario: &mut Scenario,
+    field: &Field,
+    typed: Option<&str>,
+) -> Result<(), Problem> {
+    let Some(typed) = typed else {
+        scenario.doubt.remove(field.path);
+        return Ok(());
+    };
+    match typed.parse() {
+        Ok(doubt) => {
+            scenario.doubt.insert(field.path.to_owned(), doubt);
+            Ok(())
+        }
+        Err(_) => Err(refused(field, typed, "is not a number")),
+    }
+}
+
+/// Drops doubts of fields at or under `path` that the scenario no longer has.
+pub(super) fn tidy(scenario: &mut Scenario, path: &str) {
+    let mut doubt = std::mem::take(&mut scenario.doubt);
+    doubt.retain(|of, _| {
+        let under = of
+            .strip_prefix(path)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        let there = fields::find(of).is_some_and(|field| number(field, scenario).is_some());
+        there || !under
+    });
+    scenario.doubt = doubt;
+}
+
+/// Everything that is wrong with the doubts, in the order of their paths.
+pub(super) fn check(scenario: &Scenario) -> Vec<Problem> {
+    let problem = |(path, doubt): (&String, &f64)| check_one(scenario, path, *doubt);
+    scenario.doubt.iter().filter_map(problem).collect()
+}
+
+fn check_one(scenario: &Scenario, path: &str, doubt: f64) -> Option<Problem> {
+    let whole = format!("doubt.{path}");
+    let Some(field) = fields::find(path) else {
+        let numbers = fields::FIELDS
+            .iter()
+            .filter(|field| matches!(field.kind, Kind::Number(..)))
+            .map(|field| field.path);
+        let near = suggestion(path, numbers);
+        return Some(Problem::new(whole, format!("there is no such field{near}")));
+    };
+    if !matches!(field.kind, Kind::Number(..)) {
+        let message = "is not a number that can be doubted";
+        return Some(Problem::new(whole, message));
+    }
+    let Some((_, bounds)) = number(field, scenario) else {
+        return Some(Problem::new(whole, "this scenario has no such field"));
+    };
+    let complaint = if !doubt.is_finite() {
+        "is not a finite number"
+    } else if (0.0..=bounds.max - bounds.min).contains(&doubt) {
+        return None;
+    } else {
+        "is out of range"
+    };
+    Some(refused(field, &plain(doubt), complaint))
+}
+
+fn refused(field: &Field, value: &str, complaint: &str) -> Problem {
+    let Kind::Number(bounds, _) = &field.kind else {
+        return Problem::new(field.path, complaint);
+    };
+    let allowed = format!("± 0 to {} {}", plain(bounds.max - bounds.min), field.unit);
+    let path = format!("doubt.{}", field.path);
+    let value = format!("± {value}");
+    Problem::refused(&path, &value, complaint, allowed.trim_end().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::check::check as check_all;
+    use crate::scenario::load::{parse, to_ron};
+    use crate::scenario::set::set;
+
+    fn doubtful(text: &str) -> Scenario {
+        let mut scenario = Scenario::default();
+        set(&mut scenario, "impact.force_n", text).unwrap();
+        scenario
+    }
+
+    #[test]
+    fn a_doubt_is_typed_behind_the_value_and_read_back() {
+        for text in ["310 +- 20", "310±20", "310 +/- 2e1", " 310  ±  20 "] {
+            let scenario = doubtful(text);
+            assert_eq!(scenario.doubt["impact.force_n"], 20.0, "{text}");
+            let field = fields::find("impact.force_n").unwrap();
+            assert_eq!(field.text(&scenario).unwrap(), "310 ± 20");
+            assert_eq!(doubtful(&field.text(&scenario).unwrap()), scenario);
+            assert_eq!(parse(&to_ron(&scenario), "x").unwrap(), scenario);
+        }
+    }
+
+    #[test]
+    fn a_plain_number_drops_the_doubt_unless_it_is_kept_by_name() {
+        let mut scenario = doubtful("300 +- 20");
+        let field = fields::find("impact.force_n").unwrap();
+        assert_eq!(keeping(field, &scenario, "310"), "310 ± 20");
+        set(&mut scenario, "impact.force_n", "310").unwrap();
+        assert!(scenario.doubt.is_empty());
+    }
+
+    #[test]
+    fn a_doubt_goes_with_its_field() {
+        let mut scenario = Scenario::default();
+        set(&mut scenario, "impact.shape.edge_fraction", "0.1 ± 0.02").unwrap();
+        set(&mut scenario, "window_ms", "3 ± 0.1").unwrap();
+        set(&mut scenario, "impact.shape", "Triangle").unwrap();
+        assert_eq!(scenario.doubt.len(), 1);
+        assert_eq!(check_all(&scenario), Ok(()));
+    }
+
+    #[test]
+    fn bad_doubts_are_refused_with_what_is_allowed() {
+        let said = |text: &str| {
+            let mut scenario = Scenario::default();
+            let error = set(&mut scenario, "impact.force_n", text).unwrap_err();
+            assert_eq!(scenario, Scenario::default());
+            error.to_string()
+        };
+        let allowed = "allowed ± 0 to 100000 N";
+        for text in [
+            "300 +- -1",
+            "300 +- nan",
+            "300 ± inf",
+            "300 ± 1e6",
+            "300 ± x",
+            "300 ±",
+        ] {
+            assert!(said(text).contains(allowed), "{}", said(text));
+        }
+        assert!(said("x ± 3").contains("is not a number"));
+        let mut scenario = Scenario::default();
+        assert!(set(&mut scenario, "eye.level", "1 ± 1").is_err());
+        assert!(set(&mut scenario, "numerics.step_us", "1 ± 1").is_err());
+    }
+
+    #[test]
+    fn a_file_is_told_the_line_of_a_bad_doubt() {
+        let file = |line: &str| {
+            let text = format!(
+                "(name: \"a\", impact: ForcePulse(force_n: 300.0),\n doubt: {{\n  \"window_ms\": 0.1,\n  {line},\n}})"
+            );
+            parse(&text, "f.ron").map_err(|error| error.to_string())
+        };
+        assert!(file("\"impact.force_n\": 20.0").is_ok());
+        let error = file("\"impact.force_n\": -20.0").unwrap_err();
+        assert!(error.starts_with("f.ron:4:21"), "{error}");
+        assert!(error.contains("± -20 is out of range"), "{error}");
+        let error = file("\"impact.force\": 20.0").unwrap_err();
+        assert!(error.starts_with("f.ron:4:"), "{error}");
+        assert!(error.contains("did you mean impact.force_n"), "{error}");
+        assert!(file("\"eye.lens\": 1.0").unwrap_err().contains("f.ron:4:"));
+    }
+}

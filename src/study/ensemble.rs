@@ -1,0 +1,461 @@
+//! How far the answer may be off because the inputs are not known: many runs over their spreads.
+//!
+//! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
+//! [`super::spreads`], one dimension an input. What a sample gives depends on the scenario, the seed
+//! and its number alone, so the result is the same bits for any number of threads, and a run that was
+//! stopped after k samples is an ensemble of k.
+//!
+//! Samples are single runs. The first [`PILOT`] are checked for their step error and set the longest
+//! step for all others; of those every [`CHECK_EVERY`]th is checked again, and refined where it misses
+//! [`super::point::PROMISE_PERCENT`].
+//!
+//! How samples are counted: the bands hold the samples whose mesh did not fold. Folded ones are
+//! counted apart, as their numbers are beyond the model's validity, and so are refused ones, which have
+//! no numbers. Where samples folded the bands are those of the gentler eyes; the folded ones' share says
+//! how much is missing.
+//!
+//! Left out: the mesh error, which all samples share, and inputs that hang together.
+
+use super::case::{Refusal, unwatched};
+use super::ordered;
+use super::outputs::OUTPUTS;
+use super::point::{Point, checked, single};
+use super::spreads::{Input, inputs};
+use super::statistics::{quantile, rank_correlation};
+use crate::scenario::Scenario;
+use crate::scenario::check::check;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Fewest samples: a band of fewer says nothing.
+pub const FEWEST_SAMPLES: u32 = 8;
+/// Most samples that the sequence has for one seed.
+pub const MOST_SAMPLES: u32 = 1 << 16;
+/// Samples that are checked before all others.
+pub const PILOT: u32 = 8;
+/// One in so many of the others is checked.
+pub const CHECK_EVERY: u32 = 64;
+/// The share of the pilot's longest good step that the others may take: the error falls with the
+/// fourth power of the step, so this leaves room for a factor of two.
+const CAUTION: f64 = 0.84;
+/// Runs of the scenario itself of which the median time is taken.
+const ROUNDS: usize = 5;
+
+/// One sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// What was drawn for each input.
+    pub drawn: Vec<f64>,
+    /// What came of it, or the name of what stood against it.
+    pub outcome: Result<Point, String>,
+}
+
+/// What the runs took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timing {
+    /// From the first sample to the last, in s.
+    pub wall: f64,
+    /// On all cores together, in s.
+    pub cores: f64,
+    /// A single run of the scenario itself, results only, in s.
+    pub single: f64,
+    /// Threads.
+    pub threads: usize,
+}
+
+/// Many runs of one scenario.
+#[derive(Clone)]
+pub struct Ensemble {
+    /// What was drawn.
+    pub inputs: Vec<Input>,
+    /// Results of the scenario as it stands.
+    pub nominal: Option<Vec<f64>>,
+    /// The samples done, in their order.
+    pub samples: Vec<Sample>,
+    /// How many were asked for.
+    pub asked: u32,
+    /// The seed.
+    pub seed: u32,
+    /// The longest step that was allowed after the pilot, in s.
+    pub cap: Option<f64>,
+    /// What it took.
+    pub timing: Timing,
+}
+
+/// The scenario with sample number `index` in place of its nominal values.
+fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scenario, Vec<f64>) {
+    let mut changed = scenario.clone();
+    changed.doubt.clear();
+    let mut values = Vec::with_capacity(inputs.len());
+    for (dimension, input) in (0..).zip(inputs) {
+        // The sequence has 24 bits; the middle of its cell is never 0 or 1.
+        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 16_777_216.0;
+        let value = input.value(u);
+        input.put(&mut changed, value);
+        values.push(value);
+    }
+    (changed, values)
+}
+
+/// What a refusal is counted under.
+fn name(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::StepAboveLimit { .. } => "step_above_limit",
+        Refusal::Diverged(_) => "diverged",
+        Refusal::TooMuchWork { .. } => "too_much_work",
+        Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
+        Refusal::Cancelled => "cancelled",
+    }
+    .to_owned()
+}
+
+/// What every sample needs.
+struct Job<'a> {
+    scenario: &'a Scenario,
+    inputs: &'a [Input],
+    seed: u32,
+    cap: Option<f64>,
+    stop: &'a AtomicBool,
+}
+
+impl Job<'_> {
+    /// Sample number `index`; nothing if it was stopped.
+    fn run(&self, index: u32) -> Option<Sample> {
+        let (scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
+        if let Err(error) = check(&scenario) {
+            let field = error.problems.first().map_or("", |p| p.field.as_str());
+            let outcome = Err(format!("{field} not allowed"));
+            return Some(Sample { drawn, outcome });
+        }
+        let mut watch = |_: f64| {
+            if self.stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let wants_check = index < PILOT || index % CHECK_EVERY == 0;
+        let outcome = if wants_check {
+            checked(&scenario, self.cap, &mut watch)
+        } else {
+            single(&scenario, self.cap, &mut watch)
+        };
+        match outcome {
+            Err(Refusal::Cancelled) => None,
+            other => Some(Sample {
+                drawn,
+                outcome: other.map_err(|refusal| name(&refusal)),
+            }),
+        }
+    }
+}
+
+/// A watch that any thread may call.
+pub type SharedWatch<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
+
+/// Samples `from..to` and the time that they took together.
+fn samples(job: &Job, (from, to, of): (u32, u32, u32), watch: SharedWatch) -> (Vec<Sample>, f64) {
+    let mut samples = Vec::new();
+    let range = (from as usize, to as usize);
+    let seconds = ordered::run(
+        range,
+        job.stop,
+        |index| job.run(index as u32),
+        |index, sample| {
+            samples.push(sample);
+            watch((index + 1) as f64 / f64::from(of))
+        },
+    );
+    (samples, seconds)
+}
+
+/// Runs `count` samples of `scenario`, which must have been checked. `watch` is told the share done
+/// after each; where it breaks, or `stop` is set, the samples done so far are the result.
+///
+/// # Errors
+/// Whatever the scenario itself is refused for.
+pub fn run(
+    scenario: &Scenario,
+    (count, seed): (u32, u32),
+    stop: &AtomicBool,
+    watch: SharedWatch,
+) -> Result<Ensemble, Refusal> {
+    let inputs = inputs(scenario);
+    let mut times = Vec::new();
+    let mut nominal = None;
+    for _ in 0..ROUNDS {
+        let began = Instant::now();
+        nominal = Some(single(scenario, None, &mut unwatched)?.values);
+        times.push(began.elapsed());
+        // A long run is timed once: nobody waits for the median.
+        if times[0] > Duration::from_millis(20) || stop.load(Ordering::Relaxed) {
+            break;
+        }
+    }
+    times.sort();
+    let began = Instant::now();
+    let mut job = Job {
+        scenario,
+        inputs: &inputs,
+        seed,
+        cap: None,
+        stop,
+    };
+    let count = count.min(MOST_SAMPLES);
+    let pilot = count.min(PILOT);
+    let (mut samples, mut cores) = self::samples(&job, (0, pilot, count), watch);
+    let good = |sample: &Sample| match &sample.outcome {
+        Ok(point) if !point.folded() => point.check.map(|check| check.good_step),
+        _ => None,
+    };
+    let cap = samples
+        .iter()
+        .filter_map(good)
+        .fold(f64::INFINITY, f64::min);
+    job.cap = cap.is_finite().then_some(CAUTION * cap);
+    if samples.len() == pilot as usize {
+        let (rest, more) = self::samples(&job, (pilot, count, count), watch);
+        samples.extend(rest);
+        cores += more;
+    }
+    Ok(Ensemble {
+        cap: job.cap,
+        timing: Timing {
+            wall: began.elapsed().as_secs_f64(),
+            cores,
+            single: times[times.len() / 2].as_secs_f64(),
+            threads: rayon::current_num_threads(),
+        },
+        inputs,
+        nominal,
+        samples,
+        asked: count,
+        seed,
+    })
+}
+
+/// Median and the band that holds nine in ten.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// One in twenty lies below.
+    pub low: f64,
+    /// Half lies below.
+    pub median: f64,
+    /// One in twenty lies above.
+    pub high: f64,
+}
+
+/// What the checks of the step error found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Checks {
+    /// Samples checked, unfolded.
+    pub count: usize,
+    /// How many of them had to take a shorter step.
+    pub refined: usize,
+    /// How many of those after the pilot, whose step was what the unchecked ones take.
+    pub missed: usize,
+    /// Largest claim at the step tried first, after the pilot, in %.
+    pub first: f64,
+    /// Largest claim at the step taken, in %.
+    pub last: f64,
+}
+
+impl Ensemble {
+    /// Whether it was stopped before the end.
+    pub fn stopped(&self) -> bool {
+        self.samples.len() < self.asked as usize
+    }
+
+    /// The samples that the bands hold.
+    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
+        let point = |sample: &Sample| sample.outcome.as_ref().is_ok_and(|p| !p.folded());
+        self.samples
+            .iter()
+            .filter(move |sample| point(sample))
+            .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+    }
+
+    /// Samples whose mesh folded.
+    pub fn folded(&self) -> usize {
+        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(Point::folded);
+        self.samples.iter().filter(folded).count()
+    }
+
+    /// What samples were flagged with or refused for, and how many of each, by name.
+    pub fn counts(&self) -> Vec<(String, usize)> {
+        let mut counts = std::collections::BTreeMap::new();
+        for sample in &self.samples {
+            match &sample.outcome {
+                Ok(point) => {
+                    for flag in &point.flags {
+                        *counts.entry(flag.name().to_owned()).or_insert(0) += 1;
+                    }
+                }
+                Err(name) => *counts.entry(format!("refused: {name}")).or_insert(0) += 1,
+            }
+        }
+        counts.into_iter().collect()
+    }
+
+    /// The values of one output over the valid samples.
+    fn values(&self, output: usize) -> Vec<f64> {
+        self.valid()
+            .map(|(_, point)| point.values[output])
+            .collect()
+    }
+
+    /// The band of one of [`OUTPUTS`]; none where the scene has no such result, or no sample.
+    pub fn band(&self, output: usize) -> Option<Band> {
+        let mut values = self.values(output);
+        values.sort_by(f64::total_cmp);
+        let of = |p| quantile(&values, p);
+        (!values.is_empty() && values.iter().all(|v| v.is_finite())).then(|| Band {
+            low: of(0.05),
+            median: of(0.5),
+            high: of(0.95),
+        })
+    }
+
+    /// The outputs that have a band.
+    pub fn outputs(&self) -> Vec<usize> {
+        let has = |output: &usize| self.band(*output).is_some();
+        (0..OUTPUTS.len()).filter(has).collect()
+    }
+
+    /// Rank correlation of each input with an output, the strongest first: index of the input and
+    /// correlation.
+    pub fn drivers(&self, output: usize) -> Vec<(usize, f64)> {
+        let values = self.values(output);
+        let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
+            .map(|input| {
+                let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();
+                (input, rank_correlation(&drawn, &values))
+            })
+            .collect();
+        found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        found
+    }
+
+    /// What the checks found.
+    pub fn checks(&self) -> Checks {
+        let mut checks = Checks::default();
+        for (index, sample) in self.samples.iter().enumerate() {
+            let Ok(point) = &sample.outcome else { continue };
+            let (Some(check), false) = (point.check, point.folded()) else {
+                continue;
+            };
+            let refined = check.first > super::point::PROMISE_PERCENT;
+            checks.count += 1;
+            checks.refined += usize::from(refined);
+            if index >= PILOT as usize {
+                checks.missed += usize::from(refined);
+                checks.first = checks.first.max(check.first);
+            }
+            checks.last = checks.last.max(check.last);
+        }
+        checks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::set::set;
+
+    fn quick() -> Scenario {
+        let mut scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();
+        scenario
+    }
+
+    fn go(_: f64) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
+        run(scenario, (count, seed), &AtomicBool::new(false), &go).unwrap()
+    }
+
+    #[test]
+    fn any_number_of_threads_gives_the_same_bits() {
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let pool = pool.build().unwrap();
+            pool.install(|| ensemble(&quick(), 70, 3))
+        };
+        let one = on(1);
+        assert_eq!(one.samples.len(), 70);
+        for other in [on(2), on(3)] {
+            assert_eq!(one.samples, other.samples);
+            assert_eq!(one.cap, other.cap);
+        }
+    }
+
+    #[test]
+    fn a_stopped_one_is_a_smaller_one() {
+        let whole = ensemble(&quick(), 40, 1);
+        let stop = AtomicBool::new(false);
+        let early = |share: f64| {
+            if share > 0.4 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let part = run(&quick(), (40, 1), &stop, &early).unwrap();
+        assert!(part.stopped() && !whole.stopped());
+        assert!(
+            (8..40).contains(&part.samples.len()),
+            "{}",
+            part.samples.len()
+        );
+        assert_eq!(part.samples[..], whole.samples[..part.samples.len()]);
+    }
+
+    #[test]
+    fn seeds_differ_and_what_is_known_for_sure_has_no_band() {
+        let mut sure = quick();
+        for spread in super::super::spreads::SPREADS {
+            sure.doubt.insert(spread.path.to_owned(), 0.0);
+        }
+        let first = ensemble(&sure, 8, 1);
+        assert_eq!(first.inputs.len(), 1);
+        let (a, b) = (ensemble(&sure, 8, 2), first.band(0).unwrap());
+        assert_ne!(first.samples, a.samples);
+        assert!(b.low < b.median && b.median < b.high);
+        assert!(first.drivers(0)[0].1 > 0.99, "more force, more damage");
+        sure.doubt.insert("impact.force_n".to_owned(), 0.0);
+        let none = ensemble(&sure, 8, 1).band(0).unwrap();
+        assert!(none.low == none.median && none.median == none.high);
+    }
+
+    #[test]
+    fn drawn_scenes_keep_the_rest_and_every_input_moves() {
+        let scenario = quick();
+        let inputs = inputs(&scenario);
+        let (one, drawn_one) = drawn(&scenario, &inputs, 0, 1);
+        let (_, drawn_two) = drawn(&scenario, &inputs, 1, 1);
+        assert_eq!(one.window_ms, scenario.window_ms);
+        assert!(drawn_one.iter().zip(&drawn_two).all(|(a, b)| a != b));
+    }
+
+    #[test]
+    fn samples_that_may_not_be_are_counted_by_name() {
+        let mut scenario = quick();
+        set(&mut scenario, "impact.angle_deg", "40 ± 5").unwrap();
+        let ensemble = ensemble(&scenario, 16, 1);
+        let refused = "refused: impact.angle_deg not allowed";
+        let count = ensemble
+            .counts()
+            .iter()
+            .find(|(n, _)| n == refused)
+            .unwrap()
+            .1;
+        assert!((4..13).contains(&count), "{count}");
+        assert_eq!(ensemble.valid().count() + ensemble.folded() + count, 16);
+    }
+}

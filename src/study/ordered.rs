@@ -1,0 +1,99 @@
+//! Numbered jobs on all cores whose results come in their order.
+//!
+//! Each thread of the present pool takes the next number that nobody has. A result waits until all
+//! before it are there, so whoever receives them sees the same sequence for any number of threads, and
+//! a run that is stopped gives its beginning.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+struct Desk<T, D> {
+    next: usize,
+    waiting: BTreeMap<usize, T>,
+    deliver: D,
+    seconds: f64,
+}
+
+/// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest, and
+/// so may `stop`. A job that gives nothing has been stopped. Returns the time that all jobs took
+/// together, in s.
+pub fn run<T: Send>(
+    (from, to): (usize, usize),
+    stop: &AtomicBool,
+    job: impl Fn(usize) -> Option<T> + Sync,
+    deliver: impl FnMut(usize, T) -> ControlFlow<()> + Send,
+) -> f64 {
+    let next = AtomicUsize::new(from);
+    let desk = Mutex::new(Desk {
+        next: from,
+        waiting: BTreeMap::new(),
+        deliver,
+        seconds: 0.0,
+    });
+    let work = || {
+        while !stop.load(Ordering::Relaxed) {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= to {
+                return;
+            }
+            let began = Instant::now();
+            let Some(result) = job(index) else { return };
+            let took = began.elapsed().as_secs_f64();
+            let mut desk = desk.lock().unwrap_or_else(PoisonError::into_inner);
+            let desk = &mut *desk;
+            desk.seconds += took;
+            desk.waiting.insert(index, result);
+            while let Some(result) = desk.waiting.remove(&desk.next) {
+                let index = desk.next;
+                desk.next += 1;
+                if (desk.deliver)(index, result).is_break() {
+                    stop.store(true, Ordering::Relaxed);
+                    desk.next = usize::MAX;
+                }
+            }
+        }
+    };
+    rayon::scope(|scope| {
+        for _ in 0..rayon::current_num_threads() {
+            scope.spawn(|_| work());
+        }
+    });
+    desk.into_inner()
+        .unwrap_or_else(PoisonError::into_inner)
+        .seconds
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_order_and_end_where_they_are_stopped() {
+        for threads in [1, 2, 5] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let (mut seen, stop) = (Vec::new(), AtomicBool::new(false));
+            pool.build().unwrap().install(|| {
+                let slow_first = |i: usize| {
+                    std::thread::sleep(std::time::Duration::from_micros(if i % 3 == 0 {
+                        500
+                    } else {
+                        1
+                    }));
+                    Some(i * i)
+                };
+                run((3, 100), &stop, slow_first, |i, square| {
+                    assert_eq!(square, i * i);
+                    seen.push(i);
+                    if i == 40 {
+                        return ControlFlow::Break(());
+                    }
+                    ControlFlow::Continue(())
+                });
+            });
+            assert_eq!(seen, (3..=40).collect::<Vec<_>>());
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! One run among many: results and flags without traces, with the step error where it is asked for.
+//!
+//! A single run makes no second run for the step error. A checked one does, and shortens its step
+//! until the claimed error of every leading result is within [`PROMISE_PERCENT`], which no step can do
+//! once the mesh has folded.
+//!
+//! The automatic step is a share of the stability limit. Among many runs that is wasteful both ways:
+//! a stiff eye takes steps far shorter than its accuracy needs, a soft one steps too long for the edges
+//! of the pulse. So a run among many takes up to 0.95 of the limit but never more than a cap, which
+//! comes from the checks of a few runs.
+
+use super::case::{Case, Refusal, Watch};
+use super::flags::{self, FlagKind};
+use super::outputs::{Ran, read};
+use super::solve::solve_by;
+use crate::dynamics::Plan;
+use crate::recording::{Extremes, Keep};
+use crate::scenario::Scenario;
+
+/// The step error that runs among many keep to, in %.
+pub const PROMISE_PERCENT: f64 = 0.1;
+/// How often a step is shortened, each time at most to a half.
+const MOST_ATTEMPTS: usize = 6;
+/// The share of the stability limit that a step may take.
+const LONGEST_SHARE: f64 = 0.95;
+
+/// What a run among many gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// A value for each of [`super::outputs::OUTPUTS`].
+    pub values: Vec<f64>,
+    /// What limits them; flags that need the step error only where it was checked.
+    pub flags: Vec<FlagKind>,
+    /// The step error, where it was checked.
+    pub check: Option<Check>,
+}
+
+/// What a check of the step error found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// The claimed error at the step that was tried first, in %.
+    pub first: f64,
+    /// The claimed error at the step that was taken in the end, in %.
+    pub last: f64,
+    /// The step, in s, at which the first claim would just be [`PROMISE_PERCENT`].
+    pub good_step: f64,
+}
+
+impl Point {
+    /// Whether the mesh folded, so that the values are beyond the model's validity.
+    pub fn folded(&self) -> bool {
+        self.flags.contains(&FlagKind::MeshFolded)
+    }
+}
+
+fn point(scenario: &Scenario, case: &Case, extremes: &Extremes) -> Point {
+    let flags = flags::raise(
+        extremes,
+        0.0,
+        0.0,
+        case.window,
+        case.system.load().pulse.duration(),
+        &case.load,
+        std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64,
+    );
+    Point {
+        values: read(&Ran {
+            scenario,
+            case,
+            extremes,
+        }),
+        flags: flags.iter().map(|flag| flag.kind).collect(),
+        check: None,
+    }
+}
+
+/// The automatic step, but as long as stability allows where accuracy does not need it shorter: up to
+/// `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its own.
+fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refusal> {
+    let mut plan = case.plan(scenario)?;
+    if let (Some(cap), None) = (cap, scenario.numerics.step_us)
+        && !plan.integrator.adaptive()
+    {
+        plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
+    }
+    Ok(plan)
+}
+
+/// Runs a checked scenario once, with steps up to `cap`, in s, or else the automatic ones.
+///
+/// # Errors
+/// As for any run.
+pub fn single(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Point, Refusal> {
+    let case = Case::new(scenario);
+    let plan = plan(scenario, &case, cap)?;
+    let solution = case.run(&plan, Keep::default(), watch)?;
+    Ok(point(scenario, &case, &solution.recording.extremes))
+}
+
+/// Runs it with its step error, and again with a shorter step while that is too large.
+///
+/// # Errors
+/// As for any run.
+pub fn checked(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Point, Refusal> {
+    let case = Case::new(scenario);
+    let mut plan = plan(scenario, &case, cap)?;
+    let mut answer = solve_by(case, plan, Keep::default(), watch)?;
+    let first = answer.errors.time_step_percent();
+    let good = plan.step * shortening(&plan, first);
+    if scenario.numerics.step_us.is_none() {
+        for _ in 0..MOST_ATTEMPTS {
+            let error = answer.errors.time_step_percent();
+            if error <= PROMISE_PERCENT || answer.recording.extremes.folded_at.is_some() {
+                break;
+            }
+            plan.step *= (0.8 * shortening(&plan, error)).clamp(0.5, 0.8);
+            answer = solve_by(answer.case, plan, Keep::default(), watch)?;
+        }
+    }
+    let mut point = point(scenario, &answer.case, &answer.recording.extremes);
+    point.flags = answer.flags.iter().map(|flag| flag.kind).collect();
+    point.check = Some(Check {
+        first,
+        last: answer.errors.time_step_percent(),
+        good_step: good,
+    });
+    Ok(point)
+}
+
+/// The factor on the step that brings a step error, in %, to what is promised.
+fn shortening(plan: &Plan, error: f64) -> f64 {
+    (PROMISE_PERCENT / error).powf(1.0 / f64::from(plan.integrator.order()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::unwatched;
+
+    #[test]
+    fn a_check_shortens_the_step_until_the_promise_is_kept() {
+        let scenario = Scenario::default();
+        let free = checked(&scenario, Some(1.0), &mut unwatched).unwrap();
+        let check = free.check.unwrap();
+        assert!(check.last <= PROMISE_PERCENT && check.first >= check.last);
+        let tight = checked(&scenario, Some(1e-6), &mut unwatched).unwrap();
+        assert!(tight.check.unwrap().first < check.first);
+        for (a, b) in free.values.iter().zip(&tight.values) {
+            assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_step_of_the_persons_own_stays() {
+        let mut scenario = Scenario::default();
+        scenario.numerics.step_us = Some(2.0);
+        let case = Case::new(&scenario);
+        assert_eq!(plan(&scenario, &case, Some(1.0)).unwrap().step, 2e-6);
+    }
+}

@@ -1,0 +1,82 @@
+//! Quantiles and rank correlations of a few hundred or thousand numbers.
+//!
+//! A quantile interpolates between the two order statistics next to (n - 1) p. Spearman's rank
+//! correlation is Pearson's of the ranks, where equal numbers share the mean of their ranks.
+//!
+//! Left out: confidence intervals of either. The draws are of low discrepancy, not independent, so the
+//! usual ones do not hold.
+
+/// The value below which the share `p` lies; not a number if there is none.
+pub fn quantile(sorted: &[f64], p: f64) -> f64 {
+    let Some(last) = sorted.len().checked_sub(1) else {
+        return f64::NAN;
+    };
+    let at = last as f64 * p;
+    let low = at.floor() as usize;
+    let (a, b) = (sorted[low], sorted[(low + 1).min(last)]);
+    a + (b - a) * at.fract()
+}
+
+/// The rank of each number, from 0; equal ones share the mean of their ranks.
+fn ranks(of: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..of.len()).collect();
+    order.sort_by(|&a, &b| of[a].total_cmp(&of[b]));
+    let mut ranks = vec![0.0; of.len()];
+    let mut from = 0;
+    while from < order.len() {
+        let same = order[from..]
+            .iter()
+            .take_while(|&&i| of[i] == of[order[from]]);
+        let to = from + same.count().max(1);
+        for &i in &order[from..to] {
+            ranks[i] = 0.5 * (from + to - 1) as f64;
+        }
+        from = to;
+    }
+    ranks
+}
+
+/// Spearman's rank correlation, from -1 to 1; 0 where one of the two never changes.
+pub fn rank_correlation(x: &[f64], y: &[f64]) -> f64 {
+    let (x, y) = (ranks(x), ranks(y));
+    let middle = 0.5 * (x.len() as f64 - 1.0);
+    let (mut xy, mut xx, mut yy) = (0.0, 0.0, 0.0);
+    for (a, b) in x.iter().zip(&y) {
+        let (a, b) = (a - middle, b - middle);
+        xy += a * b;
+        xx += a * a;
+        yy += b * b;
+    }
+    if xx > 0.0 && yy > 0.0 {
+        xy / (xx * yy).sqrt()
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_interpolate() {
+        let of = [1.0, 2.0, 4.0, 8.0, 16.0];
+        assert_eq!(quantile(&of, 0.0), 1.0);
+        assert_eq!(quantile(&of, 0.5), 4.0);
+        assert_eq!(quantile(&of, 1.0), 16.0);
+        assert_eq!(quantile(&of, 0.875), 12.0);
+        assert!(quantile(&[], 0.5).is_nan());
+    }
+
+    #[test]
+    fn ranks_see_order_alone() {
+        let x = [3.0, 1.0, 2.0, 10.0];
+        let cubes = x.map(|v: f64| v.powi(3));
+        assert_eq!(rank_correlation(&x, &cubes), 1.0);
+        assert_eq!(rank_correlation(&x, &x.map(|v| -v)), -1.0);
+        assert_eq!(rank_correlation(&x, &[5.0; 4]), 0.0);
+        // By hand: ranks 0 1 2 3 and 0.5 0.5 2 3 give 4.5 / sqrt(5 * 4.5).
+        let r = rank_correlation(&[1.0, 2.0, 3.0, 4.0], &[7.0, 7.0, 8.0, 9.0]);
+        assert!((r - 4.5 / 22.5_f64.sqrt()).abs() < 1e-15);
+    }
+}
