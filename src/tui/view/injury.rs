@@ -1,0 +1,162 @@
+//! The published injury curves beside the paper's index: one line a curve, the chosen one explained.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{put, put_right, width, wrapped};
+use super::theme::Theme;
+use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
+use crate::report::text::significant;
+use crate::tui::model::Model;
+
+/// Columns of the injury's name and of the figures behind the bar.
+const NAME: u16 = 18;
+const FIGURES: u16 = 21;
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some(shown) = &model.shown else {
+        put(buffer, area, (1, 1), "no result yet", theme.text());
+        return;
+    };
+    let risks = shown.answer.risks();
+    let index = format!(
+        " Paper's index {} %, no probability",
+        significant(shown.answer.index.damage())
+    );
+    let end = put(buffer, area, (0, 0), &index, theme.strong());
+    if let Some(why) = model.stale()
+        && end + width(why) + 2 < area.width
+    {
+        put_right(buffer, area, (area.width - 1, 0), why, theme.warning());
+    }
+    if risks.is_empty() {
+        let why = "No published curve applies here: a force pulse has no kinetic energy and the Paper \
+                   model has no pressure. Take the impact Projectile, the model Physiological, or both.";
+        paragraph(why, 2, theme, area, buffer);
+        return;
+    }
+    let bar = Rect::new(
+        area.x + NAME,
+        area.y,
+        area.width.saturating_sub(NAME + FIGURES),
+        area.height,
+    );
+    put(buffer, area, (1, 1), "published curves", theme.heading());
+    put(buffer, bar, (0, 1), "0", theme.quiet());
+    put_right(buffer, bar, (bar.width / 2 + 2, 1), "50 %", theme.quiet());
+    put_right(buffer, bar, (bar.width, 1), "100 %", theme.quiet());
+    let chosen = model.injury % risks.len();
+    let room = area.height.saturating_sub(2 + below(area)).max(1);
+    let first = (chosen + 1).saturating_sub(usize::from(room));
+    let mut before: Option<Injury> = first.checked_sub(1).map(|i| risks[i].curve.injury);
+    for (i, risk) in risks.iter().enumerate().skip(first).take(room.into()) {
+        let y = 2 + (i - first) as u16;
+        let new = before != Some(risk.curve.injury);
+        before = Some(risk.curve.injury);
+        let name = if new { risk.curve.injury.name() } else { "" };
+        line(risk, (name, i == chosen), y, theme, (area, bar), buffer);
+    }
+    let foot = Rect {
+        y: area.y + area.height - below(area),
+        height: below(area),
+        ..area
+    };
+    explain(&risks[chosen], &risks, theme, foot, buffer);
+}
+
+/// Rows that the explanation takes.
+fn below(area: Rect) -> u16 {
+    (area.height / 3).clamp(4, 9)
+}
+
+fn paragraph(text: &str, top: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let lines = wrapped(text, usize::from(area.width.saturating_sub(2)));
+    for (i, line) in lines.iter().enumerate() {
+        put(buffer, area, (1, top + i as u16), line, theme.text());
+    }
+}
+
+fn line(
+    risk: &Risk,
+    (name, chosen): (&str, bool),
+    y: u16,
+    theme: Theme,
+    (area, bar): (Rect, Rect),
+    buffer: &mut Buffer,
+) {
+    let style = if chosen { theme.focus() } else { theme.text() };
+    if chosen {
+        put(buffer, area, (0, y), "▸", style);
+    }
+    put(buffer, area, (1, y), name, style);
+    let last = f64::from(bar.width.saturating_sub(1));
+    let column = |share: f64| (share.clamp(0.0, 1.0) * last).round() as u16;
+    let (low, high) = (column(risk.band.0), column(risk.band.1));
+    for x in 0..bar.width {
+        let (mark, style) = if x == column(risk.risk) {
+            ("◆", theme.gauge(risk.risk))
+        } else if (low..=high).contains(&x) {
+            ("═", theme.gauge(risk.risk))
+        } else {
+            ("·", theme.quiet())
+        };
+        put(buffer, bar, (x, y), mark, style);
+    }
+    let percent = format!("{:.0} %", 100.0 * risk.risk);
+    put_right(buffer, area, (NAME + bar.width + 6, y), &percent, theme.strong());
+    let (unit, scale) = risk.curve.measure.unit();
+    let value = format!("{} {unit}", significant(risk.value / scale));
+    let doubtful = risk.extrapolated
+        || risk.caution.is_some()
+        || matches!(
+            risk.curve.standing,
+            Standing::Unverified | Standing::Reconstructed
+        );
+    put(buffer, area, (NAME + bar.width + 7, y), &value, theme.text());
+    if doubtful {
+        put_right(buffer, area, (area.width, y), "!", theme.warning());
+    }
+}
+
+/// What stands behind one curve, and whether others of the same injury disagree.
+fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut Buffer) {
+    for x in 0..area.width {
+        put(buffer, area, (x, 0), "─", theme.line());
+    }
+    let curve = risk.curve;
+    let mut words = format!(
+        "{} by {}: {:.0} to {:.0} % over the range of its slope. {}; {}; {}; {}.",
+        curve.injury.name(),
+        curve.measure.name(),
+        100.0 * risk.band.0,
+        100.0 * risk.band.1,
+        curve.source,
+        curve.species,
+        curve.data,
+        curve.standing.name(),
+    );
+    if risk.extrapolated {
+        words += " EXTRAPOLATED beyond its data.";
+    }
+    if let Some(caution) = risk.caution {
+        words += match caution {
+            Caution::LargerThanOrbit => " INVALID: ",
+            Caution::LargerThanEye => " CAUTION: ",
+        };
+        words += caution.text();
+        words += ".";
+    }
+    if let Some((low, high)) = disagreement(risks, curve.injury) {
+        words += &format!(
+            " The measures disagree: {:.0} to {:.0} %.",
+            100.0 * low,
+            100.0 * high
+        );
+    }
+    if !curve.remark.is_empty() {
+        words += &format!(" ({}.)", curve.remark);
+    }
+    paragraph(&words, 1, theme, area, buffer);
+}
