@@ -28,9 +28,9 @@ pub enum CliError {
 impl From<Refusal> for CliError {
     fn from(refusal: Refusal) -> Self {
         match refusal {
-            Refusal::StepAboveLimit { .. } | Refusal::TooMuchWork { .. } => {
-                Self::Input(refusal.to_string())
-            }
+            Refusal::StepAboveLimit { .. }
+            | Refusal::TooMuchWork { .. }
+            | Refusal::IntegratorUnfit { .. } => Self::Input(refusal.to_string()),
             Refusal::Diverged(_) | Refusal::ToleranceNotMet { .. } | Refusal::Cancelled => {
                 Self::Failed(refusal.to_string())
             }

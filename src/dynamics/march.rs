@@ -8,6 +8,7 @@ use super::kernel::{self, Survey};
 use super::load::{Piece, Pulse, Segment};
 use super::state::State;
 use super::system::System;
+use super::verlet;
 
 /// Steps that a segment is given at least, under load and after it, so that a short pulse and its
 /// wake are resolved.
@@ -50,6 +51,12 @@ pub struct Cost {
     pub steps: usize,
     /// Force evaluations.
     pub evaluations: usize,
+    /// Segments tested against a projectile.
+    pub contact_tests: usize,
+    /// Evaluations of the pressure.
+    pub pressure_evaluations: usize,
+    /// Dashpots computed.
+    pub dashpot_evaluations: usize,
 }
 
 /// A march that could not be finished.
@@ -116,6 +123,9 @@ pub fn march(
     state: &mut State,
     observer: &mut impl Observer,
 ) -> Result<Cost, Diverged> {
+    if let Some(coupled) = system.coupled() {
+        return verlet::march(system, coupled, plan, state, observer);
+    }
     let pulse = system.load().pulse;
     let mut cost = Cost::default();
     for segment in pulse.segments(plan.window) {

@@ -5,9 +5,16 @@
 //! same physics as a simple loop over an edge list: the tested reference of the kernel and the
 //! baseline of the benchmarks.
 //!
-//! The orbit is rigid and never integrated. Left out, as in the paper: pressure, contact, rupture.
+//! A scene with a projectile, a fluid or dashpots has them in `coupled` (`contact`, `fluid`,
+//! `dashpots`) and is moved by `verlet`; any other does none of their work.
+//!
+//! The orbit is rigid and never integrated. Left out, as in the paper: rupture.
 
 mod aligned;
+mod contact;
+mod coupled;
+mod dashpots;
+mod fluid;
 mod integrator;
 mod kernel;
 mod lanes;
@@ -20,7 +27,11 @@ pub mod stability;
 mod state;
 mod sweep;
 mod system;
+mod verlet;
 
+pub use contact::{Body, Contact};
+pub use coupled::{Coupled, Readings, needed};
+pub use fluid::{Fluid, PA_PER_MMHG, area};
 pub use integrator::Integrator;
 pub use kernel::{Survey, name as kernel_name};
 pub use load::{ArcLoad, Piece, Pulse, Segment};

@@ -18,6 +18,9 @@
 //!   by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step stays
 //!   under the first gap.
 
+//!
+//! Scenes with a projectile, a fluid or dashpots have one integrator, and its limit in `verlet`.
+
 use super::integrator::Integrator;
 use super::system::System;
 
@@ -28,6 +31,9 @@ const MOST_DRAG: f64 = 2.0;
 
 /// Largest step in s for which `integrator` is stable on `system` whatever its shape.
 pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
+    if let Some(coupled) = system.coupled() {
+        return coupled.step_limit();
+    }
     // An eye without stiffness has no limit; it must still be seen to move.
     let omega = system.omega_bound().max(1.0);
     let most = system.decay[0].max(system.decay[1]);

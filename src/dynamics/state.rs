@@ -1,6 +1,7 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use super::aligned::Aligned;
+use super::coupled::Readings;
 use super::kernel::{self, Survey};
 use super::load::Piece;
 use super::system::{LANES, Place, System};
@@ -22,6 +23,8 @@ pub struct State {
     pub work: f64,
     /// Energy lost to drag so far, in J.
     pub dissipated: f64,
+    /// Projectile and fluid, where the scene has them.
+    pub readings: Readings,
     pub(super) scratch: Scratch,
 }
 
@@ -59,6 +62,9 @@ impl State {
             ay: zeros(),
             work: 0.0,
             dissipated: 0.0,
+            readings: system
+                .coupled()
+                .map_or_else(Readings::default, |c| c.at_rest()),
             scratch: Scratch {
                 up_x: zeros(),
                 up_y: zeros(),
@@ -85,6 +91,7 @@ impl State {
             ay: none(),
             work: 0.0,
             dissipated: 0.0,
+            readings: Readings::default(),
             scratch: Scratch {
                 up_x: none(),
                 up_y: none(),
@@ -107,11 +114,15 @@ impl State {
         self.vy.copy_from_slice(&other.vy);
         self.ax.copy_from_slice(&other.ax);
         self.ay.copy_from_slice(&other.ay);
+        self.readings = other.readings;
     }
 
     /// Brings the acceleration up to date by the load law `piece`.
     pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
         let force = system.load().pulse.force(piece, self.time);
+        if let Some(coupled) = system.coupled() {
+            return self.evaluate_coupled(system, coupled, force);
+        }
         kernel::evaluate(system, self, force, 0.0)
     }
 

@@ -13,6 +13,7 @@
 //! the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
 use super::aligned::Aligned;
+use super::coupled::Coupled;
 use super::lanes;
 use super::load::{ArcLoad, Pulse};
 use super::ring::{self, Ring};
@@ -118,6 +119,7 @@ pub struct System {
     pub(super) active: Vec<u32>,
     places: Vec<Place>,
     load: NodeLoad,
+    coupled: Option<Coupled>,
     omega_bound: f64,
     springs_per_evaluation: usize,
 }
@@ -158,6 +160,7 @@ impl System {
                 shares: Vec::new(),
                 work: Vec::new(),
             },
+            coupled: None,
             omega_bound: omega_bound(eye),
             springs_per_evaluation: 0,
         };
@@ -281,6 +284,19 @@ impl System {
     /// The load.
     pub fn load(&self) -> &NodeLoad {
         &self.load
+    }
+
+    /// Adds a projectile, a fluid or dashpots. The eye must have been compiled whole.
+    #[must_use]
+    pub fn with(mut self, coupled: Option<Coupled>) -> Self {
+        debug_assert!(coupled.is_none() || !self.mirrored());
+        self.coupled = coupled;
+        self
+    }
+
+    /// Projectile, fluid and dashpots, where the scene has any.
+    pub fn coupled(&self) -> Option<&Coupled> {
+        self.coupled.as_ref()
     }
 
     /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in

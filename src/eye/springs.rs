@@ -14,9 +14,6 @@ use super::{Node, cross};
 use crate::scenario::EyeInput;
 use std::collections::BTreeMap;
 
-/// Depth of the section, in m.
-const UNIT_DEPTH_M: f64 = 1.0;
-
 /// What a spring is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SpringKind {
@@ -93,7 +90,8 @@ pub(super) fn build(input: &EyeInput, mesh: &Mesh, shell: &[usize]) -> Vec<Sprin
             Spring {
                 a,
                 b,
-                stiffness: modulus_pa * UNIT_DEPTH_M * area_sum / (rest_length * rest_length),
+                stiffness: modulus_pa * super::UNIT_DEPTH_M * area_sum
+                    / (rest_length * rest_length),
                 rest_length,
                 kind,
             }

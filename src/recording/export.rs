@@ -54,6 +54,13 @@ pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
         "dissipated_j",
         "work_j",
     ]);
+    if !traces.pressure.is_empty() {
+        header.extend(["pressure_mpa", "vitreous_area_ratio"]);
+    }
+    if !traces.contact_force.is_empty() {
+        header.extend(["contact_force_n", "projectile_x_mm", "projectile_y_mm"]);
+        header.extend(["projectile_vx_m_s", "projectile_vy_m_s"]);
+    }
     csv.write_record(&header)?;
     for i in 0..traces.time.len() {
         let mut row = vec![
@@ -71,6 +78,16 @@ pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
             &traces.work,
         ] {
             row.push(format!("{:.9e}", energy[i]));
+        }
+        if let (Some(pressure), Some(ratio)) = (traces.pressure.get(i), traces.area_ratio.get(i)) {
+            row.push(format!("{:.9e}", pressure * 1e-6));
+            row.push(format!("{ratio:.12}"));
+        }
+        if let Some(force) = traces.contact_force.get(i) {
+            let (place, velocity) = (traces.projectile[i], traces.projectile_velocity[i]);
+            row.push(format!("{force:.9e}"));
+            row.extend([place.x, place.y].map(|m| format!("{:.9e}", m * 1e3)));
+            row.extend([velocity.x, velocity.y].map(|v| format!("{v:.9e}")));
         }
         csv.write_record(&row)?;
     }

@@ -3,6 +3,7 @@
 //! A frame falls between two step ends; positions come from dense output and forces from one
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
+use super::coupled;
 use super::dense::Path;
 use crate::dynamics::{Piece, State, System};
 use crate::eye::Eye;
@@ -17,6 +18,10 @@ pub struct Frame {
     pub positions: Vec<Point2<f64>>,
     /// |m a| of each node of the eye, in N; 0 for the orbit.
     pub forces: Vec<f64>,
+    /// Centre of the projectile, in m, where the scene has one.
+    pub projectile: Option<Point2<f64>>,
+    /// Intraocular pressure, in Pa, where the scene has a fluid.
+    pub pressure: Option<f64>,
 }
 
 /// Collects frames during a march.
@@ -72,6 +77,8 @@ impl FrameTaker {
                     probe.set(place, path.position(share), path.velocity(share));
                 }
             }
+            probe.readings = after.readings;
+            probe.readings.body.position = coupled::centre(before, after, share);
             probe.evaluate(system, piece);
             self.keep(system, &probe);
             self.probe = probe;
@@ -87,6 +94,14 @@ impl FrameTaker {
             forces: (0..self.nodes)
                 .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
                 .collect(),
+            projectile: system
+                .coupled()
+                .filter(|c| c.contact.is_some())
+                .map(|_| state.readings.body.position),
+            pressure: system
+                .coupled()
+                .filter(|c| c.fluid.is_some())
+                .map(|_| state.readings.pressure),
         });
     }
 }

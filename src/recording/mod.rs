@@ -2,6 +2,7 @@
 //!
 //! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
 
+mod coupled;
 mod dense;
 mod export;
 mod frames;
@@ -9,10 +10,13 @@ mod lengths;
 mod recorder;
 mod settling;
 
+pub use coupled::{FluidExtremes, MEAN_S, ShotExtremes};
 pub use dense::Peak;
 pub use export::{write_frames, write_traces};
 pub use frames::Frame;
 pub use recorder::{Keep, Recorder};
+
+use nalgebra::{Point2, Vector2};
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +29,7 @@ pub struct Extremes {
     pub shell_growth: Peak,
     /// Growth of the vertical diameter, as a share of it.
     pub meridian_growth: Peak,
-    /// Work done by the load, in J.
+    /// Work done by the load, in J; by a projectile: the kinetic energy it has given up.
     pub work: f64,
     /// |l/l0 - 1| over all springs.
     pub strain: Peak,
@@ -40,6 +44,10 @@ pub struct Extremes {
     /// Whether the energy left at the end of the window could still raise a force or the growth of
     /// the shell; if not, those are proven final.
     pub could_rise: bool,
+    /// What the fluid did, where the scene has one.
+    pub fluid: Option<FluidExtremes>,
+    /// What the projectile did, where the scene has one.
+    pub shot: Option<ShotExtremes>,
 }
 
 /// Values at step ends, each of the same length.
@@ -63,8 +71,18 @@ pub struct Traces {
     pub elastic: Vec<f64>,
     /// Energy lost to drag so far, J.
     pub dissipated: Vec<f64>,
-    /// Work done by the load so far, J.
+    /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
     pub work: Vec<f64>,
+    /// Intraocular pressure, Pa; empty without a fluid.
+    pub pressure: Vec<f64>,
+    /// Area of the globe over its area at rest; empty without a fluid.
+    pub area_ratio: Vec<f64>,
+    /// Force of contact, mean over 50 us, N; empty without a projectile.
+    pub contact_force: Vec<f64>,
+    /// Centre of the projectile, m; empty without one.
+    pub projectile: Vec<Point2<f64>>,
+    /// Velocity of the projectile, m/s; empty without one.
+    pub projectile_velocity: Vec<Vector2<f64>>,
 }
 
 /// Everything kept of one march.

@@ -1,5 +1,6 @@
 //! The observer that turns a march into a recording.
 
+use super::coupled::CoupledWatch;
 use super::dense::{NodeForce, Peak};
 use super::frames::FrameTaker;
 use super::lengths::{Growth, Measure};
@@ -56,6 +57,10 @@ pub struct Recorder {
     every_row: usize,
     steps: usize,
     frames: Option<FrameTaker>,
+    coupled: CoupledWatch,
+    /// Whether the proofs of [`super::settling`] and the search within steps hold: not with a
+    /// projectile, a fluid or dashpots, of which they know nothing.
+    provable: bool,
 }
 
 impl Recorder {
@@ -98,6 +103,8 @@ impl Recorder {
             steps: 0,
             frames: keep.frames_every.map(|dt| FrameTaker::new(dt, eye, system)),
             before: rest,
+            coupled: CoupledWatch::new(system),
+            provable: system.coupled().is_none(),
         }
     }
 
@@ -118,6 +125,7 @@ impl Recorder {
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
+        self.coupled.look(state);
         if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
@@ -135,6 +143,16 @@ impl Recorder {
             rows.elastic.push(survey.elastic);
             rows.dissipated.push(state.dissipated);
             rows.work.push(state.work);
+            let readings = &state.readings;
+            if system.coupled().is_some_and(|c| c.fluid.is_some()) {
+                rows.pressure.push(readings.pressure);
+                rows.area_ratio.push(readings.area_ratio);
+            }
+            if let Some(force) = self.coupled.contact_force() {
+                rows.contact_force.push(force);
+                rows.projectile.push(readings.body.position);
+                rows.projectile_velocity.push(readings.body.velocity);
+            }
         }
     }
 
@@ -150,7 +168,7 @@ impl Recorder {
     /// Whether nothing that is recorded can change before the end of the window. Traces and frames
     /// change to the very end.
     pub fn settled(&self) -> bool {
-        if self.loaded || self.rows.is_some() || self.frames.is_some() {
+        if !self.provable || self.loaded || self.rows.is_some() || self.frames.is_some() {
             return false;
         }
         let left = self.window - self.before.time;
@@ -172,7 +190,8 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
-        let open = self.loaded || !self.forces_are_final();
+        let open = self.provable && (self.loaded || !self.forces_are_final());
+        let (fluid, shot) = self.coupled.finish();
         Recording {
             extremes: Extremes {
                 force: self.forces,
@@ -190,6 +209,8 @@ impl Recorder {
                 },
                 could_rise: open && scale > ROUNDING_J,
                 still_rising: late,
+                fluid,
+                shot,
             },
             traces: self.rows,
             frames: self.frames.map_or_else(Vec::new, |f| f.frames),
@@ -221,7 +242,7 @@ impl Observer for Recorder {
             .zip(before.into_iter().zip(self.last_forces))
         {
             let ends = f64::max(earlier, now);
-            if ends < FAR * peak.value {
+            if !self.provable || ends < FAR * peak.value {
                 continue;
             }
             let guess = monitor.guess(system, &self.before, state).max(ends);

@@ -1,7 +1,8 @@
 //! Results as one JSON object. The names are a contract.
 
-use crate::dynamics::kernel_name;
+use crate::dynamics::{PA_PER_MMHG, kernel_name};
 use crate::eye::Monitor;
+use crate::recording::{FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
 use crate::study::{Answer, PerQuantity, Quantity};
 use serde_json::{Map, Value, json};
@@ -16,11 +17,14 @@ fn by_monitor(value: impl Fn(usize) -> f64) -> Value {
         .into()
 }
 
-/// A number for each result, by name.
+/// A number for each result, by name; pressure and force of contact only where they are not 0.
 pub fn by_quantity(values: &PerQuantity) -> Value {
     Quantity::ALL
         .iter()
         .zip(values)
+        .enumerate()
+        .filter(|(i, (_, value))| *i < Quantity::COMMON || **value != 0.0)
+        .map(|(_, pair)| pair)
         .map(|(q, v)| (q.key().to_owned(), json!(v)))
         .collect::<Map<String, Value>>()
         .into()
@@ -40,7 +44,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             })
         })
         .collect();
-    json!({
+    let mut object = json!({
         "scenario": scenario,
         "results": {
             "damage_percent": answer.index.damage(),
@@ -78,5 +82,40 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "choice": reasons,
         },
         "flags": flags,
+    });
+    if let Some(fluid) = &extremes.fluid {
+        object["results"]["pressure"] = pressure(fluid);
+    }
+    if let Some(shot) = &extremes.shot {
+        object["results"]["projectile"] = projectile(shot);
+    }
+    object
+}
+
+fn pressure(fluid: &FluidExtremes) -> Value {
+    json!({
+        "peak_mpa": fluid.pressure.value * 1e-6,
+        "peak_mmhg": fluid.pressure.value / PA_PER_MMHG,
+        "peak_time_ms": fluid.pressure.time * 1e3,
+        "rest_mmhg": fluid.rest_pressure / PA_PER_MMHG,
+        "least_vitreous_area_percent": fluid.area_ratio.0 * 1e2,
+        "largest_vitreous_area_percent": fluid.area_ratio.1 * 1e2,
+    })
+}
+
+fn projectile(shot: &ShotExtremes) -> Value {
+    json!({
+        "peak_contact_force_n": shot.force.value,
+        "peak_contact_time_ms": shot.force.time * 1e3,
+        "contact_force_mean_over_us": MEAN_S * 1e6,
+        "first_contact_ms": shot.contact.map(|(first, _)| first * 1e3),
+        "last_contact_ms": shot.contact.map(|(_, last)| last * 1e3),
+        "contact_time_ms": shot.contact.map(|(first, last)| (last - first) * 1e3),
+        "rebound_speed_m_s": shot.rebound_speed,
+        "energy_given_up_j": shot.energy,
+        "energy_before_j": shot.energy_before,
+        "travel_mm": shot.travel.value * 1e3,
+        "penetration_percent": shot.penetration_share * 1e2,
+        "rim_met_ms": shot.rim_at.map(|t| t * 1e3),
     })
 }

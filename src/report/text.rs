@@ -1,9 +1,11 @@
 //! Results as text for a terminal of 80 columns.
 
+use crate::dynamics::PA_PER_MMHG;
 use crate::eye::Monitor;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::recording::{FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::problem::printable;
-use crate::scenario::{Model, Scenario};
+use crate::scenario::{Impact, Model, Projectile, Scenario};
 use crate::study::Answer;
 use std::io::{self, Write};
 
@@ -98,12 +100,76 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         significant(extremes.strain.value * 1e2),
         extremes.strain.time * 1e3
     )?;
+    if let Some(fluid) = &extremes.fluid {
+        pressure(fluid, out)?;
+    }
+    if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
+        projectile(shot, input, out)?;
+    }
     if answer.case.load.shielded > 1e-9 {
         writeln!(
             out,
             "Shielded by bone   {:>9} %  of the arc",
             significant(answer.case.load.shielded * 1e2)
         )?;
+    }
+    Ok(())
+}
+
+fn pressure(fluid: &FluidExtremes, out: &mut dyn Write) -> io::Result<()> {
+    let peak = fluid.pressure;
+    writeln!(
+        out,
+        "Peak pressure      {:>9} MPa at {:.4} ms ({:.0} mmHg, {:.1} at rest)",
+        significant(peak.value * 1e-6),
+        peak.time * 1e3,
+        peak.value / PA_PER_MMHG,
+        fluid.rest_pressure / PA_PER_MMHG
+    )?;
+    writeln!(
+        out,
+        "Vitreous area      {:>9} to {:.2} % of that at rest",
+        format!("{:.2}", fluid.area_ratio.0 * 1e2),
+        fluid.area_ratio.1 * 1e2
+    )
+}
+
+fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
+    if let Some((first, last)) = shot.contact {
+        writeln!(
+            out,
+            "Contact force      {:>9} N  at {:.4} ms, mean over {:.0} us",
+            significant(shot.force.value),
+            shot.force.time * 1e3,
+            MEAN_S * 1e6
+        )?;
+        writeln!(
+            out,
+            "Contact time       {:>9} ms, from {:.4} to {:.4} ms",
+            significant((last - first) * 1e3),
+            first * 1e3,
+            last * 1e3
+        )?;
+    }
+    writeln!(
+        out,
+        "Rebound speed      {:>9} m/s of {} m/s",
+        significant(shot.rebound_speed),
+        input.speed_m_s
+    )?;
+    writeln!(
+        out,
+        "Energy given up    {:>9} J  of {} J",
+        significant(shot.energy),
+        significant(shot.energy_before)
+    )?;
+    writeln!(
+        out,
+        "Penetration        {:>9} %  of the diameter, the largest (error of contact)",
+        significant(shot.penetration_share * 1e2)
+    )?;
+    if !input.unverified.is_empty() {
+        writeln!(out, "Unverified figures: {}", input.unverified.join(", "))?;
     }
     Ok(())
 }

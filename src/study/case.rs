@@ -1,8 +1,8 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
 use crate::dynamics::{
-    ArcLoad, Cost, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse, State,
-    Survey, System, march, stability,
+    ArcLoad, Cost, Coupled, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse,
+    State, Survey, System, march, needed, stability,
 };
 use crate::eye::Eye;
 use crate::recording::{Keep, Recorder, Recording};
@@ -14,6 +14,9 @@ const AUTO: Integrator = Integrator::Srkn6b;
 /// The share of its stability limit that the automatic step takes, which leaves room for a second,
 /// coarser run that gives the error.
 pub(super) const AUTO_SHARE: f64 = 0.8;
+
+/// The same for scenes with a projectile, a fluid or dashpots, whose method is of second order.
+pub(super) const COUPLED_SHARE: f64 = 0.475;
 
 /// More than this takes longer than half an hour.
 const MOST_SPRING_EVALUATIONS: f64 = 1e12;
@@ -33,6 +36,15 @@ pub enum Refusal {
         integrator: &'static str,
         /// The largest step allowed, in us.
         limit_us: f64,
+    },
+    /// The asked integrator cannot solve such a scene.
+    #[error(
+        "numerics.integrator: {integrator} does not solve scenes with a projectile, pressure or \
+         dashpots: allowed Auto, VelocityVerlet"
+    )]
+    IntegratorUnfit {
+        /// What was asked.
+        integrator: String,
     },
     /// The motion left the finite numbers.
     #[error(transparent)]
@@ -134,12 +146,14 @@ impl Case {
     /// Compiles a validated scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &Scenario, whole: bool, portable: bool) -> Self {
-        let eye = Eye::build(&scenario.eye);
+        let eye = Eye::of(scenario);
         let (pulse, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),
             Impact::Projectile(_) => (Pulse::none(), ArcLoad::none()),
         };
-        let system = System::new(&eye, pulse, &load, whole, portable);
+        let system = System::new(&eye, pulse, &load, whole || needed(scenario), portable);
+        let coupled = Coupled::new(scenario, &eye, &system);
+        let system = system.with(coupled);
         Self {
             start: State::at_rest(&system),
             eye,
@@ -154,12 +168,32 @@ impl Case {
         stability::step_limit(integrator, &self.system)
     }
 
+    /// Order by which the step error is taken to fall: the integrator's, but one where a projectile
+    /// comes and goes, as its force has a kink at touch and the waves it sends out are sharp.
+    pub fn order(&self, integrator: Integrator) -> i32 {
+        let coupled = self.system.coupled();
+        if coupled.is_some_and(|c| c.contact.is_some()) {
+            1
+        } else {
+            integrator.order()
+        }
+    }
+
     /// The integrator and step that a scenario asks for, or the automatic ones.
     ///
     /// # Errors
     /// Refuses a step above the stability limit.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        let coupled = self.system.coupled().is_some();
         let integrator = match scenario.numerics.integrator {
+            IntegratorChoice::Auto | IntegratorChoice::VelocityVerlet if coupled => {
+                Integrator::VelocityVerlet
+            }
+            other if coupled => {
+                return Err(Refusal::IntegratorUnfit {
+                    integrator: format!("{other:?}"),
+                });
+            }
             IntegratorChoice::Auto => AUTO,
             IntegratorChoice::SemiImplicitEuler => Integrator::SemiImplicitEuler,
             IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
@@ -178,6 +212,7 @@ impl Case {
                 });
             }
             Some(step_us) => step_us * 1e-6,
+            None if coupled => COUPLED_SHARE * limit,
             None => AUTO_SHARE * limit,
         };
         let plan = Plan {

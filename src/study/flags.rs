@@ -1,7 +1,7 @@
 //! What a reader must know before trusting a result, each by name.
 
 use crate::dynamics::ArcLoad;
-use crate::recording::Extremes;
+use crate::recording::{Extremes, ShotExtremes};
 
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +37,14 @@ pub enum FlagKind {
     ArcUnresolved,
     /// Part of the arc lies behind bone.
     BoneShields,
+    /// The projectile went deeper into the shell or the rim than a rigid one should.
+    DeepPenetration,
+    /// The orbit's rim met the projectile.
+    RimStops,
+    /// The projectile never touched the eye.
+    EyeMissed,
+    /// The projectile touched the eye, or still flew at it, when the window ended.
+    ContactCut,
 }
 
 impl FlagKind {
@@ -53,6 +61,10 @@ impl FlagKind {
             Self::PulseCut => "pulse_cut",
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
+            Self::DeepPenetration => "deep_penetration",
+            Self::RimStops => "rim_stops",
+            Self::EyeMissed => "eye_missed",
+            Self::ContactCut => "contact_cut",
         }
     }
 }
@@ -65,6 +77,9 @@ const ENERGY_ALARM: f64 = 0.01;
 const UNCONVERGED_PERCENT: f64 = 10.0;
 /// Two runs of a folded mesh that differ by more than this many percent predict nothing.
 const UNPREDICTABLE_PERCENT: f64 = 5.0;
+
+/// A penetration above this share of the diameter is an alarm.
+const DEEP: f64 = 0.02;
 
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -175,5 +190,51 @@ pub(super) fn raise(
             None,
         );
     }
+    if let Some(shot) = &extremes.shot {
+        of_shot(shot, window, &mut raise);
+    }
     flags
+}
+
+/// Flags of a projectile.
+fn of_shot(
+    shot: &ShotExtremes,
+    window: f64,
+    raise: &mut impl FnMut(FlagKind, String, Option<f64>),
+) {
+    if shot.penetration_share > DEEP {
+        raise(
+            FlagKind::DeepPenetration,
+            format!(
+                "the projectile went {:.1} % of its diameter into what it hit: take a smaller step",
+                100.0 * shot.penetration_share
+            ),
+            None,
+        );
+    }
+    if let Some(time) = shot.rim_at {
+        raise(
+            FlagKind::RimStops,
+            format!("the orbit's rim met the projectile at {:.3} ms", time * 1e3),
+            Some(time),
+        );
+    }
+    match (shot.contact, shot.rim_at) {
+        (None, Some(_)) => raise(
+            FlagKind::EyeMissed,
+            "the rim of the orbit kept the projectile off the eye".to_owned(),
+            None,
+        ),
+        (None, None) => raise(
+            FlagKind::EyeMissed,
+            "the projectile never touched the eye".to_owned(),
+            None,
+        ),
+        (Some(_), _) if shot.touching || shot.going_on => raise(
+            FlagKind::ContactCut,
+            "the window ended before the projectile had left the eye".to_owned(),
+            Some(window),
+        ),
+        _ => {}
+    }
 }

@@ -19,11 +19,15 @@ pub enum Quantity {
     MeridianGrowth,
     /// E, J.
     Energy,
+    /// Peak intraocular pressure, MPa; 0 without a fluid.
+    Pressure,
+    /// Peak force of contact, mean over 50 us, N; 0 without a projectile.
+    Contact,
 }
 
 impl Quantity {
     /// All of them; the first [`Self::HEADLINE`] are those that the stated error covers.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Damage,
         Self::Apex,
         Self::Force(Monitor::Centre),
@@ -33,9 +37,15 @@ impl Quantity {
         Self::ShellGrowth,
         Self::MeridianGrowth,
         Self::Energy,
+        Self::Pressure,
+        Self::Contact,
     ];
 
+    /// How many of [`Self::ALL`] every scene has.
+    pub const COMMON: usize = 9;
+
     /// How many lead: damage, apex displacement and the four peak forces.
+    /// Pressure and force of contact lead too, where they exist.
     pub const HEADLINE: usize = 6;
 
     /// Name with its unit, as used in JSON.
@@ -50,6 +60,8 @@ impl Quantity {
             Self::ShellGrowth => "scleral_growth_percent",
             Self::MeridianGrowth => "meridian_growth_percent",
             Self::Energy => "energy_imparted_j",
+            Self::Pressure => "peak_pressure_mpa",
+            Self::Contact => "peak_contact_force_n",
         }
     }
 
@@ -65,6 +77,8 @@ impl Quantity {
             Self::ShellGrowth => "shell growth",
             Self::MeridianGrowth => "meridian growth",
             Self::Energy => "energy imparted",
+            Self::Pressure => "peak pressure",
+            Self::Contact => "peak contact force",
         }
     }
 
@@ -86,6 +100,8 @@ impl Quantity {
             Self::ShellGrowth => index.shell_growth,
             Self::MeridianGrowth => index.meridian_growth,
             Self::Energy => index.energy,
+            Self::Pressure => extremes.fluid.map_or(0.0, |f| f.pressure.value * 1e-6),
+            Self::Contact => extremes.shot.map_or(0.0, |s| s.force.value),
         }
     }
 }
@@ -110,10 +126,22 @@ pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
     })
 }
 
-/// The largest of the leading results' numbers.
+/// The largest of the leading results' numbers: damage, apex displacement and the four node forces,
+/// and peak pressure and force of contact where they exist.
+///
+/// A projectile, known by its force of contact, makes the node forces those of lumps that are hit:
+/// they do not lead then.
 pub fn headline(errors: &PerQuantity) -> f64 {
-    errors[..Quantity::HEADLINE]
-        .iter()
-        .copied()
+    let shot = errors[CONTACT] != 0.0;
+    let leads = |q: Quantity| !(shot && matches!(q, Quantity::Force(_)));
+    let common = Quantity::ALL[..Quantity::HEADLINE].iter().zip(errors);
+    common
+        .filter(|(q, _)| leads(**q))
+        .map(|(_, error)| *error)
+        .chain(errors[Quantity::COMMON..].iter().copied())
         .fold(0.0, f64::max)
 }
+
+/// Where the force of contact stands.
+const CONTACT: usize = 10;
+const _: () = assert!(matches!(Quantity::ALL[CONTACT], Quantity::Contact));

@@ -22,6 +22,8 @@ use std::time::{Duration, Instant};
 const COARSEST_SHARE: f64 = 0.95;
 /// Ratio of the two steps: the coarsest against the automatic one.
 const RATIO: f64 = COARSEST_SHARE / AUTO_SHARE;
+/// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
+const COUPLED_RATIO: f64 = 2.0;
 /// Multiplies the estimate, because peaks do not always follow the order. With 5, and [`KINSHIP`], the
 /// stated errors hold in more than 95 % of random scenes for each result and are 5 to 9 times the
 /// true ones in the median; see `coverage`.
@@ -122,7 +124,7 @@ pub(super) fn solve_case(
             if error <= AUTO_PERCENT || solved.recording.extremes.folded_at.is_some() {
                 break;
             }
-            let order = f64::from(plan.integrator.order());
+            let order = f64::from(case.order(plan.integrator));
             plan.step *= (0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8);
             solved = measured(&case, &plan, keep, watch)?;
         }
@@ -190,7 +192,14 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     let difference = difference_percent(&values(&second?.recording.extremes), &results);
     let disagreement = headline(&difference);
     let errors = Errors {
-        time_step: akin(difference.map(|d| factor * d + FLOOR_PERCENT)),
+        time_step: akin(std::array::from_fn(|i| {
+            // What a scene has not is exactly 0 and stays so.
+            if i >= Quantity::COMMON && results[i] == 0.0 {
+                0.0
+            } else {
+                factor * difference[i] + FLOOR_PERCENT
+            }
+        })),
         mesh: None,
         energy_balance: 100.0 * recording.extremes.energy_residual,
     };
@@ -254,14 +263,19 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
 /// difference to the error.
 fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     let limit = case.step_limit(plan.integrator);
-    let order = plan.integrator.order();
+    let order = case.order(plan.integrator);
+    let ratio = if case.system.coupled().is_some() {
+        COUPLED_RATIO
+    } else {
+        RATIO
+    };
     let pulse = &case.system.load().pulse;
     let coarser = Plan {
-        step: plan.step * RATIO,
+        step: plan.step * ratio,
         ..*plan
     };
     let finer = Plan {
-        multiple: plan.multiple * RATIO,
+        multiple: plan.multiple * ratio,
         local_tolerance: plan.local_tolerance * 0.1,
         ..*plan
     };
@@ -271,12 +285,12 @@ fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
             .segments(plan.window)
             .iter()
             .any(|s| coarser.at_least_steps(s))
-        && plan.steps(pulse) as f64 > 0.5 * (1.0 + RATIO) * coarser.steps(pulse) as f64;
+        && plan.steps(pulse) as f64 > 0.5 * (1.0 + ratio) * coarser.steps(pulse) as f64;
     if plan.integrator.adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
         (finer, SAFETY)
     } else if coarser_tells {
-        (coarser, SAFETY / (RATIO.powi(order) - 1.0))
+        (coarser, SAFETY / (ratio.powi(order) - 1.0))
     } else {
         let ratio = least_ratio(&finer, plan, pulse);
         (finer, SAFETY / (1.0 - ratio.powi(-order)))

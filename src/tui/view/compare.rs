@@ -100,6 +100,8 @@ fn title(column: Column) -> (&'static str, &'static str) {
         Column::Result(Quantity::ShellGrowth) => ("S", "%"),
         Column::Result(Quantity::MeridianGrowth) => ("M", "%"),
         Column::Result(Quantity::Energy) => ("E", "J"),
+        Column::Result(Quantity::Pressure) => ("pressure", "MPa"),
+        Column::Result(Quantity::Contact) => ("contact", "N"),
         Column::Result(Quantity::Apex) => ("apex", "mm"),
         Column::Result(Quantity::Force(monitor)) => match monitor {
             Monitor::Centre => ("cent.", "N"),

@@ -1,0 +1,228 @@
+//! Steps of a scene with a projectile, a fluid or dashpots: velocity Verlet with a predicted speed.
+//!
+//! With a(x, v) the acceleration by springs, contact, fluid, pulse and dashpots, one step is
+//!
+//! v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a,
+//!
+//! of second order also where the force depends on the speed, with one evaluation a step. Drag on
+//! absolute velocity is solved exactly within the drift, as in [`super::integrator`].
+//!
+//! For an oscillator of frequency w and decay rate g it is stable while (w h)^2 / 4 + g h <= 1 (a
+//! test scans it), so the limit is h = 2 / (g + sqrt(g^2 + w^2)). The bounds of w and g hold for
+//! springs and dashpots in any shape; those of fluid and contact are estimates, see there.
+//!
+//! The penalty of a contact is far stiffer than the eye, and its force has a kink at touch, where
+//! methods of high order lose theirs. So the steps are short while the projectile could touch, and
+//! a whole number of times longer while it could not.
+
+use super::coupled::{Coupled, Workspace};
+use super::integrator::Integrator;
+use super::kernel::{self, Survey};
+use super::load::Piece;
+use super::march::{Cost, Diverged, Observer, Plan};
+use super::state::State;
+use super::system::{LANES, System};
+
+/// Share of its radius that a projectile may fly within a step.
+const FLIGHT: f64 = 0.1;
+/// Short steps in a long one at most.
+const MOST_SHORT: f64 = 1000.0;
+/// How many times the distance that could be closed within a long step must be left for one.
+const CAUTION: f64 = 2.0;
+
+/// Largest stable step with bounds of the angular frequency and the decay rate, in s.
+fn stable(omega: f64, rate: f64) -> f64 {
+    2.0 / (rate + (rate * rate + omega * omega).sqrt())
+}
+
+impl Coupled {
+    /// Largest step in contact, in s: stable, and too short for the projectile to pass the shell.
+    pub fn step_limit(&self) -> f64 {
+        let (omega, rate) = self.rates(true);
+        let flight = self
+            .contact
+            .map_or(f64::INFINITY, |c| FLIGHT * c.radius / c.speed);
+        stable(omega.max(1.0), rate).min(flight)
+    }
+
+    /// How many short steps one out of contact may be long.
+    pub fn stretch(&self) -> usize {
+        let (omega, rate) = self.rates(false);
+        let ratio = stable(omega.max(1.0), rate) / self.step_limit();
+        // Rounding must not turn a ratio of one into none.
+        (ratio * (1.0 + 1e-9)).clamp(1.0, MOST_SHORT) as usize
+    }
+}
+
+/// What a march of such a scene works with.
+struct Verlet<'a> {
+    system: &'a System,
+    coupled: &'a Coupled,
+    work: Workspace,
+    cost: Cost,
+}
+
+impl Verlet<'_> {
+    /// Acceleration, readings and survey at the state, with the speeds in the workspace.
+    fn evaluate(&mut self, state: &mut State, force: f64) -> Survey {
+        let mut survey = kernel::evaluate(self.system, state, force, 0.0);
+        self.coupled
+            .accelerate(state, &mut self.work, &mut self.cost);
+        self.cost.evaluations += 1;
+        survey.elastic += state.readings.stored;
+        survey
+    }
+
+    fn begin(&mut self, state: &mut State, force: f64) -> Survey {
+        self.work.vx.copy_from_slice(&state.vx);
+        self.work.vy.copy_from_slice(&state.vy);
+        self.evaluate(state, force)
+    }
+
+    /// One step of `h` seconds by the load law `piece`.
+    fn step(&mut self, state: &mut State, piece: Piece, h: f64) -> Survey {
+        let half = 0.5 * h;
+        let (start, end) = (state.time, state.time + h);
+        let pulse = self.system.load().pulse;
+        let forces = (pulse.force(piece, start), pulse.force(piece, end));
+        let before = state.load_speed(self.system);
+        let earlier = state.readings;
+        let (reach, keep) = self.drifts(h);
+        let len = self.coupled.inverse_mass.len();
+        let groups = &self.system.groups;
+        for slot in 0..len {
+            let fat = usize::from(groups[slot / LANES].fat[slot % LANES] > 0.0);
+            let (ax, ay) = (state.ax[slot], state.ay[slot]);
+            let (vx, vy) = (state.vx[slot] + half * ax, state.vy[slot] + half * ay);
+            state.x[slot] += reach[fat] * vx;
+            state.y[slot] += reach[fat] * vy;
+            let lost = (1.0 - keep[fat] * keep[fat]) * self.coupled.half_mass[slot];
+            state.dissipated += lost * (vx * vx + vy * vy);
+            let (vx, vy) = (keep[fat] * vx, keep[fat] * vy);
+            (state.vx[slot], state.vy[slot]) = (vx, vy);
+            self.work.vx[slot] = vx + half * ax;
+            self.work.vy[slot] = vy + half * ay;
+        }
+        let body = &mut state.readings.body;
+        body.velocity += body.acceleration * half;
+        body.position += body.velocity * h;
+
+        let middle = state.load_speed(self.system);
+        let mut survey = self.evaluate(state, forces.1);
+        for slot in 0..len {
+            state.vx[slot] += half * state.ax[slot];
+            state.vy[slot] += half * state.ay[slot];
+        }
+        let after = state.load_speed(self.system);
+        let readings = &mut state.readings;
+        readings.body.velocity += readings.body.acceleration * half;
+        readings.impulse += (earlier.contact_force + readings.contact_force) * half;
+        state.dissipated += half * (earlier.power + readings.power);
+        state.work = if let Some(contact) = &self.coupled.contact {
+            contact.energy() - 0.5 * contact.mass * readings.body.velocity.norm_squared()
+        } else {
+            // The load acts on the globe only, so one factor takes the drift's decay back out.
+            state.work
+                + 0.5
+                    * half
+                    * (forces.0 * (before + middle / keep[0]) + forces.1 * (middle + after))
+        };
+        survey.kinetic = self.coupled.kinetic(state);
+        state.time = end;
+        survey
+    }
+
+    /// Distance per speed, and share of the speed that is left, in globe and fat.
+    fn drifts(&self, h: f64) -> ([f64; 2], [f64; 2]) {
+        let decay = self.system.decay;
+        let reach = decay.map(|g| if g == 0.0 { h } else { -(-g * h).exp_m1() / g });
+        (reach, decay.map(|g| (-g * h).exp()))
+    }
+
+    /// Whether the projectile could come to touch within `time` s.
+    fn may_touch(&self, state: &State, time: f64) -> bool {
+        self.coupled.contact.is_some() && {
+            let r = &state.readings;
+            let closing = r.body.velocity.norm() + self.coupled.fastest_shell(state);
+            r.gap <= CAUTION * closing * time
+        }
+    }
+}
+
+/// Moves `state` through the window under `observer`'s eyes.
+///
+/// # Errors
+/// [`Diverged`] as soon as the energy is not finite.
+pub(super) fn march(
+    system: &System,
+    coupled: &Coupled,
+    plan: &Plan,
+    state: &mut State,
+    observer: &mut impl Observer,
+) -> Result<Cost, Diverged> {
+    debug_assert_eq!(plan.integrator, Integrator::VelocityVerlet);
+    let pulse = system.load().pulse;
+    let stretch = coupled.stretch();
+    let mut verlet = Verlet {
+        system,
+        coupled,
+        work: coupled.workspace(system.rest_x.len()),
+        cost: Cost::default(),
+    };
+    for segment in pulse.segments(plan.window) {
+        let length = segment.end - segment.start;
+        let long_steps = plan.steps_in(&segment).div_ceil(stretch);
+        let total = long_steps * stretch;
+        let h = length / total as f64;
+        state.time = segment.start;
+        let survey = verlet.begin(state, pulse.force(segment.piece, segment.start));
+        observer.begin(system, state, segment.piece, &survey);
+        let mut taken = 0;
+        while taken < total {
+            let long =
+                taken.is_multiple_of(stretch) && !verlet.may_touch(state, h * stretch as f64);
+            let share = if long { stretch } else { 1 };
+            let survey = verlet.step(state, segment.piece, h * share as f64);
+            taken += share;
+            // Computed, not summed, so that rounding does not pile up over many steps.
+            state.time = if taken == total {
+                segment.end
+            } else {
+                segment.start + h * taken as f64
+            };
+            verlet.cost.steps += 1;
+            let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
+            if !energies.is_finite() {
+                return Err(Diverged {
+                    time: state.time,
+                    step: verlet.cost.steps,
+                });
+            }
+            observer.step(system, state, segment.piece, &survey);
+            if observer.satisfied() {
+                return Ok(verlet.cost);
+            }
+        }
+    }
+    Ok(verlet.cost)
+}
+
+impl State {
+    /// Acceleration and readings where the state is, as for a frame between two steps.
+    pub(super) fn evaluate_coupled(
+        &mut self,
+        system: &System,
+        coupled: &Coupled,
+        force: f64,
+    ) -> Survey {
+        let mut verlet = Verlet {
+            system,
+            coupled,
+            work: coupled.workspace(self.x.len()),
+            cost: Cost::default(),
+        };
+        let mut survey = verlet.begin(self, force);
+        survey.kinetic = coupled.kinetic(self);
+        survey
+    }
+}
