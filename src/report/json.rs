@@ -83,6 +83,10 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         },
         "flags": flags,
     });
+    let risks = answer.risks();
+    if !risks.is_empty() {
+        object["injury"] = super::injury::json(&risks);
+    }
     if let Some(fluid) = &extremes.fluid {
         object["results"]["pressure"] = pressure(fluid);
     }

@@ -106,6 +106,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
         projectile(shot, input, out)?;
     }
+    super::injury::text(&answer.risks(), out)?;
     if answer.case.load.shielded > 1e-9 {
         writeln!(
             out,

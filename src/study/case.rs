@@ -5,6 +5,7 @@ use crate::dynamics::{
     State, Survey, System, march, needed, stability,
 };
 use crate::eye::Eye;
+use crate::injury::Blow;
 use crate::recording::{Keep, Recorder, Recording};
 use crate::scenario::{Impact, IntegratorChoice, Scenario};
 use std::ops::ControlFlow;
@@ -116,6 +117,8 @@ impl Observer for Watched<'_> {
 pub struct Case {
     /// The eye.
     pub eye: Eye,
+    /// The object that hits it, if there is one.
+    pub blow: Option<Blow>,
     /// The loaded arc.
     pub load: ArcLoad,
     /// What the kernel moves.
@@ -156,6 +159,7 @@ impl Case {
         let system = system.with(coupled);
         Self {
             start: State::at_rest(&system),
+            blow: Blow::of(scenario),
             eye,
             load,
             system,

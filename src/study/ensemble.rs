@@ -101,6 +101,7 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
 /// What a refusal is counted under.
 fn name(refusal: &Refusal) -> String {
     match refusal {
+        Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
         Refusal::Diverged(_) => "diverged",
         Refusal::TooMuchWork { .. } => "too_much_work",

@@ -10,7 +10,7 @@ use super::flags::{self, Flag};
 use super::quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 use crate::dynamics::{Cost, Plan, Pulse};
 use crate::eye::Monitor;
-use crate::injury::DamageIndex;
+use crate::injury::{DamageIndex, Risk, assess};
 use crate::recording::{Keep, Recording};
 use crate::scenario::Scenario;
 use std::ops::ControlFlow;
@@ -91,6 +91,14 @@ pub struct Answer {
     pub solve_time: Duration,
     /// Time that everything took.
     pub total_time: Duration,
+}
+
+impl Answer {
+    /// What the published injury curves say, beside the paper's index.
+    pub fn risks(&self) -> Vec<Risk> {
+        let fluid = self.recording.extremes.fluid;
+        assess(self.case.blow, fluid.map(|fluid| fluid.pressure.value))
+    }
 }
 
 /// Answers `scenario`, which must have been checked, under the eyes of `watch`.

@@ -148,9 +148,9 @@ fn read(reading: Reading, eye: &Eye, recording: &Recording) -> Option<f64> {
                 force[after - 1] + share * (force[after] - force[after - 1])
             }
         }
-        Reading::PeakPressure => extremes.pressure?.value,
+        Reading::PeakPressure => extremes.fluid?.pressure.value,
         Reading::FarthestArea => {
-            let (least, most) = extremes.area_ratio?;
+            let (least, most) = extremes.fluid?.area_ratio;
             if 1.0 - least > most - 1.0 { least } else { most }
         }
         Reading::Apex => extremes.apex.value,
