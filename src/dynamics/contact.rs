@@ -15,16 +15,18 @@
 //! shell, met at full speed, stop within [`AIM`] of the diameter, and that the whole object, stopped
 //! by a stiff eye, stays within it too.
 //!
-//! A projectile with a spring of its own has a surface without mass, shifted by u against the mass.
-//! The shift is where `k_p |u|^2 / 2 + U(c + u)` is least, found by Newton's method without the
-//! curvature of d; the force on the mass is k_p u, in series with the penalty.
+//! A projectile with a spring of its own has a surface without mass, shifted by u against the mass
+//! along the line of its flight. The shift is where `k_p u^2 / 2 + U(c + u e)` is least, found by
+//! Newton's method without the curvature of d; the spring is then in series with the penalty. Across
+//! the line the surface stays with the mass: free to shift there too, a soft ball wedged in the rim
+//! would lose its balance, as the curvature of the contact, F/R, can outweigh its spring.
 //!
 //! Left out: friction and spin; a surface that changes its shape, so a soft ball never bulges into
 //! the orbit; and the third dimension, in which a ball is no rod. Rim and bone are rigid and fixed.
 
 use crate::eye::{ORBIT_RADIUS_M, cross};
 use crate::scenario::{Projectile, ProjectileStiffness};
-use nalgebra::{Matrix2, Point2, Vector2};
+use nalgebra::{Point2, Vector2};
 
 /// Penetration that the penalty aims at, as a share of the diameter.
 pub const AIM: f64 = 0.007;
@@ -287,17 +289,18 @@ impl Contact {
     /// Newton's method for the shift of a surface without mass; returns the segments tested.
     fn find_shift(&self, spring: f64, body: &mut Body, ring: &[Point2<f64>]) -> usize {
         let mut tests = 0;
+        let mut shift = body.shift.dot(&self.direction);
         for _ in 0..MOST_ROUNDS {
-            let centre = body.position + body.shift;
-            let mut slope = body.shift * spring;
-            let mut bend = Matrix2::identity() * spring;
+            let centre = body.position + self.direction * shift;
+            let mut slope = shift * spring;
+            let mut bend = spring;
             let mut add = |away: Vector2<f64>, penalty: f64| {
                 let square = away.norm_squared();
                 if square < self.radius * self.radius && square > 0.0 {
                     let distance = square.sqrt();
-                    let n = away / distance;
-                    slope -= n * (penalty * (self.radius - distance));
-                    bend += n * n.transpose() * penalty;
+                    let along = away.dot(&self.direction) / distance;
+                    slope -= along * (penalty * (self.radius - distance));
+                    bend += along * along * penalty;
                 }
             };
             for (a, b) in segments(ring) {
@@ -307,14 +310,13 @@ impl Contact {
                 add(centre - point, self.rim_penalty);
             }
             tests += ring.len();
-            let step = bend
-                .try_inverse()
-                .map_or_else(Vector2::zeros, |i| i * slope);
-            body.shift -= step;
-            if step.norm() <= SETTLED * self.radius {
+            let step = slope / bend;
+            shift -= step;
+            if step.abs() <= SETTLED * self.radius {
                 break;
             }
         }
+        body.shift = self.direction * shift;
         tests
     }
 
