@@ -89,7 +89,7 @@ fn the_dial_turns_the_blow_and_bone_is_explained() {
 #[test]
 fn number_keys_switch_screens_and_the_keys_can_be_listed() {
     let term = started();
-    term.keys("2");
+    term.keys("\x1b2");
     term.wait_for("Node force");
     term.keys("g");
     term.wait_for("peak ");
@@ -109,7 +109,7 @@ fn number_keys_switch_screens_and_the_keys_can_be_listed() {
 fn presets_are_compared_in_a_table_and_side_by_side() {
     let term = Term::start(app(&["tui", "paper-300n", "paper-100n", "paper-600n"]));
     term.wait_for("26.42 %");
-    term.keys("4");
+    term.keys("\x1b4");
     term.wait_for("3 marked");
     term.wait_for("26.42");
     term.wait_for("6.36");
@@ -225,12 +225,12 @@ fn a_storm_of_sizes_ends_in_a_clean_screen() {
     for i in 0..60 {
         term.resize(20 + (i * 37) % 200, 5 + (i * 17) % 80);
         if i % 7 == 0 {
-            term.keys("2");
+            term.keys("\x1b2");
         }
         thread::sleep(Duration::from_millis(3));
     }
     term.resize(80, 24);
-    term.keys("1");
+    term.keys("\x1b1");
     term.settle();
     term.wait_for("26.42 %");
     let untouched = started();
@@ -253,7 +253,7 @@ fn very_small_and_very_large_terminals_are_served() {
     term.wait_for("26.42 %");
     term.resize(300, 100);
     term.wait_for("26.42 %");
-    term.keys("234");
+    term.keys("\x1b234");
     term.resize(1, 1);
     term.resize(80, 24);
     term.wait_for("mark two to six");
@@ -262,7 +262,7 @@ fn very_small_and_very_large_terminals_are_served() {
 #[test]
 fn a_replay_starts_where_it_is_after_any_wait() {
     let term = started();
-    term.keys("2-----");
+    term.keys("\x1b2-----");
     thread::sleep(Duration::from_millis(1500));
     term.keys(" ");
     term.wait_for("playing");

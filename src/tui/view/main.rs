@@ -14,59 +14,61 @@ use crate::report::text::significant;
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run, Shown};
 
-/// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+/// Where the parts of the screen are.
+pub struct Layout {
+    /// The form.
+    pub form: Rect,
+    /// All at its right.
+    right: Rect,
+    /// The eye, below its caption.
+    pub eye: Rect,
+    traces: Rect,
+    score: Rect,
+}
+
+/// Divides the screen.
+pub fn layout(area: Rect) -> Layout {
     let left = match area.width {
         ..70 => 25,
         70..100 => 29,
         _ => 34,
     };
-    form::draw(
-        model,
-        Rect {
-            width: left,
-            ..area
-        },
-        buffer,
-    );
-    for y in 0..area.height {
-        put(buffer, area, (left, y), "│", theme.line());
-    }
     let right = Rect::new(
         area.x + left + 1,
         area.y,
         area.width - left - 1,
         area.height,
     );
+    let below = score::height(right.height);
+    let upper = right.height - below;
+    let wide = (upper * 2).min(right.width * 11 / 20);
+    Layout {
+        form: Rect {
+            width: left,
+            ..area
+        },
+        right,
+        eye: Rect::new(right.x, right.y + 1, wide, upper - 1),
+        traces: Rect::new(right.x + wide + 1, right.y, right.width - wide - 1, upper),
+        score: Rect::new(right.x, right.y + upper, right.width, below),
+    }
+}
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let parts = layout(area);
+    form::draw(model, parts.form, buffer);
+    for y in 0..area.height {
+        put(buffer, area, (parts.form.width, y), "│", theme.line());
+    }
     let Some(shown) = &model.shown else {
-        waiting(model, right, buffer);
+        waiting(model, parts.right, buffer);
         return;
     };
-    let below = score::height(right.height);
-    let upper = Rect {
-        height: right.height - below,
-        ..right
-    };
-    let eye_width = (upper.height * 2).min(right.width * 11 / 20);
-    eye(
-        model,
-        shown,
-        Rect {
-            width: eye_width,
-            ..upper
-        },
-        buffer,
-    );
-    let traces = Rect::new(
-        upper.x + eye_width + 1,
-        upper.y,
-        upper.width - eye_width - 1,
-        upper.height,
-    );
-    sparklines(model, shown, traces, buffer);
-    let lower = Rect::new(right.x, right.y + upper.height, right.width, below);
-    score::draw(model, shown, lower, buffer);
+    eye(model, shown, parts.eye, buffer);
+    sparklines(model, shown, parts.traces, buffer);
+    score::draw(model, shown, parts.score, buffer);
 }
 
 /// Before the first result: what is being done, or why there is none.
@@ -86,11 +88,10 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let aiming = model.context() == Context::Dial;
     let time = model.time();
-    let picture = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
     Scene {
         answer: &shown.answer,
         time,
@@ -114,7 +115,8 @@ fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     } else {
         theme.heading()
     };
-    put(buffer, area, (0, 0), &caption, style);
+    let above = Rect::new(picture.x, picture.y - 1, picture.width, 1);
+    put(buffer, above, (0, 0), &caption, style);
 }
 
 /// Four curves, each with its peak and when it came.
