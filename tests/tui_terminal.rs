@@ -19,7 +19,7 @@ fn the_first_screen_answers_the_question() {
         "centre",
         "72.93 N",
         "of 1.5 %",
-        "Its error: step",
+        "Error: step",
         "No flags raised",
         "Paper model, unit depth",
         "Research and education, not",
