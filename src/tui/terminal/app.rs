@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use signal_hook::consts::signal::SIGXFSZ;
 use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
@@ -53,7 +54,7 @@ impl Event {
     fn is_end(&self) -> bool {
         match self {
             Self::Hangup => true,
-            Self::Signal(signal) => !matches!(*signal, SIGCONT | SIGWINCH),
+            Self::Signal(signal) => !matches!(*signal, SIGCONT | SIGWINCH | SIGXFSZ),
             _ => false,
         }
     }
@@ -65,7 +66,7 @@ impl Event {
 /// Where the terminal fails.
 pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let (send, events) = channel();
-    let mut signals = Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT])?;
+    let mut signals = Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT, SIGXFSZ])?;
     let session = Session::enter()?;
     let sender = send.clone();
     thread::spawn(move || {
@@ -261,6 +262,8 @@ impl App {
                 self.repaint();
             }
             SIGWINCH => self.dirty = true,
+            // The write that went beyond the limit fails by itself, and that is shown.
+            SIGXFSZ => {}
             other => self.exit = Some(u8::try_from(128 + other).unwrap_or(1)),
         }
         Ok(())

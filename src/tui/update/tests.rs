@@ -307,3 +307,23 @@ fn elsewhere_digits_switch_screens_and_with_alt_everywhere() {
     press(&mut model, "\x1b[11~");
     assert_eq!(model.screen, Screen::Main);
 }
+
+#[test]
+fn what_is_undone_after_saving_counts_as_edited() {
+    let mut model = model();
+    press(&mut model, "l");
+    let name = model.work.source.clone();
+    update(&mut model, Message::Saved(name, Ok(())));
+    assert!(!model.is_edited());
+    press(&mut model, "u");
+    assert_eq!(force(&model), 300.0);
+    assert!(model.is_edited(), "the preset now holds 310 N");
+    press(&mut model, "r");
+    assert!(!model.is_edited() && force(&model) == 310.0);
+    // A step after saving is a change of its own, however soon it comes.
+    press(&mut model, "l");
+    let name = model.work.source.clone();
+    update(&mut model, Message::Saved(name, Ok(())));
+    press(&mut model, "lu");
+    assert_eq!(force(&model), 320.0);
+}
