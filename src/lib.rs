@@ -17,3 +17,7 @@ pub mod report;
 pub mod scenario;
 pub mod study;
 pub mod tui;
+
+// What tests share names the library as a test outside it does.
+#[cfg(test)]
+extern crate self as contrecoup;

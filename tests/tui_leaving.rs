@@ -142,10 +142,73 @@ fn no_reply_is_left_for_whoever_reads_the_terminal_next() {
     let late = Replies::Late(Duration::from_millis(250));
     let term = Term::open(shell, (80, 24), late);
     term.wait_for("26.42 %");
-    term.keys("2");
+    term.keys("\x1b2");
     term.wait_for("Node force");
     term.keys("1q");
     term.wait_for("over");
     thread::sleep(Duration::from_millis(500));
     assert!(!term.text().contains("1R"), "{}", term.text());
+}
+
+/// A mouse report as a terminal sends it.
+fn mouse(button: u16, column: u16, row: u16) -> String {
+    format!("\x1b[<{button};{column};{row}M")
+}
+
+#[test]
+fn the_mouse_is_switched_off_by_every_way_out() {
+    let start = || {
+        let mut command = app(&["--mouse", "--fail-on", "X"]);
+        command.env("RUST_BACKTRACE", "0");
+        let term = Term::start(command);
+        term.wait_for("26.42 %");
+        term.assert_mouse(true);
+        term
+    };
+    for (keys, code) in [("q", 0), ("\x03", 130), ("X", 101)] {
+        let mut term = start();
+        term.keys(keys);
+        assert_eq!(term.exit_code(), code);
+        term.assert_restored();
+    }
+    let mut term = start();
+    term.signal("TERM");
+    assert_eq!(term.exit_code(), 143);
+    term.assert_restored();
+    // And by its own key, after which a report that is still on its way does nothing.
+    let term = start();
+    term.keys("M");
+    term.wait_for("mouse off");
+    term.assert_mouse(false);
+    term.keys(&mouse(0, 10, 2));
+    term.keys("M");
+    term.wait_for("mouse on");
+    term.assert_mouse(true);
+}
+
+#[test]
+fn suspending_gives_the_mouse_back_and_loses_no_key() {
+    let mut shell = CommandBuilder::new("bash");
+    shell.args(["--norc", "--noprofile", "-i"]);
+    plain(&mut shell);
+    shell.env("PS1", "ready> ");
+    let late = Replies::Late(Duration::from_millis(600));
+    let term = Term::open(shell, (80, 24), late);
+    term.wait_for("ready> ");
+    term.keys(&format!("{} --mouse\r", env!("CARGO_BIN_EXE_contrecoup")));
+    term.wait_for("26.42 %");
+    term.settle();
+    term.keys(RIGHT);
+    term.wait_for("310 N");
+    // The reply to that frame is still to come, so the terminal is not handed over yet.
+    term.keys("\x1a");
+    thread::sleep(Duration::from_millis(20));
+    term.keys(&RIGHT.repeat(2));
+    term.wait_for("Stopped");
+    term.assert_left();
+    term.assert_mouse(false);
+    // Nor is anything lost that is typed before the app is back.
+    term.keys(&format!("fg\r{RIGHT}"));
+    term.wait_for("340 N");
+    term.assert_mouse(true);
 }

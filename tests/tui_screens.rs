@@ -150,30 +150,30 @@ fn main_screen_with_advanced_fields_and_a_bad_value() {
 
 #[test]
 fn replay_screen() {
-    pictures("replay", &[], "2");
+    pictures("replay", &[], "\x1b2");
 }
 
 #[test]
 fn replay_screen_under_load_with_nodes_and_exaggeration() {
-    pictures("replay_nodes", &["off-axis-triangle"], "2gez");
+    pictures("replay_nodes", &["off-axis-triangle"], "\x1b2gez");
 }
 
 #[test]
 fn force_screen() {
-    pictures("forces", &[], "3");
+    pictures("forces", &[], "\x1b3");
 }
 
 #[test]
 fn comparison_screens() {
     let sources = &["paper-300n", "paper-100n", "paper-600n"];
-    pictures("compare_list", sources, "4\x1b[Z");
-    pictures("compare_table", sources, "4lo");
-    pictures("compare_replays", sources, "4\t");
+    pictures("compare_list", sources, "\x1b4\x1b[Z");
+    pictures("compare_table", sources, "\x1b4lo");
+    pictures("compare_replays", sources, "\x1b4\t");
 }
 
 /// Opens the screen and lets a made-up measurement end.
 fn open_measured(model: &mut Model) {
-    press(model, "5");
+    press(model, "\x1b5");
     let ticket = model.accuracy.job.as_ref().unwrap().ticket;
     let report = Report::Done(ticket, Box::new(Ok(accuracy::made_up())));
     update(model, Message::Accuracy(report));
@@ -183,7 +183,7 @@ fn open_measured(model: &mut Model) {
 fn accuracy_screens() {
     pictures_after("accuracy", &[], open_measured);
     let wait = |model: &mut Model| {
-        press(model, "5");
+        press(model, "\x1b5");
         let ticket = model.accuracy.job.as_ref().unwrap().ticket;
         let report = Report::Progress(ticket, 0.43);
         update(model, Message::Accuracy(report));
@@ -231,7 +231,7 @@ fn no_size_and_no_screen_makes_the_drawing_fail() {
     for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
         model.look.symbols = symbols;
         for keys in [
-            "1", "2", "3", "v", "4", "\t", "\t", "5", "1?", "?p", "\x1bs",
+            "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "1?", "?p", "\x1bs",
         ] {
             press(&mut model, keys);
             for width in [1, 20, 59, 60, 61, 79, 100, 300] {

@@ -29,7 +29,7 @@ fn no_color_means_no_colour() {
     command.env("NO_COLOR", "1");
     let term = Term::start(command);
     term.wait_for("26.42 %");
-    term.keys("2");
+    term.keys("\x1b2");
     term.wait_for("Node force");
     assert_eq!(colour_codes(&term.raw()), [] as [u32; 0]);
     let coloured = started();
@@ -40,7 +40,7 @@ fn no_color_means_no_colour() {
 fn plain_ascii_is_enough() {
     let term = Term::start(app(&["tui", "--symbols", "ascii"]));
     term.wait_for("26.42 %");
-    for screen in ["2", "3", "4", "?"] {
+    for screen in ["\x1b2", "3", "4", "?"] {
         term.keys(screen);
         term.settle();
         let text = term.text();
@@ -59,11 +59,11 @@ fn an_idle_app_sends_nothing() {
 
 #[test]
 fn a_replay_frame_takes_no_more_than_its_budget() {
-    for screen in ["1", "2"] {
+    for screen in ["\x1b1", "\x1b2"] {
         let term = started();
         term.keys(screen);
         // Slowly, so that the frames show the blow and not the rest after it.
-        term.keys("-");
+        term.keys("_");
         term.settle();
         let before = term.traffic();
         term.keys(" ");
@@ -72,7 +72,10 @@ fn a_replay_frame_takes_no_more_than_its_budget() {
         let after = term.traffic();
         let frames = after.1 - before.1;
         let mean = (after.0 - before.0) / frames.max(1);
-        println!("screen {screen}, 16 colours, 80x24: {mean} bytes a frame over {frames} frames");
+        println!(
+            "screen {}, 16 colours, 80x24: {mean} bytes a frame over {frames} frames",
+            &screen[1..]
+        );
         assert!(frames >= 10, "only {frames} frames");
         assert!(mean <= 3500, "{mean} bytes a frame");
     }
@@ -97,7 +100,7 @@ fn two_frames_at_most_wait_for_their_replies() {
     let late = Replies::Late(Duration::from_millis(150));
     let term = Term::open(app(&[]), (80, 24), late);
     term.wait_for("26.42 %");
-    term.keys("2 ");
+    term.keys("\x1b2 ");
     term.keys(&RIGHT.repeat(20));
     term.keys(" ");
     thread::sleep(Duration::from_secs(2));
@@ -113,7 +116,7 @@ fn a_terminal_that_never_answers_is_served_all_the_same() {
     // Two silences later nothing is asked any more, and keys are answered at once.
     term.keys(DOWN);
     thread::sleep(Duration::from_secs(3));
-    term.keys("2");
+    term.keys("\x1b2");
     term.wait_for("slow link");
     let asked = term.most_open();
     term.keys("1u");
@@ -121,4 +124,37 @@ fn a_terminal_that_never_answers_is_served_all_the_same() {
     term.keys("r");
     assert!(term.wait_for("310 N") < Duration::from_secs(1));
     assert_eq!(term.most_open(), asked);
+}
+
+#[test]
+fn the_mouse_is_never_mentioned_unless_asked_for() {
+    // Every mode in which a terminal reports the mouse.
+    let modes = ["?1000", "?1002", "?1003", "?1005", "?1006", "?1015", "?9"];
+    let mentions = |term: &Term| -> Vec<&str> {
+        let raw = String::from_utf8_lossy(&term.raw()).into_owned();
+        let said = |mode: &&&str| {
+            ['h', 'l']
+                .iter()
+                .any(|c| raw.contains(&format!("\x1b[{mode}{c}")))
+        };
+        modes.iter().filter(said).copied().collect()
+    };
+    let mut term = started();
+    term.keys("\t?q\x1b2 3q");
+    assert_eq!(term.exit_code(), 0);
+    assert_eq!(mentions(&term), [] as [&str; 0]);
+    let mut term = Term::start(app(&["--mouse"]));
+    term.wait_for("26.42 %");
+    term.keys("q");
+    assert_eq!(term.exit_code(), 0);
+    assert_eq!(mentions(&term), ["?1002", "?1006"]);
+}
+
+#[test]
+fn plain_contrecoup_takes_the_flags_of_the_app() {
+    let flags = ["--color", "never", "--symbols", "ascii", "--fps", "5"];
+    let term = Term::start(app(&flags));
+    term.wait_for("26.42 %");
+    assert!(term.text().is_ascii());
+    assert_eq!(colour_codes(&term.raw()), [] as [u32; 0]);
 }

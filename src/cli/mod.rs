@@ -17,8 +17,8 @@ mod presets;
 mod progress;
 mod run;
 mod stability;
-mod validate;
 mod sweep;
+mod validate;
 
 pub use arguments::{Assignment, ScenarioArgs};
 pub use error::CliError;
@@ -38,8 +38,15 @@ use crate::tui;
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
-#[command(version, after_help = "Research and education, not diagnosis.")]
+#[command(
+    version,
+    after_help = "Research and education, not diagnosis.",
+    args_conflicts_with_subcommands = true
+)]
 pub struct Cli {
+    /// How the app looks and listens, which opens without a command.
+    #[command(flatten)]
+    pub manner: tui::Manner,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -266,8 +273,8 @@ pub fn main() -> ExitCode {
         }
     };
     let app = match &cli.command {
-        None => Some(tui::run(&tui::Options::default())),
-        Some(Command::Tui(options)) => Some(tui::run(options)),
+        None => Some(tui::run(&[], &cli.manner)),
+        Some(Command::Tui(options)) => Some(tui::run(&options.sources, &options.manner)),
         Some(_) => None,
     };
     if let Some(outcome) = app {

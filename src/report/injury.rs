@@ -26,7 +26,10 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     if risks.is_empty() {
         return Ok(());
     }
-    writeln!(out, "\nPublished injury curves, beside the index and not part of it:")?;
+    writeln!(
+        out,
+        "\nPublished injury curves, beside the index and not part of it:"
+    )?;
     let mut sources: Vec<&'static str> = Vec::new();
     for injury in Injury::ALL {
         let mut name = injury.name();
@@ -74,7 +77,12 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "  [{}] {source}", i + 1)?;
         for risk in risks.iter().filter(|r| r.curve.source == *source) {
             if !risk.curve.remark.is_empty() {
-                writeln!(out, "      {}: {}", risk.curve.injury.name(), risk.curve.remark)?;
+                writeln!(
+                    out,
+                    "      {}: {}",
+                    risk.curve.injury.name(),
+                    risk.curve.remark
+                )?;
             }
         }
         if let Some(risk) = risks.iter().find(|r| r.curve.source == *source) {
@@ -154,7 +162,10 @@ mod tests {
         ] {
             assert!(page.contains(words), "{words} in\n{page}");
         }
-        assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+        assert!(
+            page.lines().all(|line| line.chars().count() <= 100),
+            "{page}"
+        );
     }
 
     #[test]

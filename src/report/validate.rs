@@ -73,7 +73,10 @@ pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
         ("Fitted: the model was made to agree with these", true),
         ("Not fitted: these test it", false),
     ] {
-        let part: Vec<&Row> = rows.iter().filter(|r| r.experiment.fitted == fitted).collect();
+        let part: Vec<&Row> = rows
+            .iter()
+            .filter(|r| r.experiment.fitted == fitted)
+            .collect();
         let inside = part.iter().filter(|r| r.inside()).count();
         writeln!(out, "{heading} ({inside} of {} inside)", part.len())?;
         lines(&part, out)?;
@@ -128,7 +131,11 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
         "Best of {} points tried; sum of squared misfits {:.2}\n",
         fit.tried, fit.misfit
     )?;
-    writeln!(out, "{:<36}{:>10}{:>24}{:>10}", "", "best", "fits nearly as well", "now")?;
+    writeln!(
+        out,
+        "{:<36}{:>10}{:>24}{:>10}",
+        "", "best", "fits nearly as well", "now"
+    )?;
     let now = crate::scenario::Physiological::default();
     for (free, nearly) in FREE.iter().zip(fit.nearly) {
         writeln!(

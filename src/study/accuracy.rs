@@ -6,7 +6,7 @@
 //! that no other beats in both. Levels are compared with the finest one computed, which tells the
 //! mesh error.
 
-use super::case::{Case, Refusal, Watch, unwatched};
+use super::case::{Case, Refusal, Watch};
 use super::mesh_error::at_level;
 use super::quantity::{PerQuantity, difference_percent, headline, values};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
@@ -136,16 +136,17 @@ fn mark_front(points: &mut [Point]) {
     }
 }
 
+/// A watch over a part of the work: it is told of the share that this part has of the whole.
+fn part(watch: Watch, from: f64, size: f64) -> impl FnMut(f64) -> ControlFlow<()> {
+    move |share| watch(from + size * share.min(1.0))
+}
+
 /// The report for `scenario`, with levels up to `finest`.
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
 pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
     let case = Case::new(scenario);
-    let go_on = |watch: &mut dyn FnMut(f64) -> ControlFlow<()>, share: f64| match watch(share) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(Refusal::Cancelled),
-    };
     let method = Integrator::Srkn11b;
     let reference = Plan {
         integrator: method,
@@ -154,22 +155,26 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
         multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };
-    let solved = case.run(&reference, Keep::default(), &mut unwatched)?;
+    let solved = case.run(&reference, Keep::default(), &mut part(watch, 0.0, 0.1))?;
     let folded = solved.recording.extremes.folded_at.is_some();
     let truth = values(&solved.recording.extremes);
-    go_on(watch, 0.1)?;
 
     let plans = plans(&case);
     let mut times = vec![Vec::new(); plans.len()];
     let mut last = vec![None; plans.len()];
     for round in 0..ROUNDS {
         for (i, plan) in plans.iter().enumerate() {
+            let job = (round * plans.len() + i) as f64;
+            let each = 0.5 / (ROUNDS * plans.len()) as f64;
+            // The look at the watch costs nothing beside the steps between two looks.
+            let mut watch = part(watch, 0.1 + job * each, each);
             let started = Instant::now();
-            let solved = case.run(plan, Keep::default(), &mut unwatched);
+            let solved = case.run(plan, Keep::default(), &mut watch);
             times[i].push(started.elapsed().as_secs_f64());
+            if matches!(solved, Err(Refusal::Cancelled)) || watch(1.0).is_break() {
+                return Err(Refusal::Cancelled);
+            }
             last[i] = solved.ok();
-            let done = (round * plans.len() + i) as f64 / (ROUNDS * plans.len()) as f64;
-            go_on(watch, 0.1 + 0.5 * done)?;
         }
     }
     let springs = case.system.springs_per_evaluation();
@@ -203,11 +208,10 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
 
     let mut levels = Vec::new();
     for level in 1..=finest {
-        levels.push(measure_level(scenario, level, &case)?);
-        go_on(
-            watch,
-            0.6 + 0.4 * f64::from(level.pow(3)) / f64::from(finest.pow(3)),
-        )?;
+        let share = |level: u32| f64::from(level.pow(3)) / f64::from(finest.pow(3));
+        let from = 0.6 + 0.4 * share(level - 1);
+        let mut watch = part(watch, from, 0.4 * (share(level) - share(level - 1)));
+        levels.push(measure_level(scenario, level, &case, &mut watch)?);
     }
     let finest_results = levels.last().map(|l| l.results);
     for level in &mut levels {
@@ -227,7 +231,12 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
     })
 }
 
-fn measure_level(scenario: &Scenario, level: u32, like: &Case) -> Result<Level, Refusal> {
+fn measure_level(
+    scenario: &Scenario,
+    level: u32,
+    like: &Case,
+    watch: Watch,
+) -> Result<Level, Refusal> {
     let mut other = scenario.clone();
     other.eye.level = level;
     other.numerics = crate::scenario::NumericsInput::default();
@@ -236,15 +245,18 @@ fn measure_level(scenario: &Scenario, level: u32, like: &Case) -> Result<Level, 
     let rounds = if level < 3 { 3 } else { 1 };
     let mut times = Vec::new();
     let mut evaluations = 0;
-    for _ in 0..rounds {
+    let each = 1.0 / f64::from(rounds + 1);
+    for round in 0..rounds {
+        let mut watch = part(watch, f64::from(round) * each, each);
         let started = Instant::now();
         evaluations = case
-            .run(&plan, Keep::default(), &mut unwatched)?
+            .run(&plan, Keep::default(), &mut watch)?
             .cost
             .evaluations;
         times.push(started.elapsed().as_secs_f64());
     }
-    let (results, folded) = at_level(&other, level, like, &mut unwatched)?;
+    let mut watch = part(watch, 1.0 - each, each);
+    let (results, folded) = at_level(&other, level, like, &mut watch)?;
     Ok(Level {
         level,
         seconds: median(times),
@@ -258,6 +270,32 @@ fn measure_level(scenario: &Scenario, level: u32, like: &Case) -> Result<Level, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::unwatched;
+
+    /// The watch stops it at its first word beyond `limit`, and hears nothing after that.
+    #[test]
+    fn it_can_be_stopped_within_every_run_that_it_makes() {
+        let scenario = Scenario {
+            window_ms: 0.4,
+            ..Scenario::default()
+        };
+        for limit in [0.0, 0.05, 0.3, 0.62, 0.9] {
+            let (mut last, mut after) = (0.0, 0);
+            let outcome = measure(&scenario, 2, &mut |share| {
+                assert!((last..=1.0).contains(&share), "{share} after {last}");
+                after += usize::from(last > limit);
+                last = share;
+                if share > limit {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            });
+            assert_eq!(outcome.unwrap_err(), Refusal::Cancelled);
+            assert_eq!(after, 0, "{limit}");
+            assert!(last - limit < 0.1, "{limit}: only at {last}");
+        }
+    }
 
     #[test]
     fn the_front_is_beaten_by_nobody_and_the_choices_meet_their_targets() {

@@ -191,7 +191,10 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
             Some(better) if better.misfit < best.misfit => best = better,
             _ => step *= 0.5,
         }
-        heard(watch, 0.5 + 0.5 * (STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln())?;
+        heard(
+            watch,
+            0.5 + 0.5 * (STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln(),
+        )?;
     }
     let model = model_at(best.at);
     let near = tried.iter().filter(|t| t.misfit <= best.misfit + NEARLY);

@@ -97,6 +97,8 @@ pub(super) fn raise(
 ) -> Vec<Flag> {
     let (arc, shielded) = (load.arc.1 - load.arc.0, load.shielded);
     let mut flags = Vec::new();
+    let split = disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan();
+    let predictable = extremes.folded_at.is_none() || !split;
     let mut raise = |kind, message: String, time| {
         flags.push(Flag {
             kind,
@@ -113,7 +115,7 @@ pub(super) fn raise(
             ),
             Some(time),
         );
-        if disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan() {
+        if !predictable {
             raise(
                 FlagKind::NotPredictable,
                 format!("two solutions disagree by {disagreement:.0} %: not predictable"),
@@ -140,7 +142,9 @@ pub(super) fn raise(
             None,
         );
     }
-    if step_error_percent > UNCONVERGED_PERCENT || step_error_percent.is_nan() {
+    // Where two solutions part for good, no step is small enough.
+    let converged = step_error_percent <= UNCONVERGED_PERCENT;
+    if predictable && !converged {
         raise(
             FlagKind::Unconverged,
             format!("the step error is {step_error_percent:.1} %: take a smaller step"),
@@ -236,5 +240,36 @@ fn of_shot(
             Some(window),
         ),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Keep;
+    use crate::scenario::Scenario;
+    use crate::study::{solve, unwatched};
+    use FlagKind::{MeshFolded, NotPredictable, Unconverged};
+
+    #[test]
+    fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
+        let answer = solve(&Scenario::default(), Keep::default(), &mut unwatched).unwrap();
+        let mut extremes = answer.recording.extremes;
+        let load = &answer.case.load;
+        let mut kinds = |folded_at, error, disagreement| -> Vec<FlagKind> {
+            extremes.folded_at = folded_at;
+            let flags = raise(&extremes, error, disagreement, 3e-3, 2e-4, load, 0.0);
+            flags.into_iter().map(|flag| flag.kind).collect()
+        };
+        let folded = Some(1e-4);
+        assert_eq!(kinds(folded, 50.0, 50.0), [MeshFolded, NotPredictable]);
+        assert_eq!(
+            kinds(folded, f64::NAN, f64::NAN),
+            [MeshFolded, NotPredictable]
+        );
+        assert_eq!(kinds(folded, 50.0, 1.0), [MeshFolded, Unconverged]);
+        assert_eq!(kinds(None, 50.0, 50.0), [Unconverged]);
+        assert_eq!(kinds(None, f64::NAN, 0.0), [Unconverged]);
+        assert_eq!(kinds(None, 1.0, 50.0), []);
     }
 }

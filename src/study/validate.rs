@@ -151,7 +151,11 @@ fn read(reading: Reading, eye: &Eye, recording: &Recording) -> Option<f64> {
         Reading::PeakPressure => extremes.fluid?.pressure.value,
         Reading::FarthestArea => {
             let (least, most) = extremes.fluid?.area_ratio;
-            if 1.0 - least > most - 1.0 { least } else { most }
+            if 1.0 - least > most - 1.0 {
+                least
+            } else {
+                most
+            }
         }
         Reading::Apex => extremes.apex.value,
         Reading::Widening => extremes.meridian_growth.value,

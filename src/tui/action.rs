@@ -9,6 +9,8 @@ pub enum Action {
     Quit,
     /// Leave at once.
     Interrupt,
+    /// Listen to the mouse, or no longer.
+    Mouse,
     /// Stop until the shell says otherwise.
     Suspend,
     /// Draw everything afresh.
@@ -37,6 +39,8 @@ pub enum Action {
     Step(Step),
     /// Begin to type, or accept.
     Enter,
+    /// Begin to type with this character.
+    Type,
     /// Give up what is under way.
     Cancel,
     /// Show or hide the advanced fields.

@@ -171,6 +171,12 @@ pub fn peaks(answer: &Answer) -> Vec<Visit> {
     peaks.push(visit("apex", extremes.apex, 1e3, "mm"));
     peaks.push(visit("S", extremes.shell_growth, 1e2, "%"));
     peaks.push(visit("M", extremes.meridian_growth, 1e2, "%"));
+    if let Some(fluid) = &extremes.fluid {
+        peaks.push(visit("pressure", fluid.pressure, 1e-6, "MPa"));
+    }
+    if let Some(shot) = &extremes.shot {
+        peaks.push(visit("contact", shot.force, 1.0, "N"));
+    }
     peaks.sort_by(|a, b| a.time.total_cmp(&b.time));
     peaks
 }

@@ -120,6 +120,14 @@ impl Form {
         self.complaint = None;
     }
 
+    /// Whether a digit begins a value in the row with the cursor.
+    pub fn takes_numbers(&self) -> bool {
+        matches!(self.selected, Row::Field(field) if matches!(
+            field.kind,
+            Kind::Number(..) | Kind::OptionalNumber(..) | Kind::Integer(..) | Kind::Integers(..)
+        ))
+    }
+
     /// Shows or hides the advanced fields; the cursor stays on a row that is there.
     pub fn fold(&mut self, scenario: &Scenario) {
         self.advanced = !self.advanced;

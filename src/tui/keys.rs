@@ -10,12 +10,15 @@ pub use bindings::BINDINGS;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::action::Action;
+use super::screens::SCREENS;
 
 /// Where a key counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumIter)]
 pub enum Context {
     /// On every screen, unless something is typed or asked.
     Everywhere,
+    /// In the form, on a row that takes a number.
+    Number,
     /// In the form.
     Form,
     /// On the dial.
@@ -49,6 +52,7 @@ impl Context {
     pub fn title(self) -> &'static str {
         match self {
             Self::Everywhere => "Everywhere",
+            Self::Number => "Form: a number",
             Self::Form => "Form",
             Self::Dial => "Dial",
             Self::Clock => "Time (form, dial, replay, forces, compare)",
@@ -68,12 +72,13 @@ impl Context {
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{
-            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
-            Replays, Table, Typing,
+            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Number, Picker, Question,
+            Replay, Replays, Table, Typing,
         };
         match self {
             Everywhere => &[Everywhere],
             Clock => &[Clock, Everywhere],
+            Number => &[Number, Form, Clock, Everywhere],
             Form => &[Form, Clock, Everywhere],
             Dial => &[Dial, Clock, Everywhere],
             Replay => &[Replay, Clock, Everywhere],
@@ -112,6 +117,7 @@ impl Press {
                 c.to_uppercase().to_string()
             }
             KeyCode::Char(c) => c.to_string(),
+            KeyCode::F(n) => format!("F{n}"),
             KeyCode::Up => "↑".to_owned(),
             KeyCode::Down => "↓".to_owned(),
             KeyCode::Left => "←".to_owned(),
@@ -124,6 +130,9 @@ impl Press {
         let mut name = String::new();
         if self.1.contains(KeyModifiers::CONTROL) {
             name += "Ctrl-";
+        }
+        if self.1.contains(KeyModifiers::ALT) {
+            name += "Alt-";
         }
         if self.1.contains(KeyModifiers::SHIFT) {
             name += "Shift-";
@@ -147,6 +156,22 @@ pub struct Binding {
     pub help: &'static str,
 }
 
+impl Binding {
+    /// Its keys as they are written for a person; digits that all mean the same are one.
+    pub fn names(&self) -> Vec<String> {
+        let is_digit = |press: &&Press| matches!(press.0, KeyCode::Char('0'..='9'));
+        let plain = |press: &&Press| is_digit(press) && press.1.is_empty();
+        let digits = self.presses.iter().filter(plain).count() == 10;
+        let mut names: Vec<String> = Vec::new();
+        if digits {
+            names.push("0-9".to_owned());
+        }
+        let rest = self.presses.iter().filter(|p| !(digits && plain(p)));
+        names.extend(rest.map(|press| press.name()));
+        names
+    }
+}
+
 /// What a key means in a context.
 pub fn action(context: Context, event: KeyEvent) -> Option<Action> {
     context.stack().iter().find_map(|context| {
@@ -159,19 +184,26 @@ pub fn action(context: Context, event: KeyEvent) -> Option<Action> {
 /// What the footer may show in a context: keys and their word, the most needed first.
 pub fn live(context: Context) -> Vec<(String, &'static str)> {
     let mut live: Vec<(u8, String, &'static str)> = Vec::new();
-    for place in context.stack() {
+    let stack = context.stack();
+    for (depth, place) in stack.iter().enumerate() {
+        // What a nearer context has for itself is not on offer.
+        let taken = |press: &Press| {
+            let nearer = BINDINGS
+                .iter()
+                .filter(|b| stack[..depth].contains(&b.context));
+            nearer.flat_map(|b| b.presses).any(|p| p == press)
+        };
         for binding in BINDINGS.iter().filter(|b| b.context == *place) {
-            let name = binding
-                .presses
-                .first()
-                .map(|p| p.name())
-                .unwrap_or_default();
+            let free = binding.presses.iter().position(|press| !taken(press));
+            let Some(name) = free.and_then(|at| binding.names().into_iter().nth(at)) else {
+                continue;
+            };
             match (binding.short, live.last_mut()) {
                 ("", _) => {}
                 ("&", Some((_, names, _))) => names.push_str(&name),
                 (word, _) => {
                     // In form and dial, time comes after everything else.
-                    let aside = matches!(context, Context::Form | Context::Dial)
+                    let aside = matches!(context, Context::Number | Context::Form | Context::Dial)
                         && *place == Context::Clock;
                     let late = aside && binding.action != Action::Play;
                     live.push((u8::from(late), name, word));
@@ -179,7 +211,18 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
             }
         }
     }
-    live.sort_by_key(|(late, ..)| *late);
+    if context == Context::Number {
+        // Digits are taken, so it must be said how to leave the screen.
+        live.insert(1, (0, format!("F1-{}", SCREENS.len()), "screen"));
+        // What the arrows do comes first; Enter opens what a digit opens too.
+        live.sort_by_key(|(late, _, word)| match *word {
+            "field" | "value" => 0,
+            "edit" => 3,
+            _ => 1 + late,
+        });
+    } else {
+        live.sort_by_key(|(late, ..)| *late);
+    }
     live.into_iter()
         .map(|(_, names, word)| (names, word))
         .collect()
@@ -191,11 +234,8 @@ pub fn markdown() -> String {
     let mut table = "| Where | Keys | What |\n|---|---|---|\n".to_owned();
     for context in Context::iter() {
         for binding in BINDINGS.iter().filter(|b| b.context == context) {
-            let names: Vec<String> = binding
-                .presses
-                .iter()
-                .map(|press| format!("`{}`", press.name()))
-                .collect();
+            let names = binding.names();
+            let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             let cells = [context.title(), &names.join(" "), binding.help];
             table.push_str(&["| ", &cells.join(" | "), " |\n"].concat());
         }
@@ -237,9 +277,32 @@ mod tests {
             }
             for own in BINDINGS.iter().filter(|b| b.context == context) {
                 for press in own.presses {
-                    let hidden = shared.iter().any(|b| b.presses.contains(press));
+                    // A digit is typed where a number is wanted; Alt and F keys do its work.
+                    let typed = own.action == Action::Type;
+                    let hidden = !typed && shared.iter().any(|b| b.presses.contains(press));
                     assert!(!hidden, "{context:?} {}", press.name());
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn every_screen_can_be_reached_from_everywhere_by_one_press() {
+        let panes = || SCREENS.iter().flat_map(|listed| listed.panes);
+        let contexts = panes()
+            .map(|(_, context)| *context)
+            .chain([Context::Number]);
+        for context in contexts {
+            for (i, listed) in SCREENS.iter().enumerate() {
+                let number = u8::try_from(i + 1).unwrap();
+                let show = Some(Action::Show(listed.screen));
+                let f = KeyEvent::new(KeyCode::F(number), KeyModifiers::NONE);
+                let alt = KeyEvent::new(KeyCode::Char(listed.key), KeyModifiers::ALT);
+                assert_eq!((action(context, f), action(context, alt)), (show, show));
+                let digit = KeyEvent::from(KeyCode::Char(listed.key));
+                let typed = context == Context::Number;
+                let meant = if typed { Some(Action::Type) } else { show };
+                assert_eq!(action(context, digit), meant, "{context:?}");
             }
         }
     }

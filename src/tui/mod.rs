@@ -4,8 +4,8 @@
 //! [`view`] draws the model; the [`worker`] simulates on a thread of its own and speaks by channel.
 //! Only [`terminal`] touches the terminal.
 //!
-//! Left out: an async runtime, which work that only computes does not need, and the mouse, which a
-//! dropped connection leaves switched on.
+//! Left out: an async runtime, which work that only computes does not need. The mouse stays off
+//! unless asked for: a dropped connection leaves it switched on.
 
 pub mod accuracy;
 pub mod action;
@@ -24,4 +24,4 @@ pub mod worker;
 
 mod open;
 
-pub use open::{OpenError, Options, prepare, run};
+pub use open::{Manner, OpenError, Options, prepare, run};

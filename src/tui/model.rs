@@ -150,6 +150,10 @@ pub struct Model {
     pub slow_link: bool,
     /// How things are drawn.
     pub look: Look,
+    /// Whether the mouse is listened to.
+    pub mouse: bool,
+    /// Whether the mouse is turning the blow.
+    pub aiming: bool,
     /// Time since the start.
     pub now: Duration,
     /// The last ticket given out.
@@ -176,6 +180,8 @@ impl Model {
             notice: None,
             slow_link: false,
             look,
+            mouse: false,
+            aiming: false,
             now: Duration::ZERO,
             ticket: 0,
         }
@@ -237,6 +243,12 @@ impl Model {
         self.panes[index] = (self.panes[index] + by) % count;
     }
 
+    /// Gives a pane of the screen the focus.
+    pub fn show_pane(&mut self, pane: usize) {
+        let index = self.screen_index();
+        self.panes[index] = pane.min(SCREENS[index].panes.len() - 1);
+    }
+
     /// Where a key counts now.
     pub fn context(&self) -> Context {
         match &self.overlay {
@@ -245,7 +257,10 @@ impl Model {
             Some(Overlay::SaveAs(..)) => Context::Typing,
             Some(Overlay::Question(_)) => Context::Question,
             None if self.form.typing.is_some() => Context::Typing,
-            None => self.screen.listed().panes[self.pane()].1,
+            None => match self.screen.listed().panes[self.pane()].1 {
+                Context::Form if self.form.takes_numbers() => Context::Number,
+                pane => pane,
+            },
         }
     }
 

@@ -16,12 +16,21 @@ use crate::scenario::problem::ScenarioError;
 /// What is opened if nothing is asked for.
 const FIRST: &str = "paper-300n";
 
-/// How the app is opened.
+/// What the app is opened on, and how.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Presets or files; several are marked for comparison
     #[arg(value_name = "PRESET|FILE.ron")]
     pub sources: Vec<String>,
+    /// How it looks and listens.
+    #[command(flatten)]
+    pub manner: Manner,
+}
+
+/// How the app looks and listens.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Options of the app")]
+pub struct Manner {
     /// How many colours
     #[arg(long, value_name = "WHICH", default_value = "auto")]
     pub color: ColorFlag,
@@ -31,21 +40,12 @@ pub struct Options {
     /// Most frames a second of a replay
     #[arg(long, value_name = "N", default_value = "12", value_parser = clap::value_parser!(u8).range(1..=60))]
     pub fps: u8,
+    /// Listen to the mouse too; the terminal's own selection of text then needs Shift
+    #[arg(long)]
+    pub mouse: bool,
     /// Fail on purpose at this key, so that a test sees the terminal restored
     #[arg(long, hide = true)]
     pub fail_on: Option<char>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            sources: Vec::new(),
-            color: ColorFlag::Auto,
-            symbols: None,
-            fps: 12,
-            fail_on: None,
-        }
-    }
 }
 
 /// Why the app did not open, or what ended it.
@@ -76,7 +76,7 @@ impl OpenError {
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.
-pub fn run(options: &Options) -> Result<ExitCode, OpenError> {
+pub fn run(sources: &[String], manner: &Manner) -> Result<ExitCode, OpenError> {
     if !(io::stdin().is_terminal() && io::stdout().is_terminal()) {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal for input and output. Try `ssh -t`, or\n\
@@ -84,7 +84,7 @@ pub fn run(options: &Options) -> Result<ExitCode, OpenError> {
         ));
     }
     let env = |name: &str| std::env::var(name).ok();
-    let Some(depth) = depth(options.color, env) else {
+    let Some(depth) = depth(manner.color, env) else {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal that can move its cursor, and TERM says `dumb`.\n\
              `contrecoup run paper-300n` works without one.",
@@ -92,12 +92,13 @@ pub fn run(options: &Options) -> Result<ExitCode, OpenError> {
     };
     let look = Look {
         depth,
-        symbols: symbols(options.symbols, env),
+        symbols: symbols(manner.symbols, env),
     };
-    let model = prepare(&options.sources, look)?;
+    let mut model = prepare(sources, look)?;
+    model.mouse = manner.mouse;
     let settings = terminal::Settings {
-        fps: options.fps,
-        fail_on: options.fail_on,
+        fps: manner.fps,
+        fail_on: manner.fail_on,
     };
     let code = terminal::run(model, &settings)?;
     Ok(ExitCode::from(code))

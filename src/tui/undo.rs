@@ -75,6 +75,15 @@ impl<T> History<T> {
         Ok(other)
     }
 
+    /// Changes everything that is remembered. What comes next stands for itself.
+    pub fn amend(&mut self, change: impl FnMut(&mut T)) {
+        self.last = None;
+        self.past
+            .iter_mut()
+            .chain(&mut self.future)
+            .for_each(change);
+    }
+
     /// How many changes can be undone and redone.
     pub fn depth(&self) -> (usize, usize) {
         (self.past.len(), self.future.len())

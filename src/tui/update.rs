@@ -5,14 +5,14 @@
 
 use std::time::Duration;
 
-use crossterm::event::{Event, KeyEvent};
+use crossterm::event::{Event, KeyEvent, MouseEvent};
 use tui_input::Input;
 use tui_input::backend::crossterm::EventHandler;
 
 use super::action::{Action, Step};
 use super::clock::Moment;
 use super::comparison::COLUMNS;
-use super::form::{Row, Typing, nudged};
+use super::form::{Row, nudged};
 use super::keys::{self, Context};
 use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
 use super::save::SaveError;
@@ -26,6 +26,7 @@ use crate::study::accuracy::Accuracy;
 
 mod accuracy;
 mod compare;
+mod mouse;
 mod news;
 mod presets;
 mod typing;
@@ -36,6 +37,8 @@ pub enum Message {
     Key(KeyEvent),
     /// Pasted text.
     Paste(String),
+    /// The mouse, on a screen of this size.
+    Mouse(MouseEvent, (u16, u16)),
     /// It is now this long after the start.
     Tick(Duration),
     /// The worker of the form says something.
@@ -73,6 +76,8 @@ pub enum Effect {
     Save(String, String, bool),
     /// Stop the process until it is continued.
     Suspend,
+    /// Have the mouse reported, or no longer.
+    Mouse(bool),
     /// Draw everything afresh.
     Repaint,
     /// Leave with this exit code.
@@ -94,6 +99,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         Message::Tick(now) => tick(model, now),
         Message::Key(event) => key(model, event, &mut effects),
         Message::Paste(text) => typing::paste(model, &text, &mut effects),
+        Message::Mouse(event, size) => mouse::hear(model, event, size, &mut effects),
         Message::Form(report) => {
             news::hear(model, report);
             // The finer mesh is for the time when nothing else is wanted.
@@ -157,9 +163,13 @@ fn put(model: &mut Model, work: Work, effects: &mut Vec<Effect>) {
 fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
     model.notice = None;
     let context = model.context();
-    if let Some(action) = keys::action(context, event) {
+    let action = keys::action(context, event);
+    if action == Some(Action::Type) {
+        typing::begin(model, true);
+    }
+    if let Some(action) = action.filter(|action| *action != Action::Type) {
         act(model, action, effects);
-    } else if context == Context::Typing {
+    } else if model.context() == Context::Typing {
         typing::type_into(model, effects, |input| {
             input.handle_event(&Event::Key(event));
         });
@@ -171,6 +181,13 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
     match action {
         Action::Interrupt => effects.push(Effect::Quit(130)),
         Action::Suspend => effects.push(Effect::Suspend),
+        Action::Mouse => {
+            model.mouse = !model.mouse;
+            model.aiming = false;
+            let word = if model.mouse { "on" } else { "off" };
+            model.notice = Some(format!("mouse {word}"));
+            effects.push(Effect::Mouse(model.mouse));
+        }
         Action::Repaint => effects.push(Effect::Repaint),
         Action::Quit if model.is_edited() => {
             model.overlay = Some(Overlay::Question(Question::Quit));
@@ -228,9 +245,18 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Curves if model.screen == Screen::Compare => {
             model.compare.curve = (model.compare.curve + 1) % profiles::CURVES.len();
         }
-        Action::Curves => model.curves = (model.curves + 1) % profiles::VIEWS.len(),
+        Action::Curves => {
+            let traces = model
+                .shown
+                .as_ref()
+                .and_then(|s| s.answer.recording.traces.as_ref());
+            let count = traces.map_or(1, |t| profiles::views(t).len());
+            model.curves = (model.curves % count + 1) % count;
+        }
         Action::Mark => compare::mark(model, effects),
         Action::Sort => model.compare.sort_here(),
+        // What is typed goes into the field, see `key`.
+        Action::Type => {}
         Action::Yes | Action::No => answer_question(model, action == Action::Yes, effects),
     }
 }
@@ -278,7 +304,7 @@ fn go(model: &mut Model, down: bool) {
 /// A step to the side: of a value in the form, of a column in the table, of time elsewhere.
 fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
     match model.context() {
-        Context::Form => match model.form.selected {
+        Context::Form | Context::Number => match model.form.selected {
             Row::Preset => presets::next_preset(model, step.up, effects),
             Row::Fold => model.form.fold(&model.work.scenario),
             Row::Field(field) => nudge(model, field.path, step, effects),
@@ -289,14 +315,17 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
             let column = model.compare.column.saturating_add_signed(by);
             model.compare.column = column.min(COLUMNS.len() - 1);
         }
-        _ => {
-            if let (Some(answer), Some(window)) = (model.clock_answer(), model.window()) {
-                let frames = answer.recording.frames.len().max(2) - 1;
-                let frame = answer.case.window / frames as f64;
-                let time = model.time();
-                model.clock.step(step, time, frame, window);
-            }
-        }
+        _ => step_time(model, step),
+    }
+}
+
+/// A step from frame to frame.
+fn step_time(model: &mut Model, step: Step) {
+    if let (Some(answer), Some(window)) = (model.clock_answer(), model.window()) {
+        let frames = answer.recording.frames.len().max(2) - 1;
+        let frame = answer.case.window / frames as f64;
+        let time = model.time();
+        model.clock.step(step, time, frame, window);
     }
 }
 
@@ -333,15 +362,7 @@ fn enter(model: &mut Model, effects: &mut Vec<Effect>) {
         None => match model.form.selected {
             Row::Preset => presets::open_picker(model),
             Row::Fold => model.form.fold(&model.work.scenario),
-            Row::Field(field) => {
-                let text = field.text(&model.work.scenario).unwrap_or_default();
-                model.form.typing = Some(Typing {
-                    field,
-                    input: Input::new(text),
-                    before: model.work.scenario.clone(),
-                    error: None,
-                });
-            }
+            Row::Field(_) => typing::begin(model, false),
         },
     }
 }

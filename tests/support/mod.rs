@@ -233,6 +233,15 @@ impl Term {
         let seen = self.seen.lock().unwrap();
         let pasting = seen.parser.screen().bracketed_paste();
         assert!(!pasting, "bracketed paste left on");
+        drop(seen);
+        self.assert_mouse(false);
+    }
+
+    /// Fails unless the terminal reports the mouse, or does not.
+    pub fn assert_mouse(&self, on: bool) {
+        let seen = self.seen.lock().unwrap();
+        let mode = seen.parser.screen().mouse_protocol_mode();
+        assert_eq!(mode != vt100::MouseProtocolMode::None, on, "{mode:?}");
     }
 }
 

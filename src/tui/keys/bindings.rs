@@ -15,6 +15,12 @@ const fn c(c: char) -> Press {
 const fn ctrl(c: char) -> Press {
     Press(KeyCode::Char(c), KeyModifiers::CONTROL)
 }
+const fn alt(c: char) -> Press {
+    Press(KeyCode::Char(c), KeyModifiers::ALT)
+}
+const fn f(n: u8) -> Press {
+    plain(KeyCode::F(n))
+}
 const fn shift(code: KeyCode) -> Press {
     Press(code, KeyModifiers::SHIFT)
 }
@@ -34,6 +40,12 @@ const SHIFT_DOWN: Press = shift(KeyCode::Down);
 const SHIFT_LEFT: Press = shift(KeyCode::Left);
 const SHIFT_RIGHT: Press = shift(KeyCode::Right);
 
+/// What a number may begin with.
+#[rustfmt::skip]
+const NUMERALS: &[Press] = &[
+    c('0'), c('1'), c('2'), c('3'), c('4'), c('5'), c('6'), c('7'), c('8'), c('9'), c('-'), c('.'),
+];
+
 const fn bind(
     context: Context,
     presses: &'static [Press],
@@ -51,20 +63,22 @@ const fn bind(
 }
 
 use Context::{
-    Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
+    Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Number, Picker, Question, Replay,
     Replays, Table, Typing,
 };
 
 /// Every key. The footer takes its words in this order, as many as fit.
 #[rustfmt::skip]
 pub static BINDINGS: &[Binding] = &[
+    bind(Number, NUMERALS, Action::Type, "type", "begin to type a value"),
+
     bind(Form, &[UP, c('k')], Action::Up, "field", "the field above"),
     bind(Form, &[DOWN, c('j')], Action::Down, "&", "the field below"),
     bind(Form, &[LEFT, c('h')], Action::Step(Step::LESS), "value", "a small step down"),
     bind(Form, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "a small step up"),
     bind(Form, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "a large step down"),
     bind(Form, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "a large step up"),
-    bind(Form, &[ENTER], Action::Enter, "type", "type a value, open the list, unfold"),
+    bind(Form, &[ENTER], Action::Enter, "edit", "edit the value, open the list, unfold"),
     bind(Form, &[c('a')], Action::Advanced, "", "show or hide the advanced fields"),
 
     bind(Dial, &[UP, c('k')], Action::Turn(Step::MORE), "turn", "turn the blow up"),
@@ -114,7 +128,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Clock, &[HOME], Action::First, "", "to the first frame"),
     bind(Clock, &[END], Action::Last, "", "to the last frame"),
     bind(Clock, &[c('+'), c('=')], Action::Faster, "speed", "twice as fast"),
-    bind(Clock, &[c('-')], Action::Slower, "&", "half as fast"),
+    bind(Clock, &[c('-'), c('_')], Action::Slower, "&", "half as fast"),
     bind(Clock, &[c('z')], Action::Exaggerate, "zoom", "exaggerate displacement: x 1, 2, 5, 10"),
     bind(Clock, &[c('e')], Action::Detail, "detail", "edges, nodes or outline"),
 
@@ -126,12 +140,13 @@ pub static BINDINGS: &[Binding] = &[
     bind(Everywhere, &[c('r'), ctrl('r')], Action::Redo, "", "redo"),
     bind(Everywhere, &[c('s')], Action::Save, "save", "save as a preset of your own"),
     bind(Everywhere, &[c('p')], Action::Presets, "presets", "open a preset"),
-    bind(Everywhere, &[c('1')], Action::Show(Screen::Main), "", "form, eye, traces, score"),
-    bind(Everywhere, &[c('2')], Action::Show(Screen::Replay), "", "the replay in full size"),
-    bind(Everywhere, &[c('3')], Action::Show(Screen::Forces), "", "the force profiles"),
-    bind(Everywhere, &[c('4')], Action::Show(Screen::Compare), "", "compare presets"),
-    bind(Everywhere, &[c('5')], Action::Show(Screen::Accuracy), "", "speed against error"),
+    bind(Everywhere, &[c('1'), alt('1'), f(1)], Action::Show(Screen::Main), "", "form, eye, traces, score"),
+    bind(Everywhere, &[c('2'), alt('2'), f(2)], Action::Show(Screen::Replay), "", "the replay in full size"),
+    bind(Everywhere, &[c('3'), alt('3'), f(3)], Action::Show(Screen::Forces), "", "the force profiles"),
+    bind(Everywhere, &[c('4'), alt('4'), f(4)], Action::Show(Screen::Compare), "", "compare presets"),
+    bind(Everywhere, &[c('5'), alt('5'), f(5)], Action::Show(Screen::Accuracy), "", "speed against error"),
     bind(Everywhere, &[ESC], Action::Cancel, "", "cancel a long run"),
+    bind(Everywhere, &[c('M')], Action::Mouse, "", "listen to the mouse, or no longer"),
     bind(Everywhere, &[ctrl('l')], Action::Repaint, "", "draw everything afresh"),
     bind(Everywhere, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),
     bind(Everywhere, &[ctrl('c')], Action::Interrupt, "", "leave at once"),

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use signal_hook::consts::signal::SIGXFSZ;
 use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
@@ -35,17 +36,28 @@ pub struct Settings {
 
 /// A lone ESC becomes a key after this long. A slow link may split a sequence between two packets.
 const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
-/// How long the last replies are waited for before the terminal is given back.
-const FAREWELL: Duration = Duration::from_secs(1);
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
 /// Something that came from outside.
 pub(super) enum Event {
     Bytes(Vec<u8>),
+    /// What was typed while the terminal was about to be handed over.
+    Input(Input),
     Hangup,
     Signal(i32),
     News(Message),
+}
+
+impl Event {
+    /// Whether the app must leave.
+    fn is_end(&self) -> bool {
+        match self {
+            Self::Hangup => true,
+            Self::Signal(signal) => !matches!(*signal, SIGCONT | SIGWINCH | SIGXFSZ),
+            _ => false,
+        }
+    }
 }
 
 /// Runs the app until the person leaves; gives the exit code.
@@ -54,7 +66,7 @@ pub(super) enum Event {
 /// Where the terminal fails.
 pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let (send, events) = channel();
-    let mut signals = Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT])?;
+    let mut signals = Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT, SIGXFSZ])?;
     let session = Session::enter()?;
     let sender = send.clone();
     thread::spawn(move || {
@@ -128,6 +140,7 @@ struct App {
 
 impl App {
     fn run(&mut self) -> io::Result<u8> {
+        self.session.listen_to_mouse(self.model.mouse)?;
         let effects = begin(&mut self.model);
         self.perform(effects)?;
         loop {
@@ -230,6 +243,7 @@ impl App {
                 self.escape_since = self.parser.is_waiting().then(Instant::now);
                 return Ok(());
             }
+            Event::Input(input) => return self.take_input(input),
             Event::Hangup => {
                 self.exit = Some(129);
                 return Ok(());
@@ -248,6 +262,8 @@ impl App {
                 self.repaint();
             }
             SIGWINCH => self.dirty = true,
+            // The write that went beyond the limit fails by itself, and that is shown.
+            SIGXFSZ => {}
             other => self.exit = Some(u8::try_from(128 + other).unwrap_or(1)),
         }
         Ok(())
@@ -275,6 +291,12 @@ impl App {
                 self.tell(Message::Key(event))
             }
             Input::Paste(text) => self.tell(Message::Paste(text)),
+            Input::Mouse(event) if self.model.mouse => {
+                let area = self.screen.shown.area;
+                self.tell(Message::Mouse(event, (area.width, area.height)))
+            }
+            // From before it was switched off.
+            Input::Mouse(_) => Ok(()),
             // The loop looks afresh at what may be sent.
             Input::CursorReport => {
                 self.pacer.replied(Instant::now());
@@ -298,10 +320,10 @@ impl App {
     }
 
     /// Waits for the replies that are still under way: whoever reads the terminal next would take
-    /// them for typed text. Keys that come meanwhile are dropped; the news of workers is returned.
+    /// them for typed text. Everything else that comes meanwhile is returned.
     fn hear_out(&mut self) -> Vec<Event> {
         let mut news = Vec::new();
-        let until = Instant::now() + FAREWELL;
+        let until = Instant::now() + self.pacer.farewell();
         while self.pacer.awaits() {
             let left = until.saturating_duration_since(Instant::now());
             let Ok(event) = self.events.recv_timeout(left) else {
@@ -312,11 +334,18 @@ impl App {
                     for input in self.parser.feed(&bytes) {
                         if input == Input::CursorReport {
                             self.pacer.replied(Instant::now());
+                        } else {
+                            news.push(Event::Input(input));
                         }
                     }
                 }
-                Event::Hangup => break,
-                other => news.push(other),
+                other => {
+                    let over = other.is_end();
+                    news.push(other);
+                    if over {
+                        break;
+                    }
+                }
             }
         }
         news
@@ -333,6 +362,7 @@ impl App {
             match effect {
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
+                Effect::Mouse(listen) => self.session.listen_to_mouse(listen)?,
                 Effect::Repaint => self.repaint(),
                 Effect::Quit(code) => self.exit = Some(code),
                 job => self.jobs.perform(job),
@@ -355,13 +385,15 @@ impl App {
     }
 
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
-    /// and the app stays.
+    /// and the app stays. Keys typed before the shell has the terminal wait until then.
     fn suspend(&mut self) -> io::Result<()> {
         let news = self.hear_out();
-        self.session.leave();
-        signal_hook::low_level::raise(SIGTSTP)?;
-        self.session.resume()?;
-        self.repaint();
+        if !news.iter().any(Event::is_end) {
+            self.session.leave();
+            signal_hook::low_level::raise(SIGTSTP)?;
+            self.session.resume()?;
+            self.repaint();
+        }
         news.into_iter().try_for_each(|event| self.take(event))
     }
 }

@@ -4,7 +4,9 @@
 //! that nothing more came, which makes a lone ESC the Escape key. Unknown sequences are dropped
 //! whole, so no reply of a terminal is ever taken for a key.
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseEvent};
+
+use super::mouse;
 
 /// Something that the terminal sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub enum Input {
     Key(KeyEvent),
     /// Pasted text.
     Paste(String),
+    /// The mouse did something.
+    Mouse(MouseEvent),
     /// The reply to a question for the cursor's place.
     CursorReport,
 }
@@ -104,7 +108,12 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
 
 fn parse(held: &[u8]) -> Parsed {
     match held {
-        [0x1b] | [0x1b, b'[' | b'O'] => Parsed::Unfinished,
+        [0x1b] | [0x1b, b'[' | b'O'] | [0x1b, b'[', b'['] => Parsed::Unfinished,
+        // The console of Linux sends its first five function keys in a way of its own.
+        [0x1b, b'[', b'[', last, ..] => match last {
+            b'A'..=b'E' => Parsed::Found(4, key(KeyCode::F(last - b'A' + 1), KeyModifiers::NONE)),
+            _ => Parsed::Dropped(4),
+        },
         [0x1b, b'[', rest @ ..] => csi(rest),
         [0x1b, b'O', last, ..] => match function_key(*last) {
             Some(code) => Parsed::Found(3, key(code, KeyModifiers::NONE)),
@@ -194,7 +203,12 @@ fn csi(rest: &[u8]) -> Parsed {
         .is_some_and(|byte| (0x3c..=0x3f).contains(byte));
     let numbers = numbers.unwrap_or_default();
     if private {
-        return Parsed::Dropped(used);
+        let report = rest[..end].strip_prefix(b"<");
+        let event = report.and_then(|numbers| mouse::report(numbers, rest[end]));
+        return match event {
+            Some(event) => Parsed::Found(used, Input::Mouse(event)),
+            None => Parsed::Dropped(used),
+        };
     }
     let modifiers = numbers.get(1).map_or(KeyModifiers::NONE, |&n| held_keys(n));
     let code = match (rest[end], numbers.first()) {
@@ -287,6 +301,11 @@ mod tests {
         assert_eq!(
             keys(b"\x03"),
             [key(KeyCode::Char('c'), KeyModifiers::CONTROL)]
+        );
+        let f = |n| plain(KeyCode::F(n));
+        assert_eq!(
+            keys(b"\x1bOP\x1b[[B\x1b[13~\x1b[17~"),
+            [f(1), f(2), f(3), f(6)]
         );
         assert_eq!(keys(b"\x1bx"), [key(KeyCode::Char('x'), KeyModifiers::ALT)]);
         assert_eq!(keys(b"\r"), [plain(KeyCode::Enter)]);

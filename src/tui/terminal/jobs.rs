@@ -54,7 +54,11 @@ impl Jobs {
             Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
             Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
             Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
-            Effect::Save(..) | Effect::Suspend | Effect::Repaint | Effect::Quit(_) => {}
+            Effect::Save(..)
+            | Effect::Suspend
+            | Effect::Mouse(_)
+            | Effect::Repaint
+            | Effect::Quit(_) => {}
         }
     }
 }

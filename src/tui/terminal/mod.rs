@@ -8,6 +8,7 @@ mod app;
 pub mod caps;
 pub mod input;
 mod jobs;
+mod mouse;
 pub mod pacer;
 pub mod paint;
 mod session;

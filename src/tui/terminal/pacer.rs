@@ -16,6 +16,8 @@ use std::time::{Duration, Instant};
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Unanswered questions in a row after which no more are asked.
 const MOST_SILENCES: u32 = 2;
+/// Seconds: a reply is thought to take at least the first, and none is waited for beyond the other.
+const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
 const BUDGET: f64 = 6000.0;
 /// Below this many bytes a second a link is slow.
@@ -121,6 +123,17 @@ impl Pacer {
         !self.open.is_empty()
     }
 
+    /// How long the last replies are worth waiting for before the terminal is given back: longer
+    /// than any of late, and not at all from a terminal that never answers.
+    pub fn farewell(&self) -> Duration {
+        if !self.asks() {
+            return Duration::ZERO;
+        }
+        let slowest = self.samples.iter().map(|(_, seconds)| *seconds);
+        let slowest = slowest.fold(FAREWELL.0, f64::max);
+        Duration::from_secs_f64((2.0 * slowest).min(FAREWELL.1))
+    }
+
     /// Whether bytes take long to arrive, or no one says whether they do.
     pub fn is_slow(&self) -> bool {
         !self.asks() || self.per_byte > 1.0 / SLOW
@@ -192,6 +205,25 @@ mod tests {
         pacer.sent(now, 3000);
         assert!(!pacer.is_free(now + Duration::from_millis(499), Replay));
         assert!(pacer.is_free(now + Duration::from_millis(501), Replay));
+    }
+
+    #[test]
+    fn the_last_replies_are_waited_for_as_long_as_they_may_take() {
+        let after = |delay: u64| {
+            let mut pacer = Pacer::default();
+            let start = Instant::now();
+            pacer.sent(start, 1000);
+            pacer.replied(start + Duration::from_millis(delay));
+            pacer.farewell()
+        };
+        assert_eq!(after(1), Duration::from_millis(300));
+        assert_eq!(after(250), Duration::from_millis(500));
+        assert_eq!(after(1900), Duration::from_secs(1));
+        let mute = Pacer {
+            silences: MOST_SILENCES,
+            ..Pacer::default()
+        };
+        assert_eq!(mute.farewell(), Duration::ZERO);
     }
 
     #[test]

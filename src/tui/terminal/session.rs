@@ -7,13 +7,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
+use super::mouse;
+
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[2J\x1b[?2004h\x1b[?25l";
-/// The way back. Mouse reports are switched off too: a program before may have left them on.
-const LEAVE: &[u8] =
-    b"\x1b[?2026l\x1b[0m\x1b[?2004l\x1b[?1000l\x1b[?1002l\x1b[?1003l\x1b[?1006l\x1b[?25h\x1b[?1049l\x1b[?25h";
+/// The way back.
+const LEAVE: &[u8] = b"\x1b[?2026l\x1b[0m\x1b[?2004l\x1b[?25h\x1b[?1049l\x1b[?25h";
 
 static ENTERED: AtomicBool = AtomicBool::new(false);
+/// Whether the terminal reports the mouse, or will once it is entered again.
+static MOUSE: AtomicBool = AtomicBool::new(false);
 
 /// A terminal in the app's hands.
 pub struct Session {
@@ -48,7 +51,23 @@ impl Session {
     pub fn resume(&mut self) -> io::Result<()> {
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
-        self.out.write_all(ENTER)
+        self.out.write_all(ENTER)?;
+        if MOUSE.load(Ordering::SeqCst) {
+            self.out.write_all(mouse::ON)?;
+        }
+        Ok(())
+    }
+
+    /// Has the mouse reported, or no longer. Says nothing to a terminal that does so already.
+    ///
+    /// # Errors
+    /// Where the terminal is gone.
+    pub fn listen_to_mouse(&mut self, listen: bool) -> io::Result<()> {
+        if MOUSE.swap(listen, Ordering::SeqCst) == listen {
+            return Ok(());
+        }
+        self.out
+            .write_all(if listen { mouse::ON } else { mouse::OFF })
     }
 
     /// Takes the terminal over again after somebody else may have changed it.
@@ -83,6 +102,9 @@ impl Drop for Session {
 
 fn leave(mut out: &File) {
     if ENTERED.swap(false, Ordering::SeqCst) {
+        if MOUSE.load(Ordering::SeqCst) {
+            let _ = out.write_all(mouse::OFF);
+        }
         // A terminal that is gone needs no restoring.
         let _ = out.write_all(LEAVE);
         let _ = disable_raw_mode();

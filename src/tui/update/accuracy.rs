@@ -90,11 +90,13 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
 }
 
 #[cfg(test)]
+#[path = "../../../tests/support/accuracy.rs"]
+mod made_up;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::scenario::IntegratorChoice;
-    use crate::study::accuracy::measure;
-    use crate::study::unwatched;
     use crate::tui::model::Look;
     use crate::tui::open::prepare;
     use crate::tui::terminal::caps::{Depth, Symbols};
@@ -130,8 +132,8 @@ mod tests {
     /// A model whose screen shows a measurement.
     fn measured() -> Model {
         let mut model = model();
-        let effects = letter(&mut model, '5');
-        let outcome = measure(&model.work.scenario, 1, &mut unwatched);
+        let effects = key(&mut model, KeyCode::F(5));
+        let outcome = Ok(made_up::made_up());
         let report = Report::Done(ticket_of(&effects), Box::new(outcome));
         update(&mut model, Message::Accuracy(report));
         assert!(model.accuracy.job.is_none() && model.accuracy.chosen().is_some());
@@ -177,7 +179,10 @@ mod tests {
     fn an_edit_makes_it_stale_and_only_a_key_measures_again() {
         let mut model = measured();
         assert!(letter(&mut model, '1').is_empty());
-        assert!(letter(&mut model, '5').is_empty(), "it is still right");
+        assert!(
+            key(&mut model, KeyCode::F(5)).is_empty(),
+            "it is still right"
+        );
         letter(&mut model, '1');
         let effects = letter(&mut model, 'l');
         assert!(matches!(effects[..], [Effect::Solve(..)]));
@@ -196,7 +201,7 @@ mod tests {
         for leave in ['1', '\u{1b}', 'u'] {
             let mut model = model();
             letter(&mut model, 'l');
-            let ticket = ticket_of(&letter(&mut model, '5'));
+            let ticket = ticket_of(&key(&mut model, KeyCode::F(5)));
             let code = if leave == '\u{1b}' {
                 KeyCode::Esc
             } else {

@@ -92,6 +92,13 @@ pub(super) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
                 }
             }
             model.work = Work::fresh(&name, &model.work.scenario);
+            // Whatever was remembered of a preset of that name differs from what it now holds.
+            let saved = model.work.original.clone();
+            model.history.amend(|work| {
+                if work.source == name {
+                    work.original = saved.clone();
+                }
+            });
         }
         Err(SaveError::Exists(name)) => {
             model.overlay = Some(Overlay::Question(Question::Replace(name)));

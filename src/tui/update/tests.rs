@@ -28,7 +28,7 @@ fn press(model: &mut Model, keys: &str) -> Vec<Effect> {
         match input {
             Typed::Key(event) => effects.extend(update(model, Message::Key(event))),
             Typed::Paste(text) => effects.extend(update(model, Message::Paste(text))),
-            Typed::CursorReport => {}
+            Typed::Mouse(_) | Typed::CursorReport => {}
         }
     }
     effects
@@ -214,7 +214,7 @@ fn the_dial_and_the_form_turn_the_same_angle() {
 #[test]
 fn marks_are_simulated_one_after_another() {
     let mut model = model();
-    let effects = press(&mut model, "4j j ");
+    let effects = press(&mut model, "\x1b4j j ");
     let [Effect::Compare(first, _)] = effects[..] else {
         panic!("{effects:?}")
     };
@@ -234,7 +234,7 @@ fn marks_are_simulated_one_after_another() {
 #[test]
 fn unmarking_stops_a_simulation_nobody_waits_for() {
     let mut model = model();
-    press(&mut model, "4j ");
+    press(&mut model, "\x1b4j ");
     let effects = press(&mut model, " ");
     assert!(matches!(effects[..], [Effect::StopComparing(_)]));
     assert!(model.compare.job.is_none());
@@ -243,9 +243,9 @@ fn unmarking_stops_a_simulation_nobody_waits_for() {
 #[test]
 fn the_form_follows_into_the_comparison() {
     let mut model = model();
-    press(&mut model, "4 ");
+    press(&mut model, "\x1b4 ");
     press(&mut model, "1l");
-    let effects = press(&mut model, "4");
+    let effects = press(&mut model, "\x1b4");
     let Some(Effect::Compare(_, scenario)) = effects.last() else {
         panic!("{effects:?}")
     };
@@ -265,4 +265,71 @@ fn time_passes_only_while_the_replay_plays() {
     assert_eq!(model.time(), 0.0);
     update(&mut model, second(3));
     assert!((model.time() - 0.5e-3).abs() < 1e-12);
+}
+
+#[test]
+fn a_digit_begins_a_value_where_a_number_is_wanted() {
+    let mut model = model();
+    press(&mut model, "450");
+    assert_eq!((force(&model), model.screen), (450.0, Screen::Main));
+    assert!(model.form.typing.is_some());
+    // Escape restores all of it.
+    press(&mut model, "\x1b");
+    assert_eq!((force(&model), model.history.depth()), (300.0, (0, 0)));
+    press(&mut model, "25\r");
+    assert_eq!((force(&model), model.history.depth()), (25.0, (1, 0)));
+    press(&mut model, "u.5\r");
+    assert_eq!(force(&model), 0.5);
+    // A force below nothing is explained, and the value before stays.
+    press(&mut model, "-7");
+    let typing = model.form.typing.as_ref().unwrap();
+    assert!(typing.error.as_ref().unwrap().contains("allowed"));
+    assert_eq!(
+        (force(&model), model.stale()),
+        (0.5, Some("last good result"))
+    );
+    press(&mut model, "\x1b\x1b[200~75\x1b[201~\r");
+    assert_eq!(force(&model), 75.0);
+}
+
+#[test]
+fn elsewhere_digits_switch_screens_and_with_alt_everywhere() {
+    let mut model = model();
+    press(&mut model, "\x1b3");
+    assert_eq!(model.screen, Screen::Forces);
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "1\t3");
+    assert_eq!(model.screen, Screen::Forces, "the dial takes no digits");
+    // Nor does a row that holds a name or a list to choose from.
+    press(&mut model, "1\t");
+    model.form.selected = Row::Preset;
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "1");
+    model.form.selected = Row::Field(fields::find("impact.shape").unwrap());
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "\x1b[11~");
+    assert_eq!(model.screen, Screen::Main);
+}
+
+#[test]
+fn what_is_undone_after_saving_counts_as_edited() {
+    let mut model = model();
+    press(&mut model, "l");
+    let name = model.work.source.clone();
+    update(&mut model, Message::Saved(name, Ok(())));
+    assert!(!model.is_edited());
+    press(&mut model, "u");
+    assert_eq!(force(&model), 300.0);
+    assert!(model.is_edited(), "the preset now holds 310 N");
+    press(&mut model, "r");
+    assert!(!model.is_edited() && force(&model) == 310.0);
+    // A step after saving is a change of its own, however soon it comes.
+    press(&mut model, "l");
+    let name = model.work.source.clone();
+    update(&mut model, Message::Saved(name, Ok(())));
+    press(&mut model, "lu");
+    assert_eq!(force(&model), 320.0);
 }

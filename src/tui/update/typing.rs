@@ -3,12 +3,30 @@
 use tui_input::{Input, InputRequest};
 
 use super::{Effect, put};
-use crate::tui::form::{Typing, with_text};
+use crate::tui::form::{Row, Typing, with_text};
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
 
+/// Begins to type into the row with the cursor, with what is there or with nothing.
+pub(super) fn begin(model: &mut Model, empty: bool) {
+    let Row::Field(field) = model.form.selected else {
+        return;
+    };
+    model.form.complaint = None;
+    let text = field.text(&model.work.scenario).unwrap_or_default();
+    model.form.typing = Some(Typing {
+        field,
+        input: Input::new(if empty { String::new() } else { text }),
+        before: model.work.scenario.clone(),
+        error: None,
+    });
+}
+
 pub(super) fn paste(model: &mut Model, text: &str, effects: &mut Vec<Effect>) {
+    if model.context() == Context::Number {
+        begin(model, true);
+    }
     if model.context() == Context::Typing {
         type_into(model, effects, |input| {
             for c in text.chars().filter(|c| !c.is_control()).take(200) {

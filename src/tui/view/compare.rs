@@ -7,7 +7,7 @@ use super::chart::{Chart, Curve};
 use super::eye::Scene;
 use super::profiles::{CURVES, mark};
 use super::raster::Ink;
-use super::text::{fitted, put, put_right};
+use super::text::{fitted, put, put_right, width};
 use super::theme::Theme;
 use crate::eye::Monitor;
 use crate::report::text::significant;
@@ -27,16 +27,35 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// Where the names of the panes begin in the first line, and how they are written.
+pub fn headings(model: &Model) -> Vec<(u16, String)> {
+    let mut x = 1;
+    let heading = |(name, _): &(&str, Context)| {
+        let at = x;
+        let name = format!(" {name} ");
+        x += width(&name) + 1;
+        (at, name)
+    };
+    model.screen.listed().panes.iter().map(heading).collect()
+}
+
+/// The first row of the list of presets that there is room for.
+pub fn first_listed(model: &Model, room: u16) -> usize {
+    model
+        .compare
+        .row
+        .saturating_sub(usize::from(room).saturating_sub(1))
+}
+
 fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let mut x = 1;
-    for (i, (name, _)) in model.screen.listed().panes.iter().enumerate() {
+    for (i, (x, name)) in headings(model).into_iter().enumerate() {
         let style = if i == model.pane() {
             theme.focus()
         } else {
             theme.text()
         };
-        x = put(buffer, area, (x, 0), &format!(" {name} "), style) + 1;
+        put(buffer, area, (x, 0), &name, style);
     }
     let entries = &model.compare.entries;
     let text = match entries.len() {
@@ -53,7 +72,7 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
     let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
     let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
     let room = usize::from(list.height);
-    let first = model.compare.row.saturating_sub(room.saturating_sub(1));
+    let first = first_listed(model, list.height);
     for (i, name) in names.enumerate().skip(first).take(room) {
         let y = (i - first) as u16;
         let entries = &model.compare.entries;
@@ -259,6 +278,10 @@ fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
             let traces = entry.answer()?.recording.traces.as_ref()?;
+            let values = (profile.values)(traces);
+            if values.is_empty() {
+                return None;
+            }
             let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
             // Without colours, dots of different spacing tell the curves apart.
             let ink = if theme.is_mono() {
@@ -268,7 +291,7 @@ fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
             };
             Some(Curve {
                 time: &traces.time,
-                values: (profile.values)(traces),
+                values,
                 factor: profile.factor,
                 ink,
             })

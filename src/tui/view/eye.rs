@@ -16,6 +16,7 @@ use crate::scenario::fields::{self, Kind};
 use crate::study::Answer;
 use crate::tui::clock::Detail;
 use crate::tui::model::Look;
+use crate::tui::terminal::caps::Symbols;
 
 /// Half of the height that is shown, in m.
 const REACH_M: f64 = ORBIT_RADIUS_M * 1.03;
@@ -167,6 +168,20 @@ impl Scene<'_> {
             );
         }
     }
+}
+
+/// The angle in radians of a blow from the direction of a cell, where the eye is drawn in `area`.
+pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
+    let raster = Raster::new(area, symbols);
+    let (columns, rows) = raster.size();
+    let projection = Projection::new(&raster);
+    // The middle of the cell, in dots.
+    let along = |cell: u16, start: u16, dots: i32, cells: u16| {
+        (f64::from(cell) - f64::from(start) + 0.5) * f64::from(dots) / f64::from(cells.max(1))
+    };
+    let across = along(x, area.x, columns, area.width) - projection.centre.0;
+    let down = along(y, area.y, rows, area.height) - projection.centre.1;
+    (-down / projection.scale.1).atan2(-across / projection.scale.0)
 }
 
 /// The frame nearest to a time.

@@ -14,6 +14,9 @@ use crate::tui::model::{Model, Run};
 /// Said once, plainly.
 pub const PURPOSE: &str = "Research and education, not diagnosis";
 
+/// Lines that are said about a field at most.
+const MOST_SAID: usize = 5;
+
 /// The model in words.
 pub fn material(model: &Model) -> &'static str {
     match model.work.scenario.model {
@@ -25,31 +28,27 @@ pub fn material(model: &Model) -> &'static str {
 /// Draws the form.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let focused = matches!(model.context(), Context::Form | Context::Typing);
+    let focused = matches!(
+        model.context(),
+        Context::Number | Context::Form | Context::Typing
+    );
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
     let foot = purpose.len() as u16 + 1;
     let note = note(model);
     let said = wrapped(&note.0, usize::from(area.width - 2));
-    let said_height = (said.len() as u16).min(5);
-    let room = area.height.saturating_sub(foot + said_height + 1);
-
-    let rows = rows(&model.work.scenario, model.form.advanced);
-    let here = rows.iter().position(|row| *row == model.form.selected);
-    let first = here
-        .unwrap_or(0)
-        .saturating_sub(usize::from(room).saturating_sub(1));
-    for (y, row) in rows.iter().skip(first).take(usize::from(room)).enumerate() {
+    let shown = visible(model, area);
+    for (y, row) in shown.iter().enumerate() {
         let chosen = *row == model.form.selected;
         let line = Rect::new(area.x, area.y + y as u16, area.width, 1);
         draw_row(model, *row, (chosen, focused), line, buffer);
     }
-    let used = (rows.len() - first).min(usize::from(room)) as u16;
+    let used = shown.len() as u16;
     let style = match note.1 {
         Tone::Quiet => theme.quiet(),
         Tone::Error => theme.error(),
         Tone::Warning => theme.warning(),
     };
-    for (i, line) in said.iter().take(usize::from(said_height)).enumerate() {
+    for (i, line) in said.iter().take(MOST_SAID).enumerate() {
         put(buffer, area, (1, used + 1 + i as u16), line, style);
     }
     let bottom = area.height - foot;
@@ -63,6 +62,18 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
             theme.quiet(),
         );
     }
+}
+
+/// The rows that there is room for, from the top; the one with the cursor is among them.
+pub fn visible(model: &Model, area: Rect) -> Vec<Row> {
+    let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
+    let said = wrapped(&note(model).0, usize::from(area.width - 2));
+    let taken = purpose.len() + said.len().min(MOST_SAID) + 2;
+    let room = usize::from(area.height).saturating_sub(taken);
+    let rows = rows(&model.work.scenario, model.form.advanced);
+    let here = rows.iter().position(|row| *row == model.form.selected);
+    let first = here.unwrap_or(0).saturating_sub(room.saturating_sub(1));
+    rows.into_iter().skip(first).take(room).collect()
 }
 
 enum Tone {

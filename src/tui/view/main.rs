@@ -5,68 +5,71 @@ use ratatui::layout::Rect;
 
 use super::chart::{Curve, spark};
 use super::eye::Scene;
+use super::profiles::{COUPLED, CURVES};
 use super::raster::Ink;
 use super::text::{put, put_right};
 use super::theme::Theme;
 use super::{form, score};
-use crate::eye::Monitor;
+use crate::recording::Peak;
 use crate::report::text::significant;
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run, Shown};
 
-/// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+/// Where the parts of the screen are.
+pub struct Layout {
+    /// The form.
+    pub form: Rect,
+    /// All at its right.
+    right: Rect,
+    /// The eye, below its caption.
+    pub eye: Rect,
+    traces: Rect,
+    score: Rect,
+}
+
+/// Divides the screen.
+pub fn layout(area: Rect) -> Layout {
     let left = match area.width {
         ..70 => 25,
         70..100 => 29,
         _ => 34,
     };
-    form::draw(
-        model,
-        Rect {
-            width: left,
-            ..area
-        },
-        buffer,
-    );
-    for y in 0..area.height {
-        put(buffer, area, (left, y), "│", theme.line());
-    }
     let right = Rect::new(
         area.x + left + 1,
         area.y,
         area.width - left - 1,
         area.height,
     );
+    let below = score::height(right.height);
+    let upper = right.height - below;
+    let wide = (upper * 2).min(right.width * 11 / 20);
+    Layout {
+        form: Rect {
+            width: left,
+            ..area
+        },
+        right,
+        eye: Rect::new(right.x, right.y + 1, wide, upper - 1),
+        traces: Rect::new(right.x + wide + 1, right.y, right.width - wide - 1, upper),
+        score: Rect::new(right.x, right.y + upper, right.width, below),
+    }
+}
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let parts = layout(area);
+    form::draw(model, parts.form, buffer);
+    for y in 0..area.height {
+        put(buffer, area, (parts.form.width, y), "│", theme.line());
+    }
     let Some(shown) = &model.shown else {
-        waiting(model, right, buffer);
+        waiting(model, parts.right, buffer);
         return;
     };
-    let below = score::height(right.height);
-    let upper = Rect {
-        height: right.height - below,
-        ..right
-    };
-    let eye_width = (upper.height * 2).min(right.width * 11 / 20);
-    eye(
-        model,
-        shown,
-        Rect {
-            width: eye_width,
-            ..upper
-        },
-        buffer,
-    );
-    let traces = Rect::new(
-        upper.x + eye_width + 1,
-        upper.y,
-        upper.width - eye_width - 1,
-        upper.height,
-    );
-    sparklines(model, shown, traces, buffer);
-    let lower = Rect::new(right.x, right.y + upper.height, right.width, below);
-    score::draw(model, shown, lower, buffer);
+    eye(model, shown, parts.eye, buffer);
+    sparklines(model, shown, parts.traces, buffer);
+    score::draw(model, shown, parts.score, buffer);
 }
 
 /// Before the first result: what is being done, or why there is none.
@@ -86,11 +89,10 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let aiming = model.context() == Context::Dial;
     let time = model.time();
-    let picture = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
     Scene {
         answer: &shown.answer,
         time,
@@ -114,28 +116,69 @@ fn eye(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     } else {
         theme.heading()
     };
-    put(buffer, area, (0, 0), &caption, style);
+    let above = Rect::new(picture.x, picture.y - 1, picture.width, 1);
+    put(buffer, above, (0, 0), &caption, style);
 }
 
-/// Four curves, each with its peak and when it came.
+/// A curve with its name and its peak.
+struct Trace {
+    label: &'static str,
+    unit: &'static str,
+    factor: f64,
+    which: usize,
+    peak: Peak,
+}
+
+/// The four monitored forces, then pressure and force of contact where the scene has them.
+fn traces_of(shown: &Shown) -> Vec<Trace> {
+    let extremes = &shown.answer.recording.extremes;
+    let forces = extremes
+        .force
+        .iter()
+        .enumerate()
+        .map(|(i, peak)| (i, *peak));
+    let fluid = extremes.fluid.map(|fluid| (COUPLED[0], fluid.pressure));
+    let shot = extremes.shot.map(|shot| (COUPLED[1], shot.force));
+    forces
+        .chain(fluid)
+        .chain(shot)
+        .map(|(which, peak)| Trace {
+            label: if which == COUPLED[1] {
+                "contact"
+            } else {
+                CURVES[which].label
+            },
+            unit: CURVES[which].unit,
+            factor: CURVES[which].factor,
+            which,
+            peak,
+        })
+        .collect()
+}
+
+/// The curves, each with its peak and when it came.
 fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let extremes = &shown.answer.recording.extremes;
-    let Some(traces) = &shown.answer.recording.traces else {
+    let Some(recorded) = &shown.answer.recording.traces else {
         return;
     };
-    let each = area.height / 4;
-    for (i, monitor) in Monitor::ALL.iter().enumerate() {
+    let traces = traces_of(shown);
+    let each = (area.height / traces.len() as u16).max(1);
+    for (i, trace) in traces.iter().enumerate() {
         let top = area.y + each * i as u16;
+        if top >= area.y + area.height {
+            break;
+        }
         let row = Rect::new(area.x, top, area.width, 1);
-        let peak = extremes.force[i];
-        put(buffer, row, (0, 0), monitor.name(), theme.heading());
-        let value = format!("{} N", significant(peak.value));
+        let peak = trace.peak;
+        put(buffer, row, (0, 0), trace.label, theme.heading());
+        let value = format!("{} {}", significant(peak.value * trace.factor), trace.unit);
         let time = format!("at {:.3} ms", peak.time * 1e3);
         if area.width >= 26 {
             put_right(buffer, row, (area.width - 12, 0), &value, theme.strong());
             put_right(buffer, row, (area.width, 0), &time, theme.quiet());
-        } else if area.width >= 22 {
+        } else if area.width >= 22 && trace.label.len() + value.len() < usize::from(area.width) - 8
+        {
             let time = format!("{:.3}ms", peak.time * 1e3);
             put_right(buffer, row, (area.width - 8, 0), &value, theme.strong());
             put_right(buffer, row, (area.width, 0), &time, theme.quiet());
@@ -145,9 +188,13 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         if each < 2 {
             continue;
         }
+        let values = (CURVES[trace.which].values)(recorded);
+        if values.is_empty() {
+            continue;
+        }
         let curve = Curve {
-            time: &traces.time,
-            values: &traces.force[i],
+            time: &recorded.time,
+            values,
             factor: 1.0,
             ink: Ink::solid(theme.curve(i), 1, '*'),
         };

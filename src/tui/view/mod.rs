@@ -10,6 +10,7 @@ pub mod eye;
 pub mod footer;
 pub mod form;
 pub mod heat;
+pub mod hit;
 pub mod log_axis;
 pub mod main;
 pub mod overlay;
@@ -24,7 +25,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::model::Model;
-use super::screens::{Listed, SCREENS};
+use super::screens::{Listed, SCREENS, Screen};
 use super::terminal::caps::Symbols;
 use text::put;
 use theme::Theme;
@@ -42,7 +43,7 @@ pub fn draw(model: &Model, buffer: &mut Buffer) {
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         too_small(area, buffer);
     } else {
-        let body = Rect::new(0, 1, area.width, area.height - 2);
+        let body = body(area);
         title(model, area, buffer);
         (model.screen.listed().draw)(model, body, buffer);
         footer::draw(model, Rect::new(0, area.height - 1, area.width, 1), buffer);
@@ -51,6 +52,11 @@ pub fn draw(model: &Model, buffer: &mut Buffer) {
     if model.look.symbols == Symbols::Ascii {
         text::to_ascii(buffer);
     }
+}
+
+/// What is left between title and footer.
+pub fn body(area: Rect) -> Rect {
+    Rect::new(0, 1, area.width, area.height - 2)
 }
 
 fn too_small(area: Rect, buffer: &mut Buffer) {
@@ -67,12 +73,9 @@ fn too_small(area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The name of the program, the screens with their keys, and the preset.
-fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    let row = Rect::new(0, 0, area.width, 1);
-    buffer.set_style(row, theme.bar());
-    let name = model.title();
+/// Where the names of the screens begin in the title, and how they are written.
+pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
+    let name = text::width(&model.title()) + 3;
     // Where room is short the program's name gives way, then the names of the other screens.
     let label = |listed: &Listed, brief: bool| {
         if brief && listed.screen != model.screen {
@@ -82,20 +85,37 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
     };
     let wide: u16 = SCREENS.iter().map(|l| text::width(&label(l, false))).sum();
-    let free = area.width.saturating_sub(wide + text::width(&name) + 3);
-    let named = free >= text::width(PROGRAM);
-    let brief = wide + text::width(&name) + 3 > area.width;
+    let brief = wide + name > columns;
+    let named = columns.saturating_sub(wide + name) >= text::width(PROGRAM);
+    let mut x = if named { 1 + text::width(PROGRAM) } else { 1 };
+    let tab = |listed: &Listed| {
+        let label = label(listed, brief);
+        let at = x;
+        x += text::width(&label);
+        (at, label, listed.screen)
+    };
+    SCREENS.iter().map(tab).collect()
+}
+
+/// The name of the program, the screens with their keys, and the preset.
+fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let row = Rect::new(0, 0, area.width, 1);
+    buffer.set_style(row, theme.bar());
+    let name = model.title();
+    let tabs = tabs(model, area.width);
     let mut x = 1;
-    if named {
+    if tabs[0].0 > 1 {
         x = put(buffer, row, (x, 0), PROGRAM, theme.bar_strong());
     }
-    for listed in SCREENS {
-        let style = if listed.screen == model.screen {
+    for (at, label, screen) in tabs {
+        let style = if screen == model.screen {
             theme.bar_chosen()
         } else {
             theme.bar()
         };
-        x = put(buffer, row, (x, 0), &label(listed, brief), style);
+        debug_assert!(at >= x);
+        x = put(buffer, row, (at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 2));
     let name = text::fitted(&name, room);

@@ -89,8 +89,10 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
     for context in Context::iter() {
         lines.push((context.title().to_owned(), String::new()));
         for binding in BINDINGS.iter().filter(|b| b.context == context) {
-            let keys: Vec<String> = binding.presses.iter().map(|p| p.name()).collect();
-            lines.push((format!("  {}", keys.join(" ")), binding.help.to_owned()));
+            lines.push((
+                format!("  {}", binding.names().join(" ")),
+                binding.help.to_owned(),
+            ));
         }
     }
     lines.push((super::form::PURPOSE.to_owned(), String::new()));

@@ -53,10 +53,16 @@ pub static CURVES: &[Profile] = &[
     profile("kinetic", "J", 1.0, |t| &t.kinetic),
     profile("elastic", "J", 1.0, |t| &t.elastic),
     profile("dissipated", "J", 1.0, |t| &t.dissipated),
+    profile("pressure", "MPa", 1e-6, |t| &t.pressure),
+    profile("contact force", "N", 1.0, |t| &t.contact_force),
+    profile("vitreous area", "%", 1e2, |t| &t.area_ratio),
 ];
 
+/// The pressure and the force of contact among the [`CURVES`].
+pub const COUPLED: [usize; 2] = [12, 13];
+
 /// What the force screen can show: charts, each with the curves in it.
-pub static VIEWS: &[&[&[usize]]] = &[
+static VIEWS: &[View] = &[
     &[&[0], &[1], &[2], &[3]],
     &[&[0]],
     &[&[1]],
@@ -64,7 +70,21 @@ pub static VIEWS: &[&[&[usize]]] = &[
     &[&[3]],
     &[&[4], &[5], &[6], &[7]],
     &[&[8, 9, 10, 11]],
+    &[&[12], &[14]],
+    &[&[13]],
 ];
+
+/// Charts, each with the curves in it.
+type View = &'static [&'static [usize]];
+
+/// The views whose curves a recording has.
+pub fn views(traces: &Traces) -> Vec<View> {
+    let there = |view: &&View| {
+        let mut curves = view.iter().flat_map(|chart| chart.iter());
+        curves.all(|&i| !(CURVES[i].values)(traces).is_empty())
+    };
+    VIEWS.iter().filter(there).copied().collect()
+}
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -89,9 +109,17 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if end + (said.len() as u16) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, 0), said, style);
     }
-    let view = VIEWS[model.curves % VIEWS.len()];
+    let views = match &shown.answer.recording.traces {
+        Some(traces) => views(traces),
+        None => return,
+    };
+    let view = views[model.curves % views.len()];
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
-    let (columns, rows) = if view.len() > 1 { (2, 2) } else { (1, 1) };
+    let (columns, rows) = match view.len() {
+        1 => (1, 1),
+        2 => (1, 2),
+        _ => (2, 2),
+    };
     let (width, height) = (charts.width / columns, charts.height / rows);
     for (i, curves) in view.iter().enumerate() {
         let (column, row) = (i as u16 % columns, i as u16 / columns);

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, put_right, wrapped};
+use super::text::{fitted, put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::text::{percent, significant};
@@ -86,15 +86,17 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     // Of the index that the gauge shows; the peaks have their own on the screen of forces.
     let mesh = errors
         .mesh
-        .map_or_else(|| "unknown".to_owned(), |mesh| percent(mesh[0]));
-    let text = format!(
-        "Its error: step {}, mesh {mesh}",
-        percent(errors.time_step[0])
-    );
-    let end = put(buffer, line(5), (0, 0), &text, theme.text());
+        .map_or_else(|| "…".to_owned(), |mesh| percent(mesh[0]));
+    let step = percent(errors.time_step[0]);
     let apex = shown.answer.recording.extremes.apex;
     let apex = format!("apex {} mm", significant(apex.value * 1e3));
-    if end + 2 + apex.len() as u16 <= area.width {
+    let beside = width(&apex) + 2;
+    let mut text = format!("Its error: step {step}, mesh {mesh}");
+    if width(&text) + beside > area.width {
+        text = format!("Error: step {step}, mesh {mesh}");
+    }
+    let end = put(buffer, line(5), (0, 0), &text, theme.text());
+    if end + beside <= area.width {
         put_right(buffer, line(5), (area.width, 0), &apex, theme.text());
     }
     flags(shown, theme, area, buffer);

@@ -210,7 +210,8 @@ impl Theme {
             ),
             // Dark yellow is a step of heat already.
             Region::Fat if self.depth == Depth::Sixteen => dim,
-            Region::Fat => self.pick(dim, Color::Reset, Color::Indexed(94)),
+            // Brown beside dark red would be one colour.
+            Region::Fat => self.pick(dim, Color::Reset, Color::Indexed(101)),
             Region::Orbit => self.pick(Style::new(), Color::Green, Color::Indexed(108)),
         }
     }

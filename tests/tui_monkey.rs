@@ -1,0 +1,273 @@
+//! Keys, mouse, pastes and sizes at random, the same ones every time: nothing panics, nothing
+//! hangs, and the terminal comes back.
+
+mod support;
+
+use std::time::Duration;
+
+use contrecoup::study::{Refusal, solve, unwatched};
+use contrecoup::tui::model::{Look, Model, Overlay, Run};
+use contrecoup::tui::prepare;
+use contrecoup::tui::save::SaveError;
+use contrecoup::tui::terminal::caps::{Depth, Symbols};
+use contrecoup::tui::update::{Effect, Message, begin, update};
+use contrecoup::tui::view;
+use contrecoup::tui::worker::{Report, keep};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use support::{Replies, Term, app};
+
+#[path = "support/accuracy.rs"]
+mod accuracy;
+
+/// Numbers at random, by the constants of Knuth's MMIX.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % count
+    }
+
+    fn one<T: Copy>(&mut self, of: &[T]) -> T {
+        of[self.below(of.len())]
+    }
+}
+
+/// Keys that people press, some of them more often than others.
+const KEYS: &[KeyCode] = &[
+    KeyCode::Up,
+    KeyCode::Down,
+    KeyCode::Down,
+    KeyCode::Left,
+    KeyCode::Right,
+    KeyCode::Enter,
+    KeyCode::Enter,
+    KeyCode::Esc,
+    KeyCode::Tab,
+    KeyCode::BackTab,
+    KeyCode::Home,
+    KeyCode::End,
+    KeyCode::Backspace,
+    KeyCode::Delete,
+    KeyCode::PageUp,
+];
+const LETTERS: &str = "0123456789-.,+=_ ?uurRsSpaAgGzevmojkhlHJKLMynXé中\"[]/~";
+const HELD: [KeyModifiers; 6] = [
+    KeyModifiers::NONE,
+    KeyModifiers::NONE,
+    KeyModifiers::NONE,
+    KeyModifiers::SHIFT,
+    KeyModifiers::ALT,
+    KeyModifiers::CONTROL,
+];
+
+fn message(dice: &mut Dice, now: &mut Duration, size: (u16, u16)) -> Message {
+    match dice.below(20) {
+        0 => {
+            *now += Duration::from_millis(dice.below(3000) as u64);
+            Message::Tick(*now)
+        }
+        1 | 2 => {
+            let kinds = [
+                MouseEventKind::Down(MouseButton::Left),
+                MouseEventKind::Drag(MouseButton::Left),
+                MouseEventKind::Up(MouseButton::Left),
+                MouseEventKind::ScrollUp,
+                MouseEventKind::ScrollDown,
+            ];
+            let event = MouseEvent {
+                kind: dice.one(&kinds),
+                column: dice.below(330) as u16,
+                row: dice.below(110) as u16,
+                modifiers: dice.one(&HELD),
+            };
+            Message::Mouse(event, size)
+        }
+        3 => Message::Paste(
+            dice.one(&["450", "-1e9", "", "[1, 2]", "NaN", "a b\n"])
+                .to_owned(),
+        ),
+        4..10 => {
+            let code = dice.one(KEYS);
+            Message::Key(KeyEvent::new(code, dice.one(&HELD)))
+        }
+        10 => Message::Key(KeyEvent::from(KeyCode::F(1 + dice.below(12) as u8))),
+        _ => {
+            let letters: Vec<char> = LETTERS.chars().collect();
+            Message::Key(KeyEvent::new(
+                KeyCode::Char(dice.one(&letters)),
+                dice.one(&HELD),
+            ))
+        }
+    }
+}
+
+/// Does what threads and disk would, as fast as a test must be: what would take long is cancelled.
+fn settle(model: &mut Model, dice: &mut Dice, effects: Vec<Effect>) {
+    let mut open = effects;
+    while let Some(effect) = open.pop() {
+        let quick = |scenario: &contrecoup::scenario::Scenario| {
+            if scenario.eye.level == 1
+                && scenario.window_ms <= 3.0
+                && scenario.numerics.step_us.is_none()
+            {
+                solve(scenario, keep(scenario), &mut unwatched)
+            } else {
+                Err(Refusal::Cancelled)
+            }
+        };
+        let message = match effect {
+            // Most answers are late: the next edit has come before them.
+            Effect::Solve(ticket, scenario) if dice.below(6) == 0 => {
+                Message::Form(Report::Done(ticket, Box::new(quick(&scenario))))
+            }
+            Effect::Compare(ticket, scenario) => {
+                Message::Comparison(Report::Done(ticket, Box::new(quick(&scenario))))
+            }
+            Effect::Measure(ticket, _) if dice.below(2) == 0 => {
+                Message::Accuracy(Report::Done(ticket, Box::new(Ok(accuracy::made_up()))))
+            }
+            Effect::Measure(ticket, _) => Message::Accuracy(Report::Progress(ticket, 0.5)),
+            Effect::Save(name, ..) => {
+                let outcomes = [
+                    Ok(()),
+                    Err(SaveError::Exists(name.clone())),
+                    Err(SaveError::Failed("no space".to_owned())),
+                ];
+                Message::Saved(name, outcomes[dice.below(3)].clone())
+            }
+            _ => continue,
+        };
+        open.extend(update(model, message));
+    }
+}
+
+#[test]
+fn thousands_of_random_inputs_leave_the_app_in_order() {
+    for seed in 0..4 {
+        let mut dice = Dice(seed);
+        let look = Look {
+            depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
+            symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
+        };
+        let mut model = prepare(&[], look).unwrap();
+        let effects = begin(&mut model);
+        settle(&mut model, &mut dice, effects);
+        let mut now = Duration::ZERO;
+        let mut size = (80, 24);
+        for _ in 0..2500 {
+            if dice.below(10) == 0 {
+                size = (1 + dice.below(200) as u16, 1 + dice.below(70) as u16);
+            }
+            let message = message(&mut dice, &mut now, size);
+            let effects = update(&mut model, message);
+            settle(&mut model, &mut dice, effects);
+            let mut buffer = Buffer::empty(Rect::new(0, 0, size.0, size.1));
+            view::draw(&model, &mut buffer);
+            // What is worked on is always something that can be worked on.
+            contrecoup::scenario::check::check(&model.work.scenario).unwrap();
+            assert!(model.compare.entries.len() <= 6);
+        }
+        // From wherever it is, a few presses of Escape and an edit lead back to a result.
+        let esc = || Message::Key(KeyEvent::from(KeyCode::Esc));
+        for _ in 0..4 {
+            update(&mut model, esc());
+            if let Some(Overlay::Help(_)) = model.overlay {
+                model.overlay = None;
+            }
+        }
+        assert!(model.overlay.is_none() && model.form.typing.is_none());
+        model.work.scenario = contrecoup::scenario::Scenario::default();
+        model.work.scenario.window_ms = 2.0;
+        let edit = contrecoup::scenario::fields::find("impact.duration_ms").unwrap();
+        model.screen = contrecoup::tui::screens::Screen::Main;
+        model.show_pane(0);
+        model.form.selected = contrecoup::tui::form::Row::Field(edit);
+        let effects = update(&mut model, Message::Key(KeyEvent::from(KeyCode::Right)));
+        for effect in effects {
+            if let Effect::Solve(ticket, scenario) = effect {
+                let answer = solve(&scenario, keep(&scenario), &mut unwatched);
+                update(
+                    &mut model,
+                    Message::Form(Report::Done(ticket, Box::new(answer))),
+                );
+            }
+        }
+        assert_eq!(model.run, Run::Settled);
+        assert_eq!(model.stale(), None);
+    }
+}
+
+#[test]
+fn random_keys_and_sizes_in_a_terminal_end_in_a_clean_one() {
+    let home = tempfile::tempdir().unwrap();
+    let mut dice = Dice(7);
+    let mut command = app(&["--mouse"]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let mut term = Term::open(command, (80, 24), Replies::Prompt);
+    term.wait_for("26.42 %");
+    let pieces = [
+        "\x1b[A",
+        "\x1b[B",
+        "\x1b[B",
+        "\x1b[C",
+        "\x1b[D",
+        "\x1b[1;2C",
+        "\r",
+        "\r",
+        "\x1b",
+        "\t",
+        "\x1b[Z",
+        "\x1b1",
+        "\x1b2",
+        "\x1b3",
+        "\x1b4",
+        "\x1b5",
+        " ",
+        "g",
+        "z",
+        "e",
+        "v",
+        "a",
+        "u",
+        "r",
+        "s",
+        "p",
+        "?",
+        "M",
+        "m",
+        "o",
+        "4",
+        "7",
+        "-",
+        ".",
+        "\x7f",
+        "\x15",
+        "\x1b[<0;40;9M",
+        "\x1b[<32;38;7M",
+        "\x1b[<0;38;7m",
+        "\x1b[<65;5;5M",
+        "\x1b[200~12\x1b[201~",
+        "\x1b[",
+        "\x1b]11;rgb:0/0/0\x07",
+        "\u{e9}",
+        "\x0c",
+    ];
+    for i in 0..600 {
+        term.keys(dice.one(&pieces));
+        if i % 20 == 0 {
+            let size = (10 + dice.below(150) as u16, 3 + dice.below(50) as u16);
+            term.resize(size.0, size.1);
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    // What is half typed, half read or half computed does not stop anybody from leaving.
+    term.keys("\x03");
+    assert_eq!(term.exit_code(), 130);
+    term.assert_restored();
+}

@@ -1,0 +1,140 @@
+//! Saving presets, also where the system refuses.
+
+mod support;
+
+use std::fs;
+use std::process::Command;
+
+use portable_pty::CommandBuilder;
+use support::{RIGHT, Term, app, plain};
+
+#[test]
+fn a_preset_is_saved_and_replaced_only_when_told() {
+    let home = tempfile::tempdir().unwrap();
+    let mut command = app(&[]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let mut term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys(RIGHT);
+    term.wait_for("(edited)");
+    // Unsaved work is not lost without a question.
+    term.keys("q");
+    term.wait_for("not saved");
+    term.keys("n");
+    term.wait_without("not saved");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\x15mine\r");
+    term.wait_for("saved as mine");
+    let file = home.path().join("contrecoup/presets/mine.ron");
+    assert!(
+        fs::read_to_string(&file)
+            .unwrap()
+            .contains("force_n: 310.0")
+    );
+    term.keys(RIGHT);
+    term.wait_for("320 N");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\r");
+    term.wait_for("mine already");
+    assert!(fs::read_to_string(&file).unwrap().contains("310"));
+    term.keys("y");
+    term.wait_for("saved as mine");
+    assert!(
+        fs::read_to_string(&file)
+            .unwrap()
+            .contains("force_n: 320.0")
+    );
+    term.keys("q");
+    assert_eq!(term.exit_code(), 0);
+    term.assert_restored();
+}
+
+#[test]
+fn a_full_disk_is_explained_and_the_old_preset_survives() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("contrecoup/presets");
+    fs::create_dir_all(&folder).unwrap();
+    let mount = Command::new("mount")
+        .args(["-t", "tmpfs", "-o", "size=8k,nr_inodes=16", "tmpfs"])
+        .arg(&folder)
+        .output();
+    if !mount.is_ok_and(|output| output.status.success()) {
+        eprintln!("SKIPPED: a small file system cannot be mounted here");
+        return;
+    }
+    let text = fs::read_to_string("presets/paper-300n.ron").unwrap();
+    fs::write(folder.join("mine.ron"), &text).unwrap();
+    // Whatever room is left is taken.
+    let _ = fs::write(folder.join("filler"), vec![0; 1 << 20]);
+    let mut command = app(&["tui", "mine"]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys(RIGHT);
+    term.wait_for("(edited)");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\r");
+    term.wait_for("mine already");
+    term.keys("y");
+    term.wait_for("not saved");
+    let kept = fs::read_to_string(folder.join("mine.ron")).unwrap();
+    let names: Vec<_> = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    drop(term);
+    let unmounted = Command::new("umount").arg(&folder).status();
+    assert!(unmounted.unwrap().success());
+    assert_eq!(kept, text);
+    assert_eq!(names.len(), 2, "{names:?}");
+}
+
+#[test]
+fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
+    let home = tempfile::tempdir().unwrap();
+    let mut shell = CommandBuilder::new("bash");
+    let line = format!("ulimit -f 0; exec {}", env!("CARGO_BIN_EXE_contrecoup"));
+    shell.args(["-c", &line]);
+    plain(&mut shell);
+    shell.env("XDG_CONFIG_HOME", home.path());
+    let mut term = Term::start(shell);
+    term.wait_for("26.42 %");
+    term.keys(RIGHT);
+    term.wait_for("(edited)");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\x15mine\r");
+    term.wait_for("not saved: File too large");
+    // What could not be saved is still there, and is asked for.
+    term.keys("\x1b");
+    term.wait_without("Name");
+    term.keys("q");
+    term.wait_for("not saved. Quit and lose");
+    term.keys("y");
+    assert_eq!(term.exit_code(), 0);
+    term.assert_restored();
+    let left = fs::read_dir(home.path().join("contrecoup/presets")).unwrap();
+    assert_eq!(left.count(), 0);
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_explained() {
+    let mut command = app(&[]);
+    command.env("XDG_CONFIG_HOME", "/dev/null");
+    let term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys("s");
+    term.wait_for("Name");
+    let long = "n".repeat(60);
+    term.keys(&format!("\x15{long}\r"));
+    term.wait_for("1 to 40 letters");
+    term.keys("\x15../mine\r");
+    term.wait_for("1 to 40 letters");
+    term.keys("\x15mine\r");
+    term.wait_for("not saved: ");
+    term.keys("\x1b");
+    term.wait_without("Name");
+}
