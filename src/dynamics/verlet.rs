@@ -226,3 +226,32 @@ impl State {
         survey
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest growth of an oscillator over many steps of one second.
+    fn growth(omega: f64, rate: f64) -> f64 {
+        let (mut x, mut v, mut a) = (1.0, 0.3, -omega * omega - 0.3 * rate);
+        let mut most: f64 = 0.0;
+        for _ in 0..20_000 {
+            let half = v + 0.5 * a;
+            x += half;
+            a = -omega * omega * x - rate * (half + 0.5 * a);
+            v = half + 0.5 * a;
+            most = most.max(x.abs());
+        }
+        most
+    }
+
+    #[test]
+    fn the_limit_is_where_a_damped_oscillator_begins_to_grow() {
+        for share in [0.01, 0.3, 0.7, 1.5, 5.0] {
+            let limit = stable(1.0, share);
+            let (below, above) = (0.999 * limit, 1.01 * limit);
+            assert!(growth(below, below * share) < 1e3, "{share}");
+            assert!(growth(above, above * share) > 1e6, "{share}");
+        }
+    }
+}

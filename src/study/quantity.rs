@@ -21,7 +21,7 @@ pub enum Quantity {
     Energy,
     /// Peak intraocular pressure, MPa; 0 without a fluid.
     Pressure,
-    /// Peak force of contact, mean over 50 us, N; 0 without a projectile.
+    /// Peak force of contact, mean over 100 us, N; 0 without a projectile.
     Contact,
 }
 
