@@ -1,6 +1,6 @@
 //! Dashpots along the springs: they resist a change of length and let a whole eye move freely.
 //!
-//! The force on a is c ((v_b - v_a) . e) e along the unit vector e from a to b, with
+//! The force on a is `c ((v_b - v_a) . e) e` along the unit vector e from a to b, with
 //! c = 2 xi sqrt(k m) and m the reduced mass of the two ends, or the mass of the free one.
 //! The drag of the paper acts on absolute velocity instead; at 8.2 m/s it would hold a whole eye back
 //! with 578 N, twice the force that was measured.

@@ -2,7 +2,7 @@
 //!
 //! With a(x, v) the acceleration by springs, contact, fluid, pulse and dashpots, one step is
 //!
-//! v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a,
+//! `v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a`,
 //!
 //! of second order also where the force depends on the speed, with one evaluation a step. Drag on
 //! absolute velocity is solved exactly within the drift, as in [`super::integrator`].
