@@ -323,9 +323,9 @@ impl Contact {
     /// Bound of the square of the angular frequency that contact adds, in 1/s^2, with shell nodes of
     /// `node_mass` kg on segments of `spacing` m.
     ///
-    /// Every term k (n . (c - w_a x_a - w_b x_b))^2 with w_a + w_b = 1 is a row of a matrix whose part
+    /// Every term `k (n . (c - w_a x_a - w_b x_b))^2` with `w_a + w_b = 1` is a row of a matrix whose part
     /// on the nodes has norm^2 at most 2 k / m (a node ends two segments) and whose part on the disc
-    /// at most k n / m_disc for n segments in touch. A disc can touch those along half of its
+    /// at most `k n / m_disc` for n segments in touch. A disc can touch those along half of its
     /// circumference, and all at most. The curvature of the distance, a share of about
     /// penetration/R of this, is left to the share of the limit that steps take.
     pub fn omega_squared(&self, node_mass: f64, spacing: f64, count: usize) -> f64 {

@@ -1,6 +1,6 @@
 //! Dashpots along the springs: they resist a change of length and let a whole eye move freely.
 //!
-//! The force on a is c ((v_b - v_a) . e) e along the unit vector e from a to b, with
+//! The force on a is `c ((v_b - v_a) . e) e` along the unit vector e from a to b, with
 //! c = 2 xi sqrt(k m) and m the reduced mass of the two ends, or the mass of the free one.
 //! The drag of the paper acts on absolute velocity instead; at 8.2 m/s it would hold a whole eye back
 //! with 578 N, twice the force that was measured.
@@ -96,5 +96,38 @@ impl Dashpots {
             fy[b] -= pull * d.y;
         }
         power
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::State;
+    use crate::scenario::{Model, Physiological, Scenario};
+    use crate::study::Case;
+
+    #[test]
+    fn an_eye_that_moves_as_a_whole_is_not_held_back() {
+        let scenario = Scenario {
+            model: Model::Physiological(Physiological::default()),
+            ..Scenario::default()
+        };
+        let case = Case::new(&scenario);
+        let state = State::at_rest(&case.system);
+        let dashpots = Dashpots::new(&case.eye, &case.system, 0.1, 0.22);
+        let len = state.x.len();
+        let apply = |vx: &[f64], vy: &[f64]| {
+            let (mut fx, mut fy) = (vec![0.0; len], vec![0.0; len]);
+            let power = dashpots.apply((&state.x, &state.y), (vx, vy), (&mut fx, &mut fy));
+            (power, fx, fy)
+        };
+        let (power, fx, _) = apply(&vec![8.2; len], &vec![0.0; len]);
+        assert_eq!((power, fx), (0.0, vec![0.0; len]));
+        let spin: (Vec<f64>, Vec<f64>) = (0..len).map(|i| (-state.y[i], state.x[i])).unzip();
+        assert!(apply(&spin.0, &spin.1).0 < 1e-25);
+        // Stretching takes power, and the forces add up to nothing.
+        let (power, fx, fy) = apply(&state.x, &vec![0.0; len]);
+        assert!(power > 0.0);
+        assert!(fx.iter().sum::<f64>().abs() < 1e-12 && fy.iter().sum::<f64>().abs() < 1e-12);
     }
 }

@@ -1,7 +1,7 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use super::aligned::Aligned;
-use super::coupled::Readings;
+use super::coupled::{Coupled, Readings};
 use super::kernel::{self, Survey};
 use super::load::Piece;
 use super::system::{LANES, Place, System};
@@ -64,7 +64,7 @@ impl State {
             dissipated: 0.0,
             readings: system
                 .coupled()
-                .map_or_else(Readings::default, |c| c.at_rest()),
+                .map_or_else(Readings::default, Coupled::at_rest),
             scratch: Scratch {
                 up_x: zeros(),
                 up_y: zeros(),

@@ -2,7 +2,7 @@
 //!
 //! With a(x, v) the acceleration by springs, contact, fluid, pulse and dashpots, one step is
 //!
-//! v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a,
+//! `v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a`,
 //!
 //! of second order also where the force depends on the speed, with one evaluation a step. Drag on
 //! absolute velocity is solved exactly within the drift, as in [`super::integrator`].
@@ -224,5 +224,34 @@ impl State {
         let mut survey = verlet.begin(self, force);
         survey.kinetic = coupled.kinetic(self);
         survey
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest growth of an oscillator over many steps of one second.
+    fn growth(omega: f64, rate: f64) -> f64 {
+        let (mut x, mut v, mut a) = (1.0, 0.3, -omega * omega - 0.3 * rate);
+        let mut most: f64 = 0.0;
+        for _ in 0..20_000 {
+            let half = v + 0.5 * a;
+            x += half;
+            a = -omega * omega * x - rate * (half + 0.5 * a);
+            v = half + 0.5 * a;
+            most = most.max(x.abs());
+        }
+        most
+    }
+
+    #[test]
+    fn the_limit_is_where_a_damped_oscillator_begins_to_grow() {
+        for share in [0.01, 0.3, 0.7, 1.5, 5.0] {
+            let limit = stable(1.0, share);
+            let (below, above) = (0.999 * limit, 1.01 * limit);
+            assert!(growth(below, below * share) < 1e3, "{share}");
+            assert!(growth(above, above * share) > 1e6, "{share}");
+        }
     }
 }

@@ -11,7 +11,7 @@ use nalgebra::{Point2, Vector2};
 use std::collections::VecDeque;
 
 /// Time over which the force of contact is averaged, in s.
-pub const MEAN_S: f64 = 50e-6;
+pub const MEAN_S: f64 = 100e-6;
 
 /// What the fluid in the globe did.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +27,7 @@ pub struct FluidExtremes {
 /// What a projectile did.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShotExtremes {
-    /// Force of the shell on it, mean over 50 us, in N.
+    /// Force of the shell on it, mean over 100 us, in N.
     pub force: Peak,
     /// First and last instant in touch with the shell, in s.
     pub contact: Option<(f64, f64)>,

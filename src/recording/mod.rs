@@ -77,7 +77,7 @@ pub struct Traces {
     pub pressure: Vec<f64>,
     /// Area of the globe over its area at rest; empty without a fluid.
     pub area_ratio: Vec<f64>,
-    /// Force of contact, mean over 50 us, N; empty without a projectile.
+    /// Force of contact, mean over 100 us, N; empty without a projectile.
     pub contact_force: Vec<f64>,
     /// Centre of the projectile, m; empty without one.
     pub projectile: Vec<Point2<f64>>,

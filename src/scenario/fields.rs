@@ -345,11 +345,11 @@ impl Field {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
 
     /// Scenarios that together hold every variant with fields.
-    pub(in crate::scenario) fn every_variant() -> [Scenario; 2] {
+    pub(crate) fn every_variant() -> [Scenario; 2] {
         let shot = Projectile {
             stiffness: ProjectileStiffness::LINEAR,
             ..Projectile::default()

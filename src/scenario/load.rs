@@ -86,6 +86,7 @@ fn reason(error: &io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::{Model, Physiological};
 
     fn complaint(text: &str) -> String {
         parse(text, "x.ron").unwrap_err().to_string()
@@ -127,6 +128,30 @@ mod tests {
                 "{text:?}"
             );
         }
+    }
+
+    #[test]
+    fn the_physiological_model_may_stand_without_brackets() {
+        for model in [
+            "Physiological",
+            "Physiological()",
+            "Physiological (slab: true)",
+        ] {
+            for end in [",", "\n,"] {
+                let text = format!(
+                    "(name: \"x\",\n  model: {model}{end} impact: Projectile(mass_g: 1, diameter_mm: 6, \
+                     speed_m_s: 5))"
+                );
+                let scenario = parse(&text, "here").unwrap();
+                assert_eq!(
+                    scenario.model,
+                    Model::Physiological(Physiological::default())
+                );
+                assert_eq!(parse(&to_ron(&scenario), "here").unwrap(), scenario);
+            }
+        }
+        let error = complaint("(name: \"x\", impact: Projectile(mass_g: 1, speed_m_s: 5))");
+        assert!(error.contains("diameter_mm"), "{error}");
     }
 
     #[test]

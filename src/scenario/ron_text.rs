@@ -25,8 +25,28 @@ fn options() -> Options {
         .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
 }
 
+/// A model whose parts all have defaults, and may stand without brackets.
+const BARE: &str = "Physiological";
+
+/// `model: Physiological` with the brackets that the reader wants.
+fn completed(text: &str) -> Option<String> {
+    let (line, column) = locate(text, "model");
+    let rest = rest_of_line(text, (line, column)).strip_prefix(BARE)?;
+    let start = text.split_inclusive('\n').take(line - 1).map(str::len);
+    let within: usize = rest_of_line(text, (line, 1)).len() - rest.len();
+    let end = start.sum::<usize>() + within;
+    let bare = !text[end..].trim_start().starts_with('(');
+    bare.then(|| format!("{}(){}", &text[..end], &text[end..]))
+}
+
 /// Reads a value that stands at the dotted path `under` of a scenario (empty for a whole one).
 pub(super) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, ScenarioError> {
+    let completed = if under.is_empty() {
+        completed(text)
+    } else {
+        None
+    };
+    let text = completed.as_deref().unwrap_or(text);
     let mut source = Deserializer::from_str_with_options(text, &options())
         .map_err(|error| explain(text, under, under, &error))?;
     let mut track = Track::new();

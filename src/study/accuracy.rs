@@ -99,7 +99,7 @@ fn median(mut times: Vec<f64>) -> f64 {
 
 fn plans(case: &Case) -> Vec<Plan> {
     let mut plans = Vec::new();
-    for integrator in Integrator::ALL {
+    for &integrator in case.integrators() {
         let limit = case.step_limit(integrator);
         let plan = |share: f64, local_tolerance| Plan {
             integrator,
@@ -147,7 +147,11 @@ fn part(watch: Watch, from: f64, size: f64) -> impl FnMut(f64) -> ControlFlow<()
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
 pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
     let case = Case::new(scenario);
-    let method = Integrator::Srkn11b;
+    let method = if case.system.coupled().is_some() {
+        case.automatic().0
+    } else {
+        Integrator::Srkn11b
+    };
     let reference = Plan {
         integrator: method,
         step: REFERENCE_SHARE * case.step_limit(method),

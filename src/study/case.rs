@@ -17,7 +17,7 @@ const AUTO: Integrator = Integrator::Srkn6b;
 pub(super) const AUTO_SHARE: f64 = 0.8;
 
 /// The same for scenes with a projectile, a fluid or dashpots, whose method is of second order.
-pub(super) const COUPLED_SHARE: f64 = 0.475;
+const COUPLED_SHARE: f64 = 0.3;
 
 /// More than this takes longer than half an hour.
 const MOST_SPRING_EVALUATIONS: f64 = 1e12;
@@ -45,7 +45,7 @@ pub enum Refusal {
     )]
     IntegratorUnfit {
         /// What was asked.
-        integrator: String,
+        integrator: &'static str,
     },
     /// The motion left the finite numbers.
     #[error(transparent)]
@@ -172,11 +172,29 @@ impl Case {
         stability::step_limit(integrator, &self.system)
     }
 
-    /// Order by which the step error is taken to fall: the integrator's, but one where a projectile
-    /// comes and goes, as its force has a kink at touch and the waves it sends out are sharp.
+    /// The integrators that can solve it, the automatic one first where there is only one.
+    pub fn integrators(&self) -> &'static [Integrator] {
+        if self.system.coupled().is_some() {
+            &[Integrator::VelocityVerlet]
+        } else {
+            &Integrator::ALL
+        }
+    }
+
+    /// The integrator that `Auto` takes, and the share of its stability limit.
+    pub(super) fn automatic(&self) -> (Integrator, f64) {
+        if self.system.coupled().is_some() {
+            (Integrator::VelocityVerlet, COUPLED_SHARE)
+        } else {
+            (AUTO, AUTO_SHARE)
+        }
+    }
+
+    /// Order by which the step error is taken to fall: the integrator's, but one with a
+    /// projectile, whose force has a kink at touch and sends out sharp waves, and with dashpots and
+    /// fluid, where folding springs leave no better.
     pub fn order(&self, integrator: Integrator) -> i32 {
-        let coupled = self.system.coupled();
-        if coupled.is_some_and(|c| c.contact.is_some()) {
+        if self.system.coupled().is_some() {
             1
         } else {
             integrator.order()
@@ -188,17 +206,8 @@ impl Case {
     /// # Errors
     /// Refuses a step above the stability limit.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        let coupled = self.system.coupled().is_some();
         let integrator = match scenario.numerics.integrator {
-            IntegratorChoice::Auto | IntegratorChoice::VelocityVerlet if coupled => {
-                Integrator::VelocityVerlet
-            }
-            other if coupled => {
-                return Err(Refusal::IntegratorUnfit {
-                    integrator: format!("{other:?}"),
-                });
-            }
-            IntegratorChoice::Auto => AUTO,
+            IntegratorChoice::Auto => self.automatic().0,
             IntegratorChoice::SemiImplicitEuler => Integrator::SemiImplicitEuler,
             IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
             IntegratorChoice::Srkn6b => Integrator::Srkn6b,
@@ -206,6 +215,11 @@ impl Case {
             IntegratorChoice::Rk4 => Integrator::Rk4,
             IntegratorChoice::Dopri5 => Integrator::Dopri5,
         };
+        if !self.integrators().contains(&integrator) {
+            return Err(Refusal::IntegratorUnfit {
+                integrator: integrator.name(),
+            });
+        }
         let limit = self.step_limit(integrator);
         let step = match scenario.numerics.step_us {
             Some(step_us) if step_us * 1e-6 > limit => {
@@ -216,8 +230,7 @@ impl Case {
                 });
             }
             Some(step_us) => step_us * 1e-6,
-            None if coupled => COUPLED_SHARE * limit,
-            None => AUTO_SHARE * limit,
+            None => self.automatic().1 * limit,
         };
         let plan = Plan {
             integrator,

@@ -5,7 +5,7 @@
 //! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
-use super::case::{AUTO_SHARE, Case, Refusal, Watch};
+use super::case::{Case, Refusal, Watch};
 use super::mesh_error::{at_level, between};
 use super::quantity::Quantity;
 use super::solve::{Answer, solve_by};
@@ -117,9 +117,10 @@ fn meet(
     watch: Watch,
     reasons: &mut Vec<String>,
 ) -> Result<Answer, Refusal> {
+    let (automatic, share) = case.automatic();
     let plan = |integrator| Plan {
         integrator,
-        step: AUTO_SHARE * case.step_limit(integrator),
+        step: share * case.step_limit(integrator),
         window: case.window,
         multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
@@ -129,7 +130,7 @@ fn meet(
         let error = answer.errors.time_step[DAMAGE];
         if error <= percent {
             reasons.push(format!(
-                "velocity-verlet at {AUTO_SHARE} of its stability limit: step error {error:.3} %, the cheapest"
+                "velocity-verlet at {share} of its stability limit: step error {error:.3} %, the cheapest"
             ));
             return Ok(answer);
         }
@@ -137,7 +138,8 @@ fn meet(
             "velocity-verlet: step error {error:.3} %, too much"
         ));
     }
-    let mut plan = plan(Integrator::Srkn6b);
+    let mut plan = plan(automatic);
+    let power = 1.0 / f64::from(case.order(automatic));
     let mut error = f64::INFINITY;
     for _ in 0..MOST_ATTEMPTS {
         let answer = solve_by(case.clone(), plan, keep, watch)?;
@@ -145,11 +147,12 @@ fn meet(
         let share = plan.step / case.step_limit(plan.integrator);
         if error <= percent {
             reasons.push(format!(
-                "srkn6b at {share:.2} of its stability limit: step error {error:.4} %"
+                "{} at {share:.2} of its stability limit: step error {error:.4} %",
+                automatic.name()
             ));
             return Ok(answer);
         }
-        plan.step *= (0.9 * (percent / error).powf(0.25)).clamp(0.25, 0.8);
+        plan.step *= (0.9 * (percent / error).powf(power)).clamp(0.25, 0.8);
     }
     Err(Refusal::ToleranceNotMet {
         percent,

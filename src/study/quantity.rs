@@ -19,9 +19,9 @@ pub enum Quantity {
     MeridianGrowth,
     /// E, J.
     Energy,
-    /// Peak intraocular pressure, MPa; 0 without a fluid.
+    /// Peak intraocular pressure, in megapascals; 0 without a fluid.
     Pressure,
-    /// Peak force of contact, mean over 50 us, N; 0 without a projectile.
+    /// Peak force of contact, mean over 100 us, N; 0 without a projectile.
     Contact,
 }
 

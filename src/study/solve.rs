@@ -20,6 +20,11 @@ use std::time::{Duration, Instant};
 
 /// Share of the stability limit that the coarser of two runs may take.
 const COARSEST_SHARE: f64 = 0.95;
+/// The same for scenes with a projectile, a fluid or dashpots, for which first order is assumed where
+/// order two is mostly seen: the stated errors are then 2 to 50 times the true ones.
+const COUPLED_SAFETY: f64 = 2.0;
+/// No result of such a scene is claimed to be better than this share of the worst.
+const COUPLED_KINSHIP: f64 = 0.1;
 /// Ratio of the two steps: the coarsest against the automatic one.
 const RATIO: f64 = COARSEST_SHARE / AUTO_SHARE;
 /// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
@@ -199,15 +204,20 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     let results = values(&recording.extremes);
     let difference = difference_percent(&values(&second?.recording.extremes), &results);
     let disagreement = headline(&difference);
+    let stated = std::array::from_fn(|i| {
+        // What a scene has not is exactly 0 and stays so.
+        if i >= Quantity::COMMON && results[i] == 0.0 {
+            0.0
+        } else {
+            factor * difference[i] + FLOOR_PERCENT
+        }
+    });
     let errors = Errors {
-        time_step: akin(std::array::from_fn(|i| {
-            // What a scene has not is exactly 0 and stays so.
-            if i >= Quantity::COMMON && results[i] == 0.0 {
-                0.0
-            } else {
-                factor * difference[i] + FLOOR_PERCENT
-            }
-        })),
+        time_step: if case.system.coupled().is_some() {
+            kin(stated)
+        } else {
+            akin(stated)
+        },
         mesh: None,
         energy_balance: 100.0 * recording.extremes.energy_residual,
     };
@@ -272,10 +282,10 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
 fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     let limit = case.step_limit(plan.integrator);
     let order = case.order(plan.integrator);
-    let ratio = if case.system.coupled().is_some() {
-        COUPLED_RATIO
+    let (ratio, safety) = if case.system.coupled().is_some() {
+        (COUPLED_RATIO, COUPLED_SAFETY)
     } else {
-        RATIO
+        (RATIO, SAFETY)
     };
     let pulse = &case.system.load().pulse;
     let coarser = Plan {
@@ -298,11 +308,25 @@ fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
         (finer, SAFETY)
     } else if coarser_tells {
-        (coarser, SAFETY / (ratio.powi(order) - 1.0))
+        (coarser, safety / (ratio.powi(order) - 1.0))
     } else {
         let ratio = least_ratio(&finer, plan, pulse);
-        (finer, SAFETY / (1.0 - ratio.powi(-order)))
+        (finer, safety / (1.0 - ratio.powi(-order)))
     }
+}
+
+/// Raises errors that are small by chance where a projectile, a fluid or dashpots act: all results but
+/// the node forces come from the same motion.
+fn kin(mut errors: PerQuantity) -> PerQuantity {
+    let whole = |i: &usize| !matches!(Quantity::ALL[*i], Quantity::Force(_)) && errors[*i] != 0.0;
+    let which: Vec<usize> = (0..errors.len()).filter(whole).collect();
+    let least = COUPLED_KINSHIP * which.iter().map(|&i| errors[i]).fold(0.0, f64::max);
+    for i in which {
+        if errors[i] < least {
+            errors[i] = least;
+        }
+    }
+    errors
 }
 
 /// Raises errors of forces on the shell that are small by chance; what is no number stays so.

@@ -241,6 +241,7 @@ fn stepped(value: f64, size: f64, up: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::fields::tests::every_variant;
     use crate::scenario::{EyeInput, Impact, PulseShape, fields};
 
     fn field(path: &str) -> &'static Field {
@@ -279,13 +280,17 @@ mod tests {
             let Kind::Number(bounds, place) = &field.kind else {
                 continue;
             };
+            let holder = every_variant()
+                .into_iter()
+                .rfind(|scenario| (place.get)(scenario).is_some())
+                .unwrap();
             for (end, step) in [(bounds.max, Step::MUCH_MORE), (bounds.min, Step::MUCH_LESS)] {
                 let mut scenario = Scenario {
                     eye: EyeInput {
                         opening_deg: 120.0,
                         ..EyeInput::default()
                     },
-                    ..Scenario::default()
+                    ..holder.clone()
                 };
                 *(place.get_mut)(&mut scenario).unwrap() = end;
                 let next = nudged(&scenario, field, step, None).unwrap_or(scenario);

@@ -1,6 +1,7 @@
 //! A made-up measurement of speed against error, the same on every machine.
 
 use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
+use contrecoup::study::Quantity;
 use contrecoup::study::accuracy::{Accuracy, Level, Point};
 
 /// Method, step in us, tolerance, time in ms, error in %, whether on the front.
@@ -27,6 +28,8 @@ const ROWS: [Row; 14] = {
     ]
 };
 
+const RESULTS: usize = Quantity::ALL.len();
+
 /// The measurement.
 pub fn made_up() -> Accuracy {
     let plan = |integrator, step: f64, local_tolerance| Plan {
@@ -37,7 +40,7 @@ pub fn made_up() -> Accuracy {
         local_tolerance,
     };
     let point = |&(integrator, step, tolerance, time, error, on_front): &Row| {
-        let mut errors = [error / 10.0; 9];
+        let mut errors = [error / 10.0; RESULTS];
         errors[1] = error;
         let evaluations = (time * 2000.0) as usize;
         Point {
@@ -54,15 +57,15 @@ pub fn made_up() -> Accuracy {
         level,
         seconds: 1e-3,
         spring_evaluations: 1_000_000,
-        results: [1.0; 9],
-        errors: [error; 9],
+        results: [1.0; RESULTS],
+        errors: [error; RESULTS],
         folded: false,
     };
     Accuracy {
         points: ROWS.iter().map(point).collect(),
         best: [Some(3), Some(4), Some(6), Some(9)],
         reference: plan(Integrator::Srkn11b, 0.5, LOCAL_TOLERANCE),
-        reference_results: [1.0; 9],
+        reference_results: [1.0; RESULTS],
         levels: vec![level(1, 12.0), level(2, 0.0)],
         ns_per_spring: 1.2,
         omega_bound: 1e6,

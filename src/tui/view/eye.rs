@@ -118,6 +118,7 @@ impl Scene<'_> {
                 drawing.nodes(&mut raster);
             }
             drawing.loaded_arc(&mut raster);
+            drawing.projectile(&mut raster);
             if theme.is_mono() {
                 digits = drawing.digits(&raster);
             }
@@ -359,6 +360,26 @@ impl Drawing<'_> {
             .collect();
         digits.sort_by_key(|(_, step)| *step);
         digits
+    }
+
+    /// The projectile is a circle in the load's own style, where it is whatever the zoom.
+    fn projectile(&self, raster: &mut Raster) {
+        const SIDES: u32 = 48;
+        let coupled = self.scene.answer.case.system.coupled();
+        let (Some(centre), Some(contact)) =
+            (self.frame.projectile, coupled.and_then(|c| c.contact))
+        else {
+            return;
+        };
+        let ink = Ink::solid(self.theme.load(), BLOW, 'o');
+        let corner = |i: u32| {
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
+            let (x, y) = (angle.cos() * contact.radius, angle.sin() * contact.radius);
+            self.projection.dot(centre.x + x, centre.y + y)
+        };
+        for i in 0..SIDES {
+            raster.line(corner(i), corner(i + 1), ink);
+        }
     }
 
     /// While the load acts, the shell under it is drawn in the load's own style.

@@ -1,0 +1,219 @@
+//! The physiological model: pressure, slab and dashpots, alone and together.
+
+use contrecoup::dynamics::{Fluid, PA_PER_MMHG, State, area};
+use contrecoup::eye::SpringKind;
+use contrecoup::recording::Keep;
+use contrecoup::scenario::{Impact, Model, Physiological, Projectile, Scenario};
+use contrecoup::study::{Answer, Case, solve, unwatched};
+use nalgebra::{Point2, Vector2};
+
+fn physiological(change: impl FnOnce(&mut Physiological)) -> Scenario {
+    let mut parts = Physiological::default();
+    change(&mut parts);
+    Scenario {
+        model: Model::Physiological(parts),
+        ..Scenario::default()
+    }
+}
+
+fn answer(scenario: &Scenario) -> Answer {
+    solve(scenario, Keep::default(), &mut unwatched).unwrap()
+}
+
+fn without_force(mut scenario: Scenario) -> Scenario {
+    if let Impact::ForcePulse(pulse) = &mut scenario.impact {
+        pulse.force_n = 0.0;
+    }
+    scenario
+}
+
+#[test]
+fn pressure_forces_are_the_gradient_of_their_energy() {
+    let rest: Vec<Point2<f64>> = (0..36)
+        .map(|i| {
+            let angle = f64::from(i) * 10f64.to_radians();
+            Point2::new(12e-3 * angle.cos(), 12e-3 * angle.sin())
+        })
+        .collect();
+    let fluid = Fluid::new(2e3, 60e6, 0.016, &rest);
+    let mut ring = rest;
+    for (i, p) in ring.iter_mut().enumerate() {
+        let i = i as f64;
+        *p += Vector2::new((1.3 * i).sin(), (2.1 * i).cos()) * 4e-4;
+    }
+    let mut forces = vec![Vector2::zeros(); ring.len()];
+    let ratio = fluid.apply(&ring, &mut forces);
+    let energy = |ring: &[Point2<f64>]| fluid.energy(area(ring) / fluid.rest_area);
+    assert!((ratio - area(&ring) / fluid.rest_area).abs() < 1e-15);
+    let largest = forces.iter().map(Vector2::norm).fold(0.0, f64::max);
+    assert!(largest > 1.0);
+    for node in 0..ring.len() {
+        for axis in [Vector2::x(), Vector2::y()] {
+            let moved = |shift: f64| {
+                let mut ring = ring.clone();
+                ring[node] += axis * shift;
+                energy(&ring)
+            };
+            let slope = (moved(1e-7) - moved(-1e-7)) / 2e-7;
+            assert!((slope + forces[node].dot(&axis)).abs() < 1e-6 * largest);
+        }
+    }
+    // A uniform pressure pushes the eye nowhere.
+    assert!(forces.iter().sum::<Vector2<f64>>().norm() < 1e-12 * largest);
+}
+
+#[test]
+fn the_eye_at_rest_stays_at_rest() {
+    for level in 1..=2 {
+        let mut scenario = without_force(physiological(|_| ()));
+        scenario.eye.level = level;
+        let keep = Keep {
+            traces: false,
+            frames_every: Some(3e-3),
+        };
+        let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+        let last = answer.recording.frames.last().unwrap();
+        assert!((last.time - 3e-3).abs() < 1e-12);
+        for (place, node) in last.positions.iter().zip(&answer.case.eye.nodes) {
+            assert!((place - node.position).norm() < 1e-12);
+        }
+        let fluid = answer.recording.extremes.fluid.unwrap();
+        let rest = 15.0 * PA_PER_MMHG;
+        assert_eq!(fluid.rest_pressure, rest);
+        assert!((fluid.pressure.value / rest - 1.0).abs() < 1e-6);
+    }
+}
+
+/// The tension of a thin ring under pressure is p r h, so sigma = p r / t.
+#[test]
+fn a_ring_under_pressure_carries_p_r_over_t() {
+    let mut scenario = without_force(physiological(|parts| {
+        parts.sclera_stiffening = 1.0;
+        parts.fat_stiffening = 1.0;
+        parts.globe_damping_ratio = 0.5;
+    }));
+    // The shell alone: hardly anything inside, outside or across.
+    scenario.eye.rest_kpa = 1e-3;
+    scenario.eye.fat_kpa = 1e-3;
+    scenario.eye.lens = false;
+    scenario.eye.filament_hops = Vec::new();
+    scenario.window_ms = 20.0;
+    let mut case = Case::new(&scenario);
+    let mut coupled = case.system.coupled().unwrap().clone();
+    // A globe filled with more than fits.
+    coupled.fluid.as_mut().unwrap().rest_area *= 1.01;
+    case.system = case.system.with(Some(coupled));
+    case.start = State::at_rest(&case.system);
+    let plan = case.plan(&scenario).unwrap();
+    let keep = Keep {
+        traces: false,
+        frames_every: Some(20e-3),
+    };
+    let solved = case.run(&plan, keep, &mut unwatched).unwrap();
+    let last = solved.recording.frames.last().unwrap();
+    let over = last.pressure.unwrap() - 15.0 * PA_PER_MMHG;
+    assert!(over > 1e3, "{over}");
+    let shell = &case.eye.landmarks.shell;
+    let count = shell.len();
+    let mut tension = 0.0;
+    for spring in &case.eye.springs {
+        let order = |node| shell.iter().position(|&n| n == node);
+        if let (Some(a), Some(b)) = (order(spring.a), order(spring.b))
+            && spring.kind == SpringKind::Sclera
+            && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
+        {
+            let length = (last.positions[spring.b] - last.positions[spring.a]).norm();
+            tension += spring.stiffness * (length - spring.rest_length) / count as f64;
+        }
+    }
+    let radius = shell
+        .iter()
+        .map(|&n| last.positions[n].coords.norm())
+        .sum::<f64>()
+        / count as f64;
+    let expected = over * radius * 0.016;
+    assert!(
+        (tension / expected - 1.0).abs() < 0.02,
+        "{tension} {expected}"
+    );
+}
+
+#[test]
+fn each_part_has_its_own_switch_and_does_no_work_when_off() {
+    let off = |parts: &mut Physiological| {
+        parts.slab = false;
+        parts.pressure = false;
+        parts.dashpots = false;
+        parts.sclera_stiffening = 1.0;
+        parts.fat_stiffening = 1.0;
+    };
+    // All off is the paper's model, to the last bit and by the same path.
+    let bare = answer(&physiological(off));
+    let paper = answer(&Scenario::default());
+    assert_eq!(bare.recording, paper.recording);
+    assert_eq!(bare.cost, paper.cost);
+
+    let slab = answer(&physiological(|parts| {
+        off(parts);
+        parts.slab = true;
+    }));
+    assert!(slab.case.system.coupled().is_none());
+    let ratio = slab.case.eye.springs[0].stiffness / paper.case.eye.springs[0].stiffness;
+    assert!((ratio - 0.016).abs() < 1e-15);
+
+    let pressure = answer(&physiological(|parts| {
+        off(parts);
+        parts.pressure = true;
+    }));
+    assert!(pressure.cost.pressure_evaluations > 0);
+    assert_eq!(pressure.cost.dashpot_evaluations, 0);
+    assert_eq!(pressure.cost.contact_tests, 0);
+    // The fluid keeps the globe from being squeezed.
+    let squeeze = |answer: &Answer| answer.recording.extremes.apex.value;
+    assert!(squeeze(&pressure) < squeeze(&paper));
+
+    let dashpots = answer(&physiological(|parts| {
+        off(parts);
+        parts.dashpots = true;
+    }));
+    assert!(dashpots.cost.dashpot_evaluations > 0);
+    assert_eq!(dashpots.cost.pressure_evaluations, 0);
+    assert!(dashpots.recording.extremes.fluid.is_none());
+    assert!(dashpots.recording.extremes.energy_residual < 1e-2);
+}
+
+/// The prototype: a BB at 62.5 m/s makes the eye about 20 % shorter and wider, with peaks of 0.6 to
+/// 1.4e6 Pa for bulk moduli of 20e6 to 200e6 Pa.
+#[test]
+fn a_bb_does_about_what_was_seen() {
+    let mut before = 0.0;
+    for (bulk_modulus_mpa, least, most) in [(20.0, 0.5, 1.0), (60.0, 0.6, 1.2), (200.0, 1.0, 2.0)] {
+        let mut scenario = physiological(|parts| parts.bulk_modulus_mpa = bulk_modulus_mpa);
+        scenario.impact = Impact::Projectile(Projectile {
+            mass_g: 0.345,
+            diameter_mm: 4.5,
+            speed_m_s: 62.5,
+            ..Projectile::default()
+        });
+        let answer = answer(&scenario);
+        let extremes = &answer.recording.extremes;
+        let pressure = extremes.fluid.unwrap().pressure.value * 1e-6;
+        assert!(pressure > least && pressure < most, "{pressure}");
+        assert!(pressure > before);
+        before = pressure;
+        assert!(extremes.apex.value > 3.5e-3 && extremes.apex.value < 6e-3);
+        assert!(extremes.meridian_growth.value > 0.07 && extremes.meridian_growth.value < 0.25);
+        let (shrunk, grown) = extremes.fluid.unwrap().area_ratio;
+        assert!(shrunk > 0.96 && grown < 1.01, "{shrunk} {grown}");
+    }
+}
+
+#[test]
+fn integrators_that_cannot_solve_it_are_refused_by_name() {
+    let mut scenario = physiological(|_| ());
+    scenario.numerics.integrator = contrecoup::scenario::IntegratorChoice::Srkn6b;
+    let refusal = solve(&scenario, Keep::default(), &mut unwatched).unwrap_err();
+    assert!(refusal.to_string().contains("srkn6b does not solve"));
+    scenario.numerics.integrator = contrecoup::scenario::IntegratorChoice::VelocityVerlet;
+    assert!(solve(&scenario, Keep::default(), &mut unwatched).is_ok());
+}
