@@ -1,4 +1,4 @@
-//! Every screen as text, at three sizes, without colours and with sixteen.
+//! Every screen as text, at three sizes, without colours and with sixteen; some with 256.
 //!
 //! `INSTA_UPDATE=always cargo test --test tui_screens` takes what is drawn now for right.
 
@@ -146,6 +146,20 @@ fn main_screen_with_the_dial_in_hand_and_a_folded_mesh() {
 #[test]
 fn main_screen_with_advanced_fields_and_a_bad_value() {
     pictures("main_bad_value", &[], "ajjjjjjjj\r-");
+}
+
+#[test]
+fn screens_of_256_colours() {
+    for (name, keys) in [
+        ("main", ""),
+        ("replay", "\x1b2"),
+        ("compare", "\x1b4\x1b[Z"),
+    ] {
+        let sources = &["paper-300n", "paper-100n", "paper-600n"];
+        let mut model = model(sources, Depth::TwoFiveSix);
+        press(&mut model, keys);
+        insta::assert_snapshot!(format!("many_colours_{name}"), picture(&model, (80, 24)));
+    }
 }
 
 #[test]

@@ -41,6 +41,15 @@ impl Work {
         }
     }
 
+    /// What it is called in short: of a file's path the last part.
+    pub fn name(&self) -> &str {
+        let parts = self.source.rsplit(['/', '\\']);
+        parts
+            .into_iter()
+            .find(|part| !part.is_empty())
+            .unwrap_or("")
+    }
+
     /// The same work with another scenario.
     #[must_use]
     pub fn with(&self, scenario: Scenario) -> Self {
@@ -195,7 +204,7 @@ impl Model {
     /// The preset's name, with a word where it no longer fits.
     pub fn title(&self) -> String {
         let edited = if self.is_edited() { " (edited)" } else { "" };
-        format!("{}{edited}", self.work.source)
+        format!("{}{edited}", self.work.name())
     }
 
     /// Why the result on show is not that of the form, if it is not.

@@ -3,17 +3,16 @@
 //! Keyboard, signals and workers send into one channel. The loop sleeps until something comes or
 //! the replay wants its next frame; with nothing to show it writes nothing.
 
-use std::io::{self, Read};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::thread;
+use std::io;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use signal_hook::consts::signal::SIGXFSZ;
-use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
-use signal_hook::iterator::Signals;
+use signal_hook::consts::{SIGCONT, SIGTSTP, SIGWINCH};
 
+use super::event::{self, Event};
 use super::input::{Input, Parser};
 use super::jobs::Jobs;
 use super::pacer::{Cause, Pacer};
@@ -39,45 +38,15 @@ const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
-/// Something that came from outside.
-pub(super) enum Event {
-    Bytes(Vec<u8>),
-    /// What was typed while the terminal was about to be handed over.
-    Input(Input),
-    Hangup,
-    Signal(i32),
-    News(Message),
-}
-
-impl Event {
-    /// Whether the app must leave.
-    fn is_end(&self) -> bool {
-        match self {
-            Self::Hangup => true,
-            Self::Signal(signal) => !matches!(*signal, SIGCONT | SIGWINCH | SIGXFSZ),
-            _ => false,
-        }
-    }
-}
-
 /// Runs the app until the person leaves; gives the exit code.
 ///
 /// # Errors
 /// Where the terminal fails.
 pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let (send, events) = channel();
-    let mut signals = Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT, SIGXFSZ])?;
+    let signals = event::signals()?;
     let session = Session::enter()?;
-    let sender = send.clone();
-    thread::spawn(move || {
-        for signal in signals.forever() {
-            if sender.send(Event::Signal(signal)).is_err() {
-                return;
-            }
-        }
-    });
-    let sender = send.clone();
-    thread::spawn(move || read_keyboard(&sender));
+    event::listen(&send, signals);
     let mut app = App {
         jobs: Jobs::start(&send),
         model,
@@ -95,23 +64,6 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         fail_on: settings.fail_on,
     };
     app.run()
-}
-
-fn read_keyboard(send: &Sender<Event>) {
-    let mut keyboard = io::stdin().lock();
-    let mut bytes = [0; 4096];
-    loop {
-        let event = match keyboard.read(&mut bytes) {
-            Ok(0) => Event::Hangup,
-            Ok(count) => Event::Bytes(bytes[..count].to_vec()),
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(_) => Event::Hangup,
-        };
-        let over = matches!(event, Event::Hangup);
-        if send.send(event).is_err() || over {
-            return;
-        }
-    }
 }
 
 /// What the terminal shows, and the pen that drew it.
@@ -387,7 +339,9 @@ impl App {
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
     /// and the app stays. Keys typed before the shell has the terminal wait until then.
     fn suspend(&mut self) -> io::Result<()> {
-        let news = self.hear_out();
+        let mut news = self.hear_out();
+        // Who asks twice wants to stop once.
+        news.retain(|event| !event.is_suspend());
         if !news.iter().any(Event::is_end) {
             self.session.leave();
             signal_hook::low_level::raise(SIGTSTP)?;

@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::Sender;
 
-use super::app::Event;
+use super::event::Event;
 use crate::study::accuracy::Accuracy;
 use crate::study::{Answer, MeshError};
 use crate::tui::accuracy::measure;

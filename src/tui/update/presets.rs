@@ -55,7 +55,7 @@ pub(super) fn ask_for_name(model: &mut Model) {
     let name = if is_own {
         model.work.source.clone()
     } else {
-        let stem = model.work.source.rsplit(['/', '\\']).next().unwrap_or("");
+        let stem = model.work.name();
         format!("my-{}", stem.trim_end_matches(".ron"))
     };
     model.overlay = Some(Overlay::SaveAs(Input::new(name), None));

@@ -333,3 +333,18 @@ fn what_is_undone_after_saving_counts_as_edited() {
     press(&mut model, "lu");
     assert_eq!(force(&model), 320.0);
 }
+
+#[test]
+fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
+    let mut model = model();
+    model.work.source = format!("/some/where/{}.ron", "x".repeat(90));
+    assert!(model.title().starts_with("xxx"));
+    let tabs = crate::tui::view::tabs(&model, 100);
+    assert!(
+        tabs.iter().all(|(_, label, _)| label.len() > 3),
+        "{}",
+        tabs.len()
+    );
+    model.work.source = "a/b/".to_owned();
+    assert_eq!(model.title(), "b");
+}

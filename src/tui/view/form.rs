@@ -135,7 +135,7 @@ fn draw_row(
         Row::Preset => {
             put(buffer, area, (1, 0), "Preset", style);
             let mark = if model.is_edited() { " *" } else { "" };
-            let name = format!("{}{mark}", model.work.source);
+            let name = format!("{}{mark}", model.work.name());
             let name = fitted(&name, usize::from(area.width - 9));
             value(model, &name, chosen && focused, area, buffer);
         }

@@ -36,6 +36,9 @@ pub const SMALLEST: (u16, u16) = (60, 20);
 /// What stands in the upper left corner.
 const PROGRAM: &str = "contrecoup ";
 
+/// Columns that the preset's name can claim in the title.
+const LONGEST_NAME: u16 = 26;
+
 /// Draws the whole screen.
 pub fn draw(model: &Model, buffer: &mut Buffer) {
     let area = buffer.area;
@@ -75,7 +78,8 @@ fn too_small(area: Rect, buffer: &mut Buffer) {
 
 /// Where the names of the screens begin in the title, and how they are written.
 pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
-    let name = text::width(&model.title()) + 3;
+    // A long name gives way before the screens do.
+    let name = text::width(&model.title()).min(LONGEST_NAME) + 3;
     // Where room is short the program's name gives way, then the names of the other screens.
     let label = |listed: &Listed, brief: bool| {
         if brief && listed.screen != model.screen {
