@@ -150,7 +150,9 @@ mod tests {
     }
 
     fn blow(model: &Model) -> (f64, f64) {
-        let Impact::ForcePulse(pulse) = &model.work.scenario.impact;
+        let Impact::ForcePulse(pulse) = &model.work.scenario.impact else {
+            panic!("no pulse")
+        };
         (pulse.force_n, pulse.angle_deg)
     }
 
