@@ -1,6 +1,8 @@
 //! `run` and `export` as a shell sees them, and every preset.
 
-use assert_cmd::Command;
+mod common;
+
+use common::{json, program};
 use contrecoup::recording::Keep;
 use contrecoup::scenario::library;
 use contrecoup::study::{solve, unwatched};
@@ -9,21 +11,6 @@ use predicates::str::{contains, is_empty};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
-
-fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("contrecoup").unwrap();
-    // A folder that does not exist: no test sees a person's presets.
-    command
-        .env("XDG_CONFIG_HOME", "/nonexistent")
-        .args(arguments);
-    command
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let output = program(arguments).arg("--json").output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
 
 #[test]
 fn the_readmes_command_prints_every_result() {

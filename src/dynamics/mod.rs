@@ -22,7 +22,7 @@ mod sweep;
 mod system;
 
 pub use integrator::Integrator;
-pub use kernel::{Survey, name as kernel_name};
+pub use kernel::{Survey, name as kernel_name, vector_sets, vectors_name};
 pub use load::{ArcLoad, Piece, Pulse, Segment};
 pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
 pub use state::State;

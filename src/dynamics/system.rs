@@ -245,8 +245,8 @@ impl System {
         }
     }
 
-    /// Takes the machine's vectors and finds those that hold a moving node or a spring.
-    pub(super) fn set_level(&mut self, level: Level) {
+    /// Takes a set of the machine's vectors and finds those that hold a moving node or a spring.
+    pub fn set_level(&mut self, level: Level) {
         self.level = level;
         let width = dispatch!(level, simd => lanes::width(simd));
         let busy = |slot: usize| {

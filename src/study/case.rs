@@ -11,8 +11,9 @@ use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes.
 const AUTO: Integrator = Integrator::Srkn6b;
-/// The share of its stability limit that the automatic step takes, which leaves room for a second,
-/// coarser run that gives the error.
+/// The share of its stability limit that the step of one run alone takes, unless another is asked for.
+pub(super) const LONE_SHARE: f64 = 0.95;
+/// The share of an automatic answer, which leaves room for a second, coarser run that gives the error.
 pub(super) const AUTO_SHARE: f64 = 0.8;
 
 /// More than this takes longer than half an hour.
@@ -152,7 +153,8 @@ impl Case {
         stability::step_limit(integrator, &self.system)
     }
 
-    /// The integrator and step that a scenario asks for, or the automatic ones.
+    /// The integrator and step that a scenario asks for, or those of one run alone: a batch and a
+    /// mesh error take them as they are, an answer with its step error takes a shorter step.
     ///
     /// # Errors
     /// Refuses a step above the stability limit.
@@ -176,7 +178,7 @@ impl Case {
                 });
             }
             Some(step_us) => step_us * 1e-6,
-            None => AUTO_SHARE * limit,
+            None => LONE_SHARE * limit,
         };
         let plan = Plan {
             integrator,

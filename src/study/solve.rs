@@ -5,7 +5,7 @@
 //! finer run, and (1 - r^-p) times that of the coarser. Peaks do not always follow the order, so the
 //! estimate is multiplied by a safety factor.
 
-use super::case::{AUTO_SHARE, Case, Refusal, Solution, Watch};
+use super::case::{AUTO_SHARE, Case, LONE_SHARE, Refusal, Solution, Watch};
 use super::flags::{self, Flag};
 use super::quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 use crate::dynamics::{Cost, Plan, Pulse};
@@ -18,10 +18,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Share of the stability limit that the coarser of two runs may take.
-const COARSEST_SHARE: f64 = 0.95;
-/// Ratio of the two steps: the coarsest against the automatic one.
-const RATIO: f64 = COARSEST_SHARE / AUTO_SHARE;
+/// Ratio of the two steps: the longest that one run takes against the automatic one.
+const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
 /// Multiplies the estimate, because peaks do not always follow the order. With 5, and [`KINSHIP`], the
 /// stated errors hold in more than 95 % of random scenes for each result and are 5 to 9 times the
 /// true ones in the median; see `coverage`.
@@ -115,11 +113,15 @@ pub(super) fn solve_case(
 ) -> Result<Answer, Refusal> {
     let begun = Instant::now();
     let mut plan = case.plan(scenario)?;
+    let automatic = scenario.numerics.step_us.is_none();
+    if automatic {
+        plan.step /= RATIO;
+    }
     let mut solved = measured(&case, &plan, keep, watch)?;
-    if scenario.numerics.step_us.is_none() {
+    if automatic {
         for _ in 0..MOST_ATTEMPTS {
             let error = headline(&solved.errors.time_step);
-            if error <= AUTO_PERCENT || solved.recording.extremes.folded_at.is_some() {
+            if error <= AUTO_PERCENT || solved.solution.recording.extremes.folded_at.is_some() {
                 break;
             }
             let order = f64::from(plan.integrator.order());
@@ -148,9 +150,7 @@ pub(super) fn solve_by(
 
 /// A run and its step error.
 struct Measured {
-    recording: Recording,
-    cost: Cost,
-    simulated: f64,
+    solution: Solution,
     errors: Errors,
     /// Largest difference between the leading results of the two runs, in %.
     disagreement: f64,
@@ -181,23 +181,18 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         let second = other.join().unwrap_or(Err(Refusal::Cancelled));
         (first, second, time)
     });
-    let Solution {
-        recording,
-        cost,
-        simulated,
-    } = first?;
-    let results = values(&recording.extremes);
+    let solution = first?;
+    let extremes = &solution.recording.extremes;
+    let results = values(extremes);
     let difference = difference_percent(&values(&second?.recording.extremes), &results);
     let disagreement = headline(&difference);
     let errors = Errors {
         time_step: akin(difference.map(|d| factor * d + FLOOR_PERCENT)),
         mesh: None,
-        energy_balance: 100.0 * recording.extremes.energy_residual,
+        energy_balance: 100.0 * extremes.energy_residual,
     };
     Ok(Measured {
-        recording,
-        cost,
-        simulated,
+        solution,
         errors,
         disagreement,
         time,
@@ -207,14 +202,17 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
 
 fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
     let Measured {
-        recording,
-        cost,
-        simulated,
+        solution,
         errors,
         disagreement,
         time,
         total_time,
     } = solved;
+    let Solution {
+        recording,
+        cost,
+        simulated,
+    } = solution;
     let flags = flags::raise(
         &recording.extremes,
         errors.time_step_percent(),
@@ -266,7 +264,7 @@ fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
         ..*plan
     };
     // A coarser run is cheaper, but tells nothing if short segments take the same steps.
-    let coarser_tells = coarser.step <= COARSEST_SHARE * limit * (1.0 + 1e-9)
+    let coarser_tells = coarser.step <= LONE_SHARE * limit * (1.0 + 1e-9)
         && !pulse
             .segments(plan.window)
             .iter()
