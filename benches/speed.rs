@@ -1,21 +1,29 @@
-//! The row kernel against the plain edge list, in one run, interleaved.
+//! Speed against the plain edge list, and each target with its ratio, in one run, interleaved.
 //!
-//! `cargo bench` prints medians of repeated runs and the ratios between them.
+//! `cargo bench` prints the fastest of many interleaved rounds, which other work on the machine
+//! disturbs least, and the ratios between them; at the end a table of the targets.
 
 use contrecoup::dynamics::plain::Plain;
 use contrecoup::dynamics::{
     Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, State, Survey, System, kernel_name, march,
+    vector_sets, vectors_name,
 };
 use contrecoup::recording::Keep;
 use contrecoup::scenario::{Impact, Scenario};
-use contrecoup::study::batch::solve_all;
-use contrecoup::study::{Case, solve, unwatched};
+use contrecoup::study::batch::{solve_all, solve_one};
+use contrecoup::study::{
+    Case, PerQuantity, difference_percent, headline, median, solve, unwatched, values,
+};
 use std::hint::black_box;
+use std::process::Command;
 use std::time::Instant;
 
-const ROUNDS: usize = 15;
-/// Share of the stability limit that both sides take.
+/// Rounds of evaluations at level 1, at the finer levels, of whole runs, and of batches.
+const ROUNDS: (usize, usize, usize, usize) = (200, 15, 30, 7);
+/// Share of the stability limit that both sides take where only evaluations are timed.
 const SHARE: f64 = 0.9;
+/// Share of one run alone, and of the run that is an answer.
+const SHARES: (f64, f64) = (0.95, 0.8);
 
 struct Nobody;
 
@@ -24,15 +32,77 @@ impl Observer for Nobody {
     fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
 }
 
+/// A ratio and the bounds it should keep.
+struct Target {
+    what: String,
+    ratio: f64,
+    least: f64,
+    most: f64,
+}
+
+/// The targets, as they are measured.
+#[derive(Default)]
+struct Targets(Vec<Target>);
+
+impl Targets {
+    fn least(&mut self, what: impl Into<String>, ratio: f64, least: f64) {
+        self.0.push(Target {
+            what: what.into(),
+            ratio,
+            least,
+            most: f64::INFINITY,
+        });
+    }
+
+    fn most(&mut self, what: impl Into<String>, ratio: f64, most: f64) {
+        self.0.push(Target {
+            what: what.into(),
+            ratio,
+            least: 0.0,
+            most,
+        });
+    }
+
+    fn print(&self) {
+        println!("\n| target | ratio | wanted | met |\n|---|---|---|---|");
+        for t in &self.0 {
+            let wanted = if t.most.is_finite() {
+                format!("at most {:.3}", t.most)
+            } else {
+                format!("at least {:.1}", t.least)
+            };
+            let met = if (t.least..=t.most).contains(&t.ratio) {
+                "yes"
+            } else {
+                "no"
+            };
+            println!("| {} | {:.3} | {wanted} | {met} |", t.what, t.ratio);
+        }
+    }
+}
+
 fn seconds(work: impl FnOnce()) -> f64 {
     let start = Instant::now();
     work();
     start.elapsed().as_secs_f64()
 }
 
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+/// Times of several forms of one thing, of which the fastest counts.
+struct Fastest<const N: usize>([f64; N]);
+
+impl<const N: usize> Fastest<N> {
+    fn new() -> Self {
+        Self([f64::INFINITY; N])
+    }
+
+    fn time(&mut self, form: usize, work: impl FnOnce()) {
+        self.0[form] = self.0[form].min(seconds(work));
+    }
+}
+
+fn row(what: &str, seconds: f64, error: Option<f64>) {
+    let error = error.map_or_else(String::new, |e| format!("{e:>12.4} %"));
+    println!("{what:<62}{:>9.3} ms{error}", seconds * 1e3);
 }
 
 fn case(level: u32, whole: bool, portable: bool) -> Case {
@@ -45,98 +115,99 @@ fn plain(case: &Case) -> Plain {
     Plain::new(&case.eye, case.system.load().pulse, &case.load)
 }
 
-fn evaluations() {
-    println!("Force evaluation with its share of the update, velocity-stage march, no recording");
+fn plan(case: &Case, integrator: Integrator, share: f64) -> Plan {
+    Plan {
+        integrator,
+        step: share * case.step_limit(integrator),
+        window: case.window,
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    }
+}
+
+/// Seconds an evaluation of some forms and of the plain loop, which comes last.
+fn evaluation_times<const N: usize>(cases: &[&Case], window: f64, rounds: usize) -> [f64; N] {
+    let mut edges = plain(cases[0]);
+    let step = SHARE * cases[0].step_limit(Integrator::VelocityVerlet);
+    let mut times = Fastest::<N>::new();
+    let mut counts = [1; N];
+    for _ in 0..rounds {
+        for (i, case) in cases.iter().enumerate() {
+            let plan = Plan {
+                window,
+                ..plan(case, Integrator::Srkn6b, SHARE)
+            };
+            let mut state = State::at_rest(&case.system);
+            times.time(i, || {
+                let cost = march(&case.system, &plan, &mut state, &mut Nobody);
+                counts[i] = cost.map_or(0, |c| c.evaluations);
+            });
+        }
+        times.time(cases.len(), || {
+            counts[cases.len()] = edges.run(window, step, |p, _| {
+                black_box(&p.x);
+            });
+        });
+    }
+    std::array::from_fn(|i| times.0[i] / counts[i] as f64)
+}
+
+fn evaluations(targets: &mut Targets) {
+    println!("Force evaluation with its share of the update and the surveys, nothing recorded");
     println!(
-        "{:>5}  {:<22}{:>12}{:>14}{:>10}",
+        "{:>5}  {:<30}{:>12}{:>14}{:>10}",
         "level", "form", "us/eval", "ns/spring", "ratio"
     );
+    let print = |level: u32, name: &str, time: f64, springs: usize, base: f64| {
+        let ns = time * 1e9 / springs as f64;
+        let (us, ratio) = (time * 1e6, base / time);
+        println!("{level:>5}  {name:<30}{us:>12.3}{ns:>14.3}{ratio:>10.2}");
+        ns
+    };
+    let mut each = Vec::new();
     for level in [1, 3, 5] {
         let forms = [
             ("rows, whole eye", case(level, true, false)),
             ("rows, whole, portable", case(level, true, true)),
             ("rows, mirrored half", case(level, false, false)),
         ];
-        let mut edges = plain(&forms[0].1);
-        let springs = edges.springs();
-        let window = 2e-4 / f64::from(level);
-        let mut times = vec![Vec::new(); forms.len() + 1];
-        let mut counts = vec![0; forms.len() + 1];
-        for _ in 0..ROUNDS {
-            for (i, (_, case)) in forms.iter().enumerate() {
-                let plan = Plan {
-                    integrator: Integrator::Srkn6b,
-                    step: SHARE * case.step_limit(Integrator::Srkn6b),
-                    window,
-                    multiple: 1.0,
-                    local_tolerance: LOCAL_TOLERANCE,
-                };
-                let mut state = State::at_rest(&case.system);
-                times[i].push(seconds(|| {
-                    let cost = march(&case.system, &plan, &mut state, &mut Nobody);
-                    counts[i] = cost.map_or(0, |c| c.evaluations);
-                }));
-            }
-            let step = SHARE * forms[0].1.step_limit(Integrator::VelocityVerlet);
-            times[forms.len()].push(seconds(|| {
-                counts[forms.len()] = edges.run(window, step, |p, _| {
-                    black_box(&p.x);
-                });
-            }));
-        }
-        let each: Vec<f64> = times
-            .into_iter()
-            .zip(&counts)
-            .map(|(t, &n)| median(t) / n as f64)
-            .collect();
-        let base = each[forms.len()];
-        for (i, (name, case)) in forms.iter().enumerate() {
-            let ns = each[i] * 1e9 / case.system.springs_per_evaluation() as f64;
-            let (us, ratio) = (each[i] * 1e6, base / each[i]);
-            println!("{level:>5}  {name:<22}{us:>12.3}{ns:>14.3}{ratio:>10.2}");
-        }
-        let (us, ns) = (base * 1e6, base * 1e9 / springs as f64);
-        println!(
-            "{level:>5}  {:<22}{us:>12.3}{ns:>14.3}{:>10.2}",
-            "plain edge list", 1.0
-        );
-    }
-}
-
-fn standard_case() {
-    println!("\nStandard case: 300 N, 0.2 ms, window 3 ms, level 1");
-    let quick = case(1, false, false);
-    let mut edges = plain(&quick);
-    let auto = quick.plan(&Scenario::default()).expect("the default runs");
-    let limit = quick.step_limit(Integrator::VelocityVerlet);
-    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-    for _ in 0..ROUNDS {
-        ours.push(seconds(|| {
-            black_box(quick.run(&auto, Keep::default(), &mut unwatched).is_ok());
+        let cases = [&forms[0].1, &forms[1].1, &forms[2].1];
+        let rounds = if level == 1 { ROUNDS.0 } else { ROUNDS.1 };
+        let times = evaluation_times::<4>(&cases, 2e-4 / f64::from(level), rounds);
+        each.push(std::array::from_fn::<f64, 3, _>(|i| {
+            let springs = cases[i].system.springs_per_evaluation();
+            print(level, forms[i].0, times[i], springs, times[3])
         }));
-        theirs.push(seconds(|| {
-            edges.run(quick.window, limit, |p, _| {
-                black_box(&p.x);
-            });
-        }));
+        let springs = plain(cases[0]).springs();
+        print(level, "plain edge list", times[3], springs, times[3]);
     }
-    let (ours, theirs) = (median(ours), median(theirs));
-    println!(
-        "{:<52}{:>9.3} ms",
-        "automatic integrator and step, recorded",
-        ours * 1e3
+    for level in vector_sets() {
+        let mut forms = [case(1, true, false), case(1, true, true)];
+        for form in &mut forms {
+            form.system.set_level(level);
+        }
+        let times = evaluation_times::<3>(&[&forms[0], &forms[1]], 2e-4, ROUNDS.0);
+        let name = vectors_name(level);
+        for (i, form) in ["whole", "whole, portable"].iter().enumerate() {
+            let springs = forms[i].system.springs_per_evaluation();
+            print(1, &format!("{name}, {form}"), times[i], springs, times[2]);
+        }
+        let most = if name == "sse2" { 1.0 } else { 1.0 / 3.0 };
+        let what = format!("one evaluation against plain, level 1, whole, {name}");
+        targets.most(what, times[0] / times[2], most);
+    }
+    let flat = |form: usize| each[0][form] / each[2][form];
+    targets.most("a spring at level 1 against 5, whole eye", flat(0), 1.25);
+    targets.most(
+        "a spring at level 1 against 5, mirrored half",
+        flat(2),
+        1.25,
     );
-    println!(
-        "{:<52}{:>9.3} ms",
-        "plain velocity Verlet at its limit, nothing recorded",
-        theirs * 1e3
-    );
-    println!("ratio {:.2}", theirs / ours);
 }
 
 /// Largest error in % of the four peak forces and the apex displacement of a plain run, as sampled
 /// at its steps, against the reference values.
-fn plain_error(case: &Case, edges: &mut Plain, step: f64, truth: &[f64; 5]) -> f64 {
+fn plain_error(case: &Case, step: f64, truth: &[f64; 5]) -> f64 {
     let marks = &case.eye.landmarks;
     let rest: Vec<f64> = marks
         .apex
@@ -144,7 +215,7 @@ fn plain_error(case: &Case, edges: &mut Plain, step: f64, truth: &[f64; 5]) -> f
         .map(|&n| case.eye.nodes[n].position.x)
         .collect();
     let mut found = [0.0f64; 5];
-    edges.run(case.window, step, |p, _| {
+    plain(case).run(case.window, step, |p, _| {
         for (i, &n) in marks.monitors.iter().enumerate() {
             let drag = case.eye.nodes[n].drag;
             let force = (p.fx[n] - drag * p.vx[n]).hypot(p.fy[n] - drag * p.vy[n]);
@@ -164,66 +235,79 @@ fn plain_error(case: &Case, edges: &mut Plain, step: f64, truth: &[f64; 5]) -> f
         .fold(0.0, f64::max)
 }
 
-/// The plain loop at the largest step that brings every result within 0.1 %.
-fn same_error() {
+/// Whole runs of the standard case, each with its true error.
+fn standard_case(targets: &mut Targets) {
+    println!("\nStandard case: 300 N, 0.2 ms, window 3 ms, level 1; time and true error");
     let quick = case(1, false, false);
-    let fine = Plan {
-        step: 0.05 * quick.step_limit(Integrator::Srkn11b),
-        integrator: Integrator::Srkn11b,
-        ..quick.plan(&Scenario::default()).expect("the default runs")
+    let fine = plan(&quick, Integrator::Srkn11b, 0.05);
+    let run = |plan: &Plan| {
+        let solution = quick.run(plan, Keep::default(), &mut unwatched);
+        solution.expect("a stable step").recording.extremes
     };
-    let reference = quick
-        .run(&fine, Keep::default(), &mut unwatched)
-        .expect("a stable step");
-    let extremes = reference.recording.extremes;
-    let force = extremes.force.map(|p| p.value);
-    let truth = [force[0], force[1], force[2], force[3], extremes.apex.value];
+    let reference = run(&fine);
+    let truth: PerQuantity = values(&reference);
+    let force = reference.force.map(|p| p.value);
+    let sampled = [force[0], force[1], force[2], force[3], reference.apex.value];
     // The largest step from which on every shorter one will do: a single one may be lucky.
     let limit = quick.step_limit(Integrator::VelocityVerlet);
     let step = (0..20)
         .map(|i| limit * 0.2 * 1.08f64.powi(i))
-        .take_while(|&step| plain_error(&quick, &mut plain(&quick), step, &truth) <= 0.1)
+        .take_while(|&step| plain_error(&quick, step, &sampled) <= 0.1)
         .last()
         .expect("a fifth of the limit is within 0.1 %");
-    let auto = quick.plan(&Scenario::default()).expect("the default runs");
-    let mut edges = plain(&quick);
-    let longest = Plan {
-        step: 0.95 * quick.step_limit(Integrator::Srkn11b),
-        ..fine
-    };
-    let (mut ours, mut sixth, mut theirs) = (Vec::new(), Vec::new(), Vec::new());
-    for _ in 0..7 {
-        ours.push(seconds(|| {
-            black_box(quick.run(&auto, Keep::default(), &mut unwatched).is_ok());
-        }));
-        sixth.push(seconds(|| {
-            black_box(quick.run(&longest, Keep::default(), &mut unwatched).is_ok());
-        }));
-        // A fresh start each time: the plain loop goes on from where it stands.
-        edges = plain(&quick);
-        theirs.push(seconds(|| {
-            edges.run(quick.window, step, |p, _| {
-                black_box(&p.x);
+    let plans = [
+        plan(&quick, Integrator::Srkn6b, SHARES.0),
+        plan(&quick, Integrator::Srkn6b, SHARES.1),
+        plan(&quick, Integrator::Srkn11b, SHARES.0),
+    ];
+    let mut times = Fastest::<5>::new();
+    for _ in 0..ROUNDS.2 {
+        for (i, plan) in plans.iter().enumerate() {
+            times.time(i, || {
+                black_box(run(plan));
             });
-        }));
+        }
+        for (i, step) in [(3, limit), (4, step)] {
+            let mut edges = plain(&quick);
+            times.time(i, || {
+                edges.run(quick.window, step, |p, _| {
+                    black_box(&p.x);
+                });
+            });
+        }
     }
-    let (ours, sixth, plain_time) = (median(ours), median(sixth), median(theirs));
-    let what = format!(
-        "plain velocity Verlet within 0.1 %, step {:.3} us",
-        step * 1e6
-    );
-    println!("{what:<52}{:>9.3} ms", plain_time * 1e3);
-    println!(
-        "{:<52}{:>9.3} ms",
+    let time = times.0;
+    let error = |plan| Some(headline(&difference_percent(&values(&run(plan)), &truth)));
+    let names = [
+        "one run alone: srkn6b at 0.95 of its limit, recorded",
+        "the run of an answer: srkn6b at 0.8 of its limit, recorded",
         "srkn11b at 0.95 of its limit, recorded",
-        sixth * 1e3
+    ];
+    for (i, name) in names.iter().enumerate() {
+        row(name, time[i], error(&plans[i]));
+    }
+    let at_limit = plain_error(&quick, limit, &sampled);
+    let within = plain_error(&quick, step, &sampled);
+    row(
+        "plain Verlet at its limit, nothing recorded",
+        time[3],
+        Some(at_limit),
     );
-    println!("ratio to the automatic run {:.1}", plain_time / ours);
-    println!("ratio to srkn11b {:.1}", plain_time / sixth);
-    black_box(&edges.x);
+    let what = format!("plain Verlet within 0.1 %: {:.3} us, the same", step * 1e6);
+    row(&what, time[4], Some(within));
+    let what = "plain within 0.1 % against";
+    targets.least(format!("{what} one run alone"), time[4] / time[0], 12.0);
+    targets.least(
+        format!("{what} the run of an answer"),
+        time[4] / time[1],
+        12.0,
+    );
+    targets.least(format!("{what} srkn11b at 0.95"), time[4] / time[2], 12.0);
+    let what = "plain at its limit against one run alone";
+    targets.least(what, time[3] / time[0], 2.0);
 }
 
-fn batches() {
+fn batches(targets: &mut Targets) {
     const COUNT: u32 = 200;
     println!("\nBatches: {COUNT} head-on scenes, results only, no frames");
     let scenarios: Vec<Scenario> = (0..COUNT)
@@ -236,49 +320,102 @@ fn batches() {
             scenario
         })
         .collect();
-    let cores = rayon::current_num_threads();
-    let (mut single, mut batch, mut built) = (Vec::new(), Vec::new(), Vec::new());
-    for _ in 0..5 {
-        single.push(
-            seconds(|| {
-                for scenario in &scenarios[..40] {
-                    black_box(solve(scenario, Keep::default(), &mut unwatched).is_ok());
+    let some = &scenarios[80..120];
+    let cores = rayon::current_num_threads() as f64;
+    let mut times = Fastest::<5>::new();
+    for _ in 0..ROUNDS.3 {
+        times.time(0, || {
+            for scenario in some {
+                black_box(solve(scenario, Keep::default(), &mut unwatched).is_ok());
+            }
+        });
+        times.time(1, || {
+            for scenario in some {
+                // Both runs of an answer, one after the other: the work of one core.
+                let case = Case::new(scenario);
+                for share in [SHARES.1, SHARES.0] {
+                    let plan = plan(&case, Integrator::Srkn6b, share);
+                    black_box(case.run(&plan, Keep::default(), &mut unwatched).is_ok());
                 }
-            }) / 40.0,
-        );
-        batch.push(
-            seconds(|| {
-                black_box(solve_all(&scenarios));
-            }) * cores as f64
-                / f64::from(COUNT),
-        );
-        built.push(seconds(|| {
-            black_box(Case::new(&scenarios[0]));
-        }));
+            }
+        });
+        times.time(2, || {
+            for scenario in some {
+                black_box(solve_one(scenario).is_ok());
+            }
+        });
+        times.time(3, || {
+            black_box(solve_all(&scenarios));
+        });
+        times.time(4, || {
+            for scenario in some {
+                black_box(Case::new(scenario));
+            }
+        });
     }
-    let (single, batch) = (median(single), median(batch));
-    println!(
-        "{:<52}{:>9.3} ms",
-        "one answer with its step error, wall",
-        single * 1e3
+    let [wall, work, alone, all, build] = times.0;
+    let [wall, work, alone, build] = [wall, work, alone, build].map(|t| t / some.len() as f64);
+    let batch = all * cores / f64::from(COUNT);
+    row("one answer with its step error, wall", wall, None);
+    row(
+        "one answer with its step error, time of one core",
+        work,
+        None,
     );
-    println!(
-        "{:<52}{:>9.3} ms",
-        format!("batch on {cores} cores, core time a scene"),
-        batch * 1e3
+    row(
+        "one run alone and its eye, the other cores idle",
+        alone,
+        None,
     );
-    println!(
-        "{:<52}{:>9.3} ms",
-        "of it, building the eye",
-        median(built) * 1e3
+    row(
+        &format!("a scene of a batch on {cores} cores, time of one core"),
+        batch,
+        None,
     );
-    println!("ratio {:.2}", single / batch);
+    row("of it, building the eye", build, None);
+    let what = "a scene of a batch, throughput per core against";
+    targets.least(format!("{what} an answer"), work / batch, 1.5);
+    targets.least(format!("{what} one run alone"), alone / batch, 1.5);
+}
+
+/// The program from its start to its end.
+fn process(targets: &mut Targets) {
+    const RUNS: usize = 41;
+    println!("\nThe program: run paper-300n --json");
+    let mut solves = Vec::new();
+    let mut walls = Vec::new();
+    let mut ratios = Vec::new();
+    for _ in 0..RUNS {
+        let mut output = Vec::new();
+        let wall = seconds(|| {
+            output = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
+                .args(["run", "paper-300n", "--json"])
+                .env("XDG_CONFIG_HOME", "/nonexistent")
+                .output()
+                .expect("the program starts")
+                .stdout;
+        });
+        let object: serde_json::Value = serde_json::from_slice(&output).expect("it prints JSON");
+        let solve = object["numerics"]["solve_ms"].as_f64().expect("a time") * 1e-3;
+        walls.push(wall);
+        solves.push(solve);
+        ratios.push(wall / solve);
+    }
+    row("process start to end, median", median(walls), None);
+    row("the solve itself, as printed, median", median(solves), None);
+    targets.most(
+        "process start to printed result against the solve",
+        median(ratios),
+        3.0,
+    );
 }
 
 fn main() {
     println!("kernel: {}\n", kernel_name(false));
-    evaluations();
-    standard_case();
-    same_error();
-    batches();
+    let mut targets = Targets::default();
+    evaluations(&mut targets);
+    standard_case(&mut targets);
+    batches(&mut targets);
+    process(&mut targets);
+    targets.print();
 }

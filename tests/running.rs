@@ -1,29 +1,16 @@
 //! `run` and `export` as a shell sees them, and every preset.
 
-use assert_cmd::Command;
+mod common;
+
+use common::{json, program};
 use contrecoup::recording::Keep;
 use contrecoup::scenario::library;
-use contrecoup::study::{solve, unwatched};
+use contrecoup::study::{FlagKind, solve, unwatched};
 use predicates::prelude::*;
 use predicates::str::{contains, is_empty};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
-
-fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("contrecoup").unwrap();
-    // A folder that does not exist: no test sees a person's presets.
-    command
-        .env("XDG_CONFIG_HOME", "/nonexistent")
-        .args(arguments);
-    command
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let output = program(arguments).arg("--json").output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
 
 #[test]
 fn the_readmes_command_prints_every_result() {
@@ -179,14 +166,45 @@ fn a_step_above_the_limit_is_refused_with_the_limit() {
 }
 
 #[test]
-fn every_preset_runs_with_a_small_step_error() {
+fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
+    let mut objects = 0;
     for preset in library::built_in() {
         let scenario = preset.scenario().unwrap();
         let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
-        assert!(answer.errors.time_step_percent() < 1.0, "{}", preset.name);
-        assert!(answer.errors.energy_balance < 0.1, "{}", preset.name);
-        assert!(answer.index.damage() > 0.0);
+        let name = preset.name;
+        let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
+        assert!(answer.index.damage() > 0.0, "{name}");
+        assert!(!kinds.contains(&FlagKind::EyeMissed), "{name}");
+        assert!(!kinds.contains(&FlagKind::EnergyImbalance), "{name}");
+        assert!(!kinds.contains(&FlagKind::DeepPenetration), "{name}");
+        if answer.case.blow.is_none() {
+            assert!(answer.errors.time_step_percent() < 1.0, "{name}");
+            assert!(answer.errors.energy_balance < 0.1, "{name}");
+            continue;
+        }
+        objects += 1;
+        let doubtful = [
+            FlagKind::MeshFolded,
+            FlagKind::NotPredictable,
+            FlagKind::Unconverged,
+        ];
+        let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
+        assert!(answer.errors.time_step_percent() < 1.5 || flagged, "{name}");
+        assert!(!answer.risks().is_empty(), "{name}");
+        let words = preset.text.unwrap();
+        assert!(words.starts_with("//"), "{name}");
+        for field in ["mass_g", "diameter_mm", "speed_m_s", "stiffness"] {
+            let line = words
+                .lines()
+                .position(|line| line.trim().starts_with(field));
+            let above = words.lines().nth(line.unwrap() - 1).unwrap();
+            assert!(
+                above.trim().starts_with("//"),
+                "{name}: {field} has no source"
+            );
+        }
     }
+    assert!(objects >= 16);
 }
 
 fn scratch(name: &str) -> (tempfile::TempDir, PathBuf) {

@@ -1,23 +1,11 @@
 //! `--tolerance`, `--mesh-error` and `accuracy` as a shell sees them.
 
-use assert_cmd::Command;
+mod common;
+
+use common::{json, program};
 use predicates::prelude::*;
 use predicates::str::contains;
 use serde_json::Value;
-
-fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("contrecoup").unwrap();
-    command
-        .env("XDG_CONFIG_HOME", "/nonexistent")
-        .args(arguments);
-    command
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let output = program(arguments).arg("--json").output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
 
 #[test]
 fn the_mesh_error_is_null_until_it_is_asked_for() {

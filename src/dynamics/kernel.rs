@@ -299,15 +299,37 @@ pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
 
 /// Name of the kernel that this machine runs.
 pub fn name(portable: bool) -> String {
-    let level = format!("{:?}", Level::new());
-    let level = level.split('(').next().unwrap_or(&level).to_lowercase();
-    let seeds = dispatch!(Level::new(), simd => lanes::seeds_pay(simd));
+    let level = Level::new();
+    let seeds = dispatch!(level, simd => lanes::seeds_pay(simd));
     let form = match (portable, seeds) {
         (true, _) => "sqrt and division",
         (false, false) => "fused, sqrt and division",
         (false, true) => "fused, f32 seed and Newton",
     };
-    format!("{level}, {form}")
+    format!("{}, {form}", vectors_name(level))
+}
+
+/// Name of a set of vectors.
+pub fn vectors_name(level: Level) -> String {
+    let level = format!("{level:?}");
+    level.split('(').next().unwrap_or(&level).to_lowercase()
+}
+
+/// Every set of vectors that this machine has, from the narrowest; a [`System`] takes the last.
+pub fn vector_sets() -> Vec<Level> {
+    let best = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let lesser = [
+        best.as_sse2().map(Level::Sse2),
+        best.as_avx2().map(Level::Avx2),
+    ];
+    #[cfg(not(target_arch = "x86_64"))]
+    let lesser = [None, None];
+    let width = |level: Level| dispatch!(level, simd => lanes::width(simd));
+    let mut sets: Vec<Level> = lesser.into_iter().flatten().collect();
+    sets.retain(|&level| width(level) < width(best));
+    sets.push(best);
+    sets
 }
 
 #[cfg(test)]
@@ -316,22 +338,6 @@ mod tests {
     use crate::dynamics::{ArcLoad, Pulse};
     use crate::eye::Eye;
     use crate::scenario::{Impact, Scenario};
-
-    /// Every set of vectors that this machine has.
-    fn levels() -> Vec<Level> {
-        let best = Level::new();
-        #[cfg(target_arch = "x86_64")]
-        return [
-            best.as_sse2().map(Level::Sse2),
-            best.as_avx2().map(Level::Avx2),
-            Some(best),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        #[cfg(not(target_arch = "x86_64"))]
-        vec![best]
-    }
 
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {
         let mut scenario = Scenario::default();
@@ -360,8 +366,8 @@ mod tests {
     #[test]
     fn vectors_of_every_width_move_the_eye_alike() {
         for (eye_level, whole) in [(1, true), (1, false), (2, false), (3, true)] {
-            let (narrow, survey) = moved(levels()[0], eye_level, whole, true);
-            for level in levels() {
+            let (narrow, survey) = moved(vector_sets()[0], eye_level, whole, true);
+            for level in vector_sets() {
                 let (state, _) = moved(level, eye_level, whole, true);
                 assert_eq!(narrow.x[..], state.x[..], "portable, {level:?}");
                 assert_eq!(narrow.vy[..], state.vy[..], "portable, {level:?}");

@@ -33,7 +33,7 @@ pub use contact::{Body, Contact};
 pub use coupled::{Coupled, Readings, needed};
 pub use fluid::{Fluid, PA_PER_MMHG, area};
 pub use integrator::Integrator;
-pub use kernel::{Survey, name as kernel_name};
+pub use kernel::{Survey, name as kernel_name, vector_sets, vectors_name};
 pub use load::{ArcLoad, Piece, Pulse, Segment};
 pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
 pub use state::State;

@@ -8,29 +8,58 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store, total};
+use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store, total, zeros};
 use super::state::{Scratch, State};
 use super::system::{LANES, Rows, System};
 use crate::eye::{Eye, SpringKind};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::collections::HashMap;
 
-/// All filaments of one hop count.
-#[derive(Debug, Clone)]
-pub(super) struct Filaments {
+/// Eight filaments of one hop count whose first ends lie side by side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Strip {
+    /// Gathered place of the first end of the first one.
+    first: usize,
     /// Distance along the ring between the two ends.
-    pub hop: usize,
-    /// First gathered place that owns a spring.
-    pub first: usize,
-    pub stiffness: Vec<f64>,
-    pub tension: Vec<f64>,
-    pub half_stiffness: Vec<f64>,
-    pub rest: Vec<f64>,
-    pub inverse_rest: Vec<f64>,
+    hop: usize,
+    /// Where the forces on the first ends go.
+    into: usize,
+}
+
+/// All filaments, strip by strip; what fills up a strip has stiffness 0.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Filaments {
+    strips: Vec<Strip>,
+    stiffness: Vec<f64>,
+    tension: Vec<f64>,
+    half_stiffness: Vec<f64>,
+    rest: Vec<f64>,
+    inverse_rest: Vec<f64>,
+}
+
+impl Filaments {
+    fn add(&mut self, strip: Strip) {
+        self.strips.push(strip);
+        let len = self.strips.len() * LANES;
+        for run in [
+            &mut self.stiffness,
+            &mut self.tension,
+            &mut self.half_stiffness,
+            &mut self.rest,
+            &mut self.inverse_rest,
+        ] {
+            run.resize(len, 0.0);
+        }
+    }
+
+    /// Springs that are computed.
+    pub fn count(&self) -> usize {
+        self.stiffness.iter().filter(|&&k| k > 0.0).count()
+    }
 }
 
 /// The ring of shell nodes, unrolled, with ghosts at both ends.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Ring {
     /// Where each gathered place is read, and the sign of its y.
     pub gather: Vec<(u32, f64)>,
@@ -41,13 +70,20 @@ pub(super) struct Ring {
     /// How many pairs of neighbours on the shell each pair in the run stands for, from the last
     /// ghost before the owned places on.
     pub neighbours: Vec<f64>,
-    pub filaments: Vec<Filaments>,
+    /// The hop counts.
+    pub hops: Vec<usize>,
+    pub filaments: Filaments,
 }
 
 impl Ring {
     /// Length of a run that every eight-lane access of the ring fits in.
     pub fn padded_len(&self) -> usize {
-        (self.gather.len() + self.ghosts).next_multiple_of(2 * LANES) + 4 * LANES
+        (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
+    }
+
+    /// Length of the runs of all hop counts, and of the space for a strip that is never read.
+    pub fn hops_len(&self) -> usize {
+        self.padded_len() * self.hops.len() + LANES
     }
 }
 
@@ -96,36 +132,50 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             rows.weight(eye.nodes[shell[at(g)]].grid.1)
         }
     };
-    let filaments = by_hop
-        .iter()
-        .map(|(hop, starts)| {
-            let first = ghosts - hop;
-            let len = (owned + hop).next_multiple_of(2 * LANES);
-            let mut f = Filaments {
+    let mut ring = Ring {
+        gather,
+        ghosts,
+        owned,
+        neighbours: Vec::new(),
+        hops: by_hop.iter().map(|(hop, _)| *hop).collect(),
+        filaments: Filaments::default(),
+    };
+    let run = ring.padded_len();
+    for (n, (hop, starts)) in by_hop.iter().enumerate() {
+        let first = ghosts - hop;
+        let place = ring.filaments.stiffness.len();
+        for o in (0..owned + hop).step_by(LANES) {
+            ring.filaments.add(Strip {
+                first: first + o,
                 hop: *hop,
-                first,
-                stiffness: vec![0.0; len],
-                tension: vec![0.0; len],
-                half_stiffness: vec![0.0; len],
-                rest: vec![0.0; len],
-                inverse_rest: vec![0.0; len],
-            };
-            for n in 0..owned + hop {
-                let spring = &eye.springs[starts[&at(first + n)]];
-                // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
-                let share = 0.5 * (weight(first + n) + weight(first + n + hop));
-                f.stiffness[n] = spring.stiffness;
-                f.tension[n] = spring.stiffness * spring.rest_length;
-                f.half_stiffness[n] = 0.5 * spring.stiffness * share;
-                f.rest[n] = spring.rest_length;
-                f.inverse_rest[n] = 1.0 / spring.rest_length;
-            }
-            f
-        })
-        .collect();
+                into: n * run + first + o,
+            });
+        }
+        let f = &mut ring.filaments;
+        for o in 0..owned + hop {
+            let spring = &eye.springs[starts[&at(first + o)]];
+            // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
+            let share = 0.5 * (weight(first + o) + weight(first + o + hop));
+            let (k, l) = (spring.stiffness, spring.rest_length);
+            f.stiffness[place + o] = k;
+            f.tension[place + o] = k * l;
+            f.half_stiffness[place + o] = 0.5 * k * share;
+            f.rest[place + o] = l;
+            f.inverse_rest[place + o] = 1.0 / l;
+        }
+    }
+    // The inverse roots come in pairs of vectors: the last strip may need a partner, which gives
+    // no forces and is never read.
+    if !ring.filaments.strips.len().is_multiple_of(2) {
+        ring.filaments.add(Strip {
+            first: 0,
+            hop: 1,
+            into: by_hop.len() * run,
+        });
+    }
     // An eye without a shell has no pairs.
     let pairs = if ghosts == 0 { 0 } else { owned + 1 };
-    let neighbours = (0..pairs.next_multiple_of(LANES))
+    ring.neighbours = (0..pairs.next_multiple_of(LANES))
         .map(|n| {
             if n < pairs {
                 let g = ghosts - 1 + n;
@@ -135,13 +185,7 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             }
         })
         .collect();
-    Ring {
-        gather,
-        ghosts,
-        owned,
-        neighbours,
-        filaments,
-    }
+    ring
 }
 
 /// Length of the closed shell as it was last gathered, in m.
@@ -177,37 +221,27 @@ pub(super) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
         *to_x = x[slot as usize];
         *to_y = sign * y[slot as usize];
     }
-    let run = ring.padded_len();
-    for (n, filaments) in ring.filaments.iter().enumerate() {
-        filament_forces::<S, QUICK, SURVEY>(simd, system, filaments, n * run, s, sums);
-    }
+    filament_forces::<S, QUICK, SURVEY>(simd, system, s, sums);
     let (extra_x, extra_y): (&mut [f64], &mut [f64]) = (&mut s.extra_x, &mut s.extra_y);
     let (hop_fx, hop_fy): (&[f64], &[f64]) = (&s.hop_fx, &s.hop_fy);
+    let run = ring.padded_len();
     let owned = &ring.gather[ring.ghosts..ring.ghosts + ring.owned];
-    if ring.filaments.is_empty() {
-        for &(slot, _) in owned {
-            (extra_x[slot as usize], extra_y[slot as usize]) = (0.0, 0.0);
+    for (o, places) in owned.chunks(V::<S>::LEN).enumerate() {
+        let on_first = ring.ghosts + o * V::<S>::LEN;
+        let mut total = zeros(simd);
+        for (n, hop) in ring.hops.iter().enumerate() {
+            let pulled = load_pair(simd, hop_fx, hop_fy, n * run + on_first);
+            let pulling = load_pair(simd, hop_fx, hop_fy, n * run + on_first - hop);
+            total.0 += pulled.0 - pulling.0;
+            total.1 += pulled.1 - pulling.1;
         }
-    }
-    // One by one: a vector read across two vectors just written would wait for both.
-    for (n, filaments) in ring.filaments.iter().enumerate() {
-        let on_a = n * run + ring.ghosts;
-        let on_b = on_a - filaments.hop;
-        let pulled = hop_fx[on_a..][..ring.owned]
+        for ((&(slot, _), x), y) in places
             .iter()
-            .zip(&hop_fy[on_a..][..ring.owned]);
-        let pulling = hop_fx[on_b..][..ring.owned]
-            .iter()
-            .zip(&hop_fy[on_b..][..ring.owned]);
-        for ((&(slot, _), a), b) in owned.iter().zip(pulled).zip(pulling) {
-            let slot = slot as usize;
-            let (x, y) = (a.0 - b.0, a.1 - b.1);
-            if n == 0 {
-                (extra_x[slot], extra_y[slot]) = (x, y);
-            } else {
-                extra_x[slot] += x;
-                extra_y[slot] += y;
-            }
+            .zip(total.0.as_slice())
+            .zip(total.1.as_slice())
+        {
+            extra_x[slot as usize] = *x;
+            extra_y[slot as usize] = *y;
         }
     }
     for &(slot, px, py) in &system.load().shares {
@@ -216,27 +250,27 @@ pub(super) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
     }
 }
 
-/// Forces of the filaments of one hop count on their first ends, into the run that starts at `into`.
+/// Forces of all filaments on their first ends.
 #[inline(always)]
 fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
     simd: S,
     system: &System,
-    f: &Filaments,
-    into: usize,
     s: &mut Scratch,
     sums: &mut Sums<S>,
 ) {
+    let f = &system.ring.filaments;
     let shortest = splat(simd, system.shortest_squared);
     let width = V::<S>::LEN;
     let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
     let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
-    // Two vectors at a time, as the inverse roots come in pairs; the runs are padded to suit.
+    // Two vectors at a time, as the inverse roots come in pairs.
     for o in (0..f.stiffness.len()).step_by(2 * width) {
         let springs = [o, o + width].map(|o| {
-            let a = f.first + o;
+            let strip = &f.strips[o / LANES];
+            let a = strip.first + o % LANES;
             Springs::<S>::new::<QUICK>(
                 load_pair(simd, ring_x, ring_y, a),
-                load_pair(simd, ring_x, ring_y, a + f.hop),
+                load_pair(simd, ring_x, ring_y, a + strip.hop),
                 shortest,
             )
         });
@@ -253,8 +287,9 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
                     load(simd, &f.inverse_rest, o),
                 );
             }
-            store::<S>(hop_fx, into + f.first + o, fx);
-            store::<S>(hop_fy, into + f.first + o, fy);
+            let into = f.strips[o / LANES].into + o % LANES;
+            store::<S>(hop_fx, into, fx);
+            store::<S>(hop_fy, into, fy);
         }
     }
 }

@@ -156,8 +156,8 @@ impl RungeKutta {
     }
 
     /// Sets `state` to `start` plus `h` times the weighted rates.
-    fn combine(&self, state: &mut State, start: &State, weights: &[f64], h: f64) {
-        state.copy_motion(start);
+    fn combine(&self, system: &System, state: &mut State, start: &State, weights: &[f64], h: f64) {
+        state.copy_motion(system, start);
         state.work = start.work;
         state.dissipated = start.dissipated;
         for (weight, rates) in weights.iter().zip(&self.rates) {
@@ -191,12 +191,12 @@ impl RungeKutta {
     ) -> Survey {
         let pulse = system.load().pulse;
         for stage in 1..self.tableau.nodes.len() {
-            self.combine(state, start, self.tableau.stages[stage], h);
+            self.combine(system, state, start, self.tableau.stages[stage], h);
             let force = pulse.force(piece, start.time + self.tableau.nodes[stage] * h);
             kernel::evaluate(system, state, force, 0.0);
             self.take_rates(stage, system, state, force);
         }
-        self.combine(state, start, self.tableau.weights, h);
+        self.combine(system, state, start, self.tableau.weights, h);
         let force = pulse.force(piece, start.time + h);
         let survey = kernel::evaluate(system, state, force, 0.0);
         self.take_rates(self.tableau.nodes.len(), system, state, force);

@@ -51,7 +51,7 @@ impl State {
         let len = system.rest_x.len();
         let zeros = || Aligned::zeros(len);
         let ring = || Aligned::zeros(system.ring.padded_len());
-        let hops = || Aligned::zeros(system.ring.padded_len() * system.ring.filaments.len());
+        let hops = || Aligned::zeros(system.ring.hops_len());
         Self {
             time: 0.0,
             x: system.rest_x.clone(),
@@ -105,15 +105,21 @@ impl State {
         }
     }
 
-    /// Takes over the time, positions, velocities and accelerations of `other`.
-    pub fn copy_motion(&mut self, other: &Self) {
+    /// Takes over the time, positions, velocities and accelerations of `other`, a state of the same
+    /// `system`.
+    pub fn copy_motion(&mut self, system: &System, other: &Self) {
         self.time = other.time;
-        self.x.copy_from_slice(&other.x);
-        self.y.copy_from_slice(&other.y);
-        self.vx.copy_from_slice(&other.vx);
-        self.vy.copy_from_slice(&other.vy);
-        self.ax.copy_from_slice(&other.ax);
-        self.ay.copy_from_slice(&other.ay);
+        let moved = system.first_row * system.stride..;
+        for (to, from) in [
+            (&mut self.x, &other.x),
+            (&mut self.y, &other.y),
+            (&mut self.vx, &other.vx),
+            (&mut self.vy, &other.vy),
+            (&mut self.ax, &other.ax),
+            (&mut self.ay, &other.ay),
+        ] {
+            to[moved.clone()].copy_from_slice(&from[moved.clone()]);
+        }
         self.readings = other.readings;
     }
 

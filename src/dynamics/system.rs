@@ -140,13 +140,7 @@ impl System {
             mirror_row: rows.mirror,
             groups: vec![EMPTY_GROUP; (side + 1) * stride / LANES],
             survey: vec![EMPTY_SURVEY; (side + 1) * stride / LANES],
-            ring: Ring {
-                gather: Vec::new(),
-                ghosts: 0,
-                neighbours: Vec::new(),
-                owned: 0,
-                filaments: Vec::new(),
-            },
+            ring: Ring::default(),
             shortest_squared: shortest_squared(eye),
             rest_x: Aligned::zeros((side + 1) * stride + LANES),
             rest_y: Aligned::zeros((side + 1) * stride + LANES),
@@ -169,12 +163,7 @@ impl System {
         system.set_level(Level::new());
         system.put_quads(eye, &rows);
         system.ring = ring::compile(eye, &rows);
-        system.springs_per_evaluation += system
-            .ring
-            .filaments
-            .iter()
-            .map(|f| f.stiffness.iter().filter(|&&k| k > 0.0).count())
-            .sum::<usize>();
+        system.springs_per_evaluation += system.ring.filaments.count();
         for &(node, share) in &load.shares {
             let place = rows.place(eye.nodes[node].grid);
             if !place.mirrored {
@@ -259,8 +248,8 @@ impl System {
         }
     }
 
-    /// Takes the machine's vectors and finds those that hold a moving node or a spring.
-    pub(super) fn set_level(&mut self, level: Level) {
+    /// Takes a set of the machine's vectors and finds those that hold a moving node or a spring.
+    pub fn set_level(&mut self, level: Level) {
         self.level = level;
         let width = dispatch!(level, simd => lanes::width(simd));
         let busy = |slot: usize| {

@@ -69,6 +69,15 @@ impl Path {
         }
     }
 
+    /// The path as seen from a node on `other`, over the same step.
+    fn relative_to(self, other: &Self) -> Self {
+        Self {
+            origin: Point2::from(self.origin - other.origin),
+            coefficients: std::array::from_fn(|i| self.coefficients[i] - other.coefficients[i]),
+            duration: self.duration,
+        }
+    }
+
     /// Position at share `s` of the step, in m.
     pub fn position(&self, s: f64) -> Point2<f64> {
         let [c1, c2, c3, c4, c5] = self.coefficients;
@@ -89,16 +98,25 @@ impl Path {
     }
 }
 
-/// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan, then parabolas
-/// through the best three points.
-pub fn maximum(scan: usize, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
-    let spacing = 1.0 / scan as f64;
-    let samples: Vec<f64> = (0..=scan).map(|i| f(i as f64 * spacing)).collect();
-    let best = (0..=scan)
-        .max_by(|&i, &j| samples[i].total_cmp(&samples[j]))
-        .unwrap_or(0);
+/// Most points of a scan.
+pub const MOST_POINTS: usize = 24;
+
+/// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan of `points` intervals,
+/// at most [`MOST_POINTS`], then parabolas through the best three points, unless these stay at or
+/// below `floor`.
+pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
+    let points = points.min(MOST_POINTS);
+    let spacing = 1.0 / points as f64;
+    let mut samples = [f64::NEG_INFINITY; MOST_POINTS + 1];
+    let mut best = 0;
+    for i in 0..=points {
+        samples[i] = f(i as f64 * spacing);
+        if samples[i] >= samples[best] {
+            best = i;
+        }
+    }
     let mut top = (samples[best], best as f64 * spacing);
-    if best == 0 || best == scan {
+    if best == 0 || best == points || top.0 <= floor {
         return top;
     }
     let (mut left, mut mid, mut right) = (samples[best - 1], samples[best], samples[best + 1]);
@@ -108,18 +126,26 @@ pub fn maximum(scan: usize, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
         if bend >= 0.0 {
             break;
         }
-        let shift = (0.5 * (left - right) / bend).clamp(-1.0, 1.0) * reach;
+        let slope = left - right;
+        let shift = (0.5 * slope / bend).clamp(-1.0, 1.0) * reach;
         centre += shift;
         reach *= 0.25;
         mid = f(centre);
-        left = f((centre - reach).max(0.0));
-        right = f((centre + reach).min(1.0));
         if mid > top.0 {
             top = (mid, centre);
         }
+        // What the last parabola promised to gain is what the next may be wrong by.
+        if slope * slope < -GAIN_LEFT * bend * top.0.abs() {
+            break;
+        }
+        left = f((centre - reach).max(0.0));
+        right = f((centre + reach).min(1.0));
     }
     top
 }
+
+/// Refinement ends when a parabola gains less than an eighth of this share.
+const GAIN_LEFT: f64 = 1e-7;
 
 /// The resultant of everything that acts on one node.
 #[derive(Debug, Clone)]
@@ -129,6 +155,8 @@ pub struct NodeForce {
     drag: f64,
     /// Other end, stiffness, rest length.
     springs: Vec<(usize, f64, f64)>,
+    /// The other ends' paths relative to the node's own; kept so that no step allocates.
+    others: Vec<Path>,
     /// Force per N of load.
     load: Vector2<f64>,
 }
@@ -136,7 +164,7 @@ pub struct NodeForce {
 impl NodeForce {
     /// Everything that acts on node `node` of `eye`; `load` is its share of the load's unit force.
     pub fn new(eye: &Eye, node: usize, load: Vector2<f64>) -> Self {
-        let springs = eye
+        let springs: Vec<_> = eye
             .springs
             .iter()
             .filter(|s| s.a == node || s.b == node)
@@ -146,6 +174,7 @@ impl NodeForce {
             node,
             mass: eye.nodes[node].mass,
             drag: eye.nodes[node].drag,
+            others: Vec::with_capacity(springs.len()),
             springs,
             load,
         }
@@ -165,25 +194,27 @@ impl NodeForce {
             .fold(0.0, f64::max)
     }
 
-    /// Largest force within a step by the load law `piece`, in N, and when, in s.
+    /// Largest force within a step by the load law `piece`, in N, and when, in s: a scan of
+    /// `points` intervals, refined if it finds more than `floor`.
     pub fn largest(
-        &self,
+        &mut self,
         system: &System,
         (before, after): (&State, &State),
         piece: Piece,
-        scan: usize,
+        (points, floor): (usize, f64),
     ) -> Peak {
         let path = |node| Path::between(system, before, after, node);
         let own = path(self.node);
-        let others: Vec<Path> = self.springs.iter().map(|s| path(s.0)).collect();
+        self.others.clear();
+        self.others
+            .extend(self.springs.iter().map(|s| path(s.0).relative_to(&own)));
         let pulse = system.load().pulse;
         let h = after.time - before.time;
-        let (value, share) = maximum(scan, |s| {
-            let here = own.position(s);
+        let (value, share) = maximum(points, floor, |s| {
             let force = pulse.force(piece, before.time + s * h);
             let mut sum = self.load * force - own.velocity(s) * self.drag;
-            for ((_, k, rest), other) in self.springs.iter().zip(&others) {
-                let d = other.position(s) - here;
+            for ((_, k, rest), other) in self.springs.iter().zip(&self.others) {
+                let d = other.position(s).coords;
                 let length = d.norm();
                 if length > 0.0 {
                     sum += d * (k * (1.0 - rest / length));
@@ -205,8 +236,9 @@ mod tests {
     #[test]
     fn the_maximum_of_a_smooth_curve_is_found_between_samples() {
         for top in [0.13, 0.5, 0.81] {
-            let (value, share) =
-                maximum(8, |s| 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3));
+            let (value, share) = maximum(8, 0.0, |s| {
+                2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3)
+            });
             assert!((share - top).abs() < 1e-4, "{share}");
             assert!((value - 2.0).abs() < 1e-8);
         }
@@ -214,7 +246,7 @@ mod tests {
 
     #[test]
     fn a_monotonic_curve_has_its_maximum_at_an_end() {
-        assert_eq!(maximum(8, |s| s), (1.0, 1.0));
-        assert_eq!(maximum(8, |s| -s), (0.0, 0.0));
+        assert_eq!(maximum(8, 0.0, |s| s), (1.0, 1.0));
+        assert_eq!(maximum(8, 0.0, |s| -s), (0.0, 0.0));
     }
 }

@@ -69,6 +69,8 @@ pub struct Growth {
     /// Largest growth, in m; 0 if it never grows.
     pub peak: Peak,
     rising: bool,
+    /// Rate of change at the last step end, if it was needed.
+    last_rate: Option<f64>,
 }
 
 impl Growth {
@@ -81,6 +83,7 @@ impl Growth {
             last: 0.0,
             peak: Peak::floor(0.0),
             rising: false,
+            last_rate: None,
         }
     }
 
@@ -109,19 +112,22 @@ impl Growth {
         self.rising = now > self.peak.value;
         self.peak.offer(now, after.time);
         let near = NEAR * self.peak.value;
-        if self.peak.value > 0.0 && earlier.max(now) >= near && self.turns(system, before, after) {
-            self.search(system, before, after);
+        let earlier_rate = self.last_rate.take();
+        if self.peak.value > 0.0 && earlier.max(now) >= near {
+            let rate = self.rate(system, after);
+            self.last_rate = Some(rate);
+            let was_rising = || earlier_rate.unwrap_or_else(|| self.rate(system, before)) > 0.0;
+            if rate < 0.0 && was_rising() {
+                self.search(system, before, after);
+            }
         }
     }
 
-    fn turns(&self, system: &System, before: &State, after: &State) -> bool {
-        let rate = |state: &State| {
-            self.measure.rate(
-                |n| state.position(system.place(n)),
-                |n| state.velocity(system.place(n)),
-            )
-        };
-        rate(before) > 0.0 && rate(after) < 0.0
+    fn rate(&self, system: &System, state: &State) -> f64 {
+        self.measure.rate(
+            |n| state.position(system.place(n)),
+            |n| state.velocity(system.place(n)),
+        )
     }
 
     fn search(&mut self, system: &System, before: &State, after: &State) {
@@ -139,7 +145,7 @@ impl Growth {
             }),
             Measure::MeanX(nodes) => nodes.iter().copied().for_each(want),
         }
-        let (value, share) = maximum(SCAN, |s| {
+        let (value, share) = maximum(SCAN, f64::NEG_INFINITY, |s| {
             self.measure
                 .value(|n| paths[n].map_or_else(Point2::origin, |p| p.position(s)))
         });

@@ -9,11 +9,17 @@ use super::{Extremes, Recording, Traces};
 use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
 use crate::eye::Eye;
 use nalgebra::Vector2;
+use std::f64::consts::TAU;
 
-/// Points tried within a step for the peak of a node force.
-const SCAN: usize = 12;
+/// Points tried for the peak of a node force in each of the mesh's shortest periods, and the fewest
+/// within a step.
+const POINTS_PER_PERIOD: f64 = 9.0;
+const FEWEST_POINTS: usize = 4;
+/// The best of these points is refined if it comes this close to the largest force so far: between
+/// two of them no oscillation of the mesh rises by more.
+const CLOSE: f64 = 0.9;
 /// A step is searched if its guessed force comes this close to the largest so far.
-const NEAR: f64 = 0.6;
+const NEAR: f64 = 0.75;
 /// A step whose ends are both below this share of the largest force is not looked into.
 const FAR: f64 = 0.3;
 /// No quad of springs strained by less than this can turn inside out.
@@ -221,7 +227,7 @@ impl Recorder {
 impl Observer for Recorder {
     fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         self.look(system, state, piece, survey);
-        self.before.copy_motion(state);
+        self.before.copy_motion(system, state);
         if let Some(frames) = &mut self.frames {
             frames.begin(system, state);
         }
@@ -235,9 +241,11 @@ impl Observer for Recorder {
         self.apex.step(system, &self.before, state, None);
         let before = self.last_forces;
         self.look(system, state, piece, survey);
+        let periods = system.omega_bound() * (state.time - self.before.time) / TAU;
+        let points = ((POINTS_PER_PERIOD * periods).ceil() as usize).max(FEWEST_POINTS);
         for ((monitor, peak), (earlier, now)) in self
             .monitors
-            .iter()
+            .iter_mut()
             .zip(&mut self.forces)
             .zip(before.into_iter().zip(self.last_forces))
         {
@@ -247,13 +255,14 @@ impl Observer for Recorder {
             }
             let guess = monitor.guess(system, &self.before, state).max(ends);
             if guess > NEAR * peak.value && guess > 0.0 {
-                let found = monitor.largest(system, (&self.before, state), piece, SCAN);
+                let step = (&self.before, state);
+                let found = monitor.largest(system, step, piece, (points, CLOSE * peak.value));
                 peak.offer(found.value, found.time);
             }
         }
         if let Some(frames) = &mut self.frames {
             frames.step(system, (&self.before, state), piece);
         }
-        self.before.copy_motion(state);
+        self.before.copy_motion(system, state);
     }
 }

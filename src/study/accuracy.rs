@@ -7,6 +7,7 @@
 //! mesh error.
 
 use super::case::{Case, Refusal, Watch};
+use super::median::median;
 use super::mesh_error::at_level;
 use super::quantity::{PerQuantity, difference_percent, headline, values};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
@@ -90,11 +91,6 @@ pub struct Accuracy {
     pub omega_bound: f64,
     /// Whether the mesh folded in the reference: then nothing here is a promise.
     pub folded: bool,
-}
-
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
 }
 
 fn plans(case: &Case) -> Vec<Plan> {

@@ -12,8 +12,9 @@ use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes.
 const AUTO: Integrator = Integrator::Srkn6b;
-/// The share of its stability limit that the automatic step takes, which leaves room for a second,
-/// coarser run that gives the error.
+/// The share of its stability limit that the step of one run alone takes, unless another is asked for.
+pub(super) const LONE_SHARE: f64 = 0.95;
+/// The share of an automatic answer, which leaves room for a second, coarser run that gives the error.
 pub(super) const AUTO_SHARE: f64 = 0.8;
 
 /// The same for scenes with a projectile, a fluid or dashpots, whose method is of second order.
@@ -181,7 +182,7 @@ impl Case {
         }
     }
 
-    /// The integrator that `Auto` takes, and the share of its stability limit.
+    /// The integrator that `Auto` takes, and the share of its stability limit for an answer.
     pub(super) fn automatic(&self) -> (Integrator, f64) {
         if self.system.coupled().is_some() {
             (Integrator::VelocityVerlet, COUPLED_SHARE)
@@ -201,7 +202,8 @@ impl Case {
         }
     }
 
-    /// The integrator and step that a scenario asks for, or the automatic ones.
+    /// The integrator and step that a scenario asks for, or those of one run alone: a batch and a
+    /// mesh error take them as they are, an answer with its step error takes a shorter step.
     ///
     /// # Errors
     /// Refuses a step above the stability limit.
@@ -230,7 +232,8 @@ impl Case {
                 });
             }
             Some(step_us) => step_us * 1e-6,
-            None => self.automatic().1 * limit,
+            None if self.system.coupled().is_some() => COUPLED_SHARE * limit,
+            None => LONE_SHARE * limit,
         };
         let plan = Plan {
             integrator,

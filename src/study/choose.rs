@@ -6,7 +6,7 @@
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
 use super::case::{Case, Refusal, Watch};
-use super::mesh_error::{at_level, between};
+use super::mesh_error::{at_level, between, rescaled};
 use super::quantity::Quantity;
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
@@ -87,26 +87,13 @@ pub fn within(
             mesh[DAMAGE]
         ));
         // The same run in terms of its own node mass.
-        (results, folded) = (rescaled(&finer_like_this, &case, &finer_case), finer_folded);
+        (results, folded) = (rescaled(finer_like_this, &case, &finer_case), finer_folded);
         case = finer_case;
     }
     Err(Refusal::ToleranceNotMet {
         percent,
         reason: format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %"),
     })
-}
-
-/// Node forces in terms of the node mass of `to` instead of `from`.
-fn rescaled(results: &super::PerQuantity, from: &Case, to: &Case) -> super::PerQuantity {
-    let mass = |case: &Case| case.eye.nodes[case.eye.landmarks.monitors[0]].mass;
-    let ratio = mass(to) / mass(from);
-    let mut out = *results;
-    for (value, quantity) in out.iter_mut().zip(Quantity::ALL) {
-        if matches!(quantity, Quantity::Force(_)) {
-            *value *= ratio;
-        }
-    }
-    out
 }
 
 /// The cheapest step on `case` whose damage error is at most `percent`.

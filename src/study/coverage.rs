@@ -6,6 +6,7 @@
 
 use super::case::{Refusal, unwatched};
 use super::flags::FlagKind;
+use super::median::median;
 use super::quantity::{PerQuantity, Quantity, difference_percent, values};
 use super::solve::solve;
 use crate::dynamics::Plan;
@@ -146,12 +147,6 @@ fn check_one(index: u32, seed: u32) -> Result<Checked, Refusal> {
         ),
         folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
     })
-}
-
-/// The upper one of the two in the middle, if there are two.
-fn median(mut of: Vec<f64>) -> f64 {
-    of.sort_by(f64::total_cmp);
-    of.get(of.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// A true error that is not a number holds no promise.

@@ -49,14 +49,23 @@ fn with_mass(
     let case = Case::new(&other);
     let plan = case.plan(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
-    let ratio = mass / node_mass(&case);
-    let mut results = values(&solution.recording.extremes);
+    let extremes = &solution.recording.extremes;
+    let results = with_forces_times(values(extremes), mass / node_mass(&case));
+    Ok((results, extremes.folded_at))
+}
+
+/// `results` of `from` in terms of the node mass of `to`.
+pub(super) fn rescaled(results: PerQuantity, from: &Case, to: &Case) -> PerQuantity {
+    with_forces_times(results, node_mass(to) / node_mass(from))
+}
+
+fn with_forces_times(mut results: PerQuantity, ratio: f64) -> PerQuantity {
     for (value, quantity) in results.iter_mut().zip(Quantity::ALL) {
         if matches!(quantity, Quantity::Force(_)) {
             *value *= ratio;
         }
     }
-    Ok((results, solution.recording.extremes.folded_at))
+    results
 }
 
 /// Mesh error in % of each result at `level`, from the results of a neighbouring level.

@@ -10,6 +10,7 @@ pub mod ensemble;
 pub mod experiments;
 mod flags;
 pub mod hard_cases;
+mod median;
 mod mesh_error;
 pub mod ordered;
 pub mod outputs;
@@ -23,6 +24,7 @@ pub mod validate;
 
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
+pub use median::median;
 pub use mesh_error::{FINEST_LEVEL, MeshError, MeshQuery, add_mesh_error};
 pub use quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 pub use solve::{Answer, Errors, solve};

@@ -5,7 +5,7 @@
 //! finer run, and (1 - r^-p) times that of the coarser. Peaks do not always follow the order, so the
 //! estimate is multiplied by a safety factor.
 
-use super::case::{AUTO_SHARE, Case, Refusal, Solution, Watch};
+use super::case::{AUTO_SHARE, Case, LONE_SHARE, Refusal, Solution, Watch};
 use super::flags::{self, Flag};
 use super::quantity::{PerQuantity, Quantity, difference_percent, headline, values};
 use crate::dynamics::{Cost, Plan, Pulse};
@@ -18,15 +18,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Share of the stability limit that the coarser of two runs may take.
-const COARSEST_SHARE: f64 = 0.95;
-/// The same for scenes with a projectile, a fluid or dashpots, for which first order is assumed where
-/// order two is mostly seen: the stated errors are then 2 to 50 times the true ones.
+/// For scenes with a projectile, a fluid or dashpots, for which first order is assumed where order
+/// two is mostly seen: the stated errors are then 2 to 50 times the true ones.
 const COUPLED_SAFETY: f64 = 2.0;
 /// No result of such a scene is claimed to be better than this share of the worst.
 const COUPLED_KINSHIP: f64 = 0.1;
-/// Ratio of the two steps: the coarsest against the automatic one.
-const RATIO: f64 = COARSEST_SHARE / AUTO_SHARE;
+/// Ratio of the two steps: the longest that one run takes against the automatic one.
+const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
 /// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
 const COUPLED_RATIO: f64 = 2.0;
 /// Multiplies the estimate, because peaks do not always follow the order. With 5, and [`KINSHIP`], the
@@ -39,6 +37,8 @@ const SAFETY: f64 = 5.5;
 const KINSHIP: f64 = 0.03;
 /// Step error that an automatic step is shortened for, in %.
 const AUTO_PERCENT: f64 = 1.0;
+/// Energy residual that it is shortened for, folded or not, in %.
+const AUTO_BALANCE_PERCENT: f64 = 0.5;
 /// How often it is shortened, at most to a half each time: a person waits, and what is left is flagged.
 const MOST_ATTEMPTS: usize = 3;
 /// No result is claimed to be better than this, in %: rounding and the search for peaks end here.
@@ -130,21 +130,40 @@ pub(super) fn solve_case(
 ) -> Result<Answer, Refusal> {
     let begun = Instant::now();
     let mut plan = case.plan(scenario)?;
-    let mut solved = measured(&case, &plan, keep, watch)?;
-    if scenario.numerics.step_us.is_none() {
-        for _ in 0..MOST_ATTEMPTS {
-            let error = headline(&solved.errors.time_step);
-            if error <= AUTO_PERCENT || solved.recording.extremes.folded_at.is_some() {
-                break;
-            }
-            let order = f64::from(case.order(plan.integrator));
-            plan.step *= (0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8);
-            solved = measured(&case, &plan, keep, watch)?;
-        }
+    let automatic = scenario.numerics.step_us.is_none();
+    if automatic {
+        plan.step = case.automatic().1 * case.step_limit(plan.integrator);
     }
+    let mut attempts = if automatic { MOST_ATTEMPTS } else { 0 };
+    let solved = loop {
+        let shorter = match measured(&case, &plan, keep, watch) {
+            Ok(solved) => match shorter(&case, &plan, &solved) {
+                Some(share) if attempts > 0 => share,
+                _ => break solved,
+            },
+            // The bound of the step is for the mesh as it was built; crushed, it can be stiffer.
+            Err(Refusal::Diverged(_)) if attempts > 0 => 0.5,
+            Err(refusal) => return Err(refusal),
+        };
+        plan.step *= shorter;
+        attempts -= 1;
+    };
     let mut answer = finish(case, plan, solved);
     answer.total_time = begun.elapsed();
     Ok(answer)
+}
+
+/// The share of its step that a run should have taken; none if it was good enough.
+fn shorter(case: &Case, plan: &Plan, solved: &Measured) -> Option<f64> {
+    let error = headline(&solved.errors.time_step);
+    if solved.errors.energy_balance > AUTO_BALANCE_PERCENT {
+        Some(0.5)
+    } else if error > AUTO_PERCENT && solved.solution.recording.extremes.folded_at.is_none() {
+        let order = f64::from(case.order(plan.integrator));
+        Some((0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8))
+    } else {
+        None
+    }
 }
 
 /// Answers `case` by exactly `plan`.
@@ -163,9 +182,7 @@ pub(super) fn solve_by(
 
 /// A run and its step error.
 struct Measured {
-    recording: Recording,
-    cost: Cost,
-    simulated: f64,
+    solution: Solution,
     errors: Errors,
     /// Largest difference between the leading results of the two runs, in %.
     disagreement: f64,
@@ -196,12 +213,9 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         let second = other.join().unwrap_or(Err(Refusal::Cancelled));
         (first, second, time)
     });
-    let Solution {
-        recording,
-        cost,
-        simulated,
-    } = first?;
-    let results = values(&recording.extremes);
+    let solution = first?;
+    let extremes = &solution.recording.extremes;
+    let results = values(extremes);
     let difference = difference_percent(&values(&second?.recording.extremes), &results);
     let disagreement = headline(&difference);
     let stated = std::array::from_fn(|i| {
@@ -219,12 +233,10 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
             akin(stated)
         },
         mesh: None,
-        energy_balance: 100.0 * recording.extremes.energy_residual,
+        energy_balance: 100.0 * extremes.energy_residual,
     };
     Ok(Measured {
-        recording,
-        cost,
-        simulated,
+        solution,
         errors,
         disagreement,
         time,
@@ -234,14 +246,17 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
 
 fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
     let Measured {
-        recording,
-        cost,
-        simulated,
+        solution,
         errors,
         disagreement,
         time,
         total_time,
     } = solved;
+    let Solution {
+        recording,
+        cost,
+        simulated,
+    } = solution;
     let flags = flags::raise(
         &recording.extremes,
         errors.time_step_percent(),
@@ -298,7 +313,7 @@ fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
         ..*plan
     };
     // A coarser run is cheaper, but tells nothing if short segments take the same steps.
-    let coarser_tells = coarser.step <= COARSEST_SHARE * limit * (1.0 + 1e-9)
+    let coarser_tells = coarser.step <= LONE_SHARE * limit * (1.0 + 1e-9)
         && !pulse
             .segments(plan.window)
             .iter()
