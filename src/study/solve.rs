@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Ratio of the two steps: the longest that one run takes against the automatic one.
+/// Ratio of the two steps: the longest that a run takes against the automatic one.
 const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
 /// Multiplies the estimate, because peaks do not always follow the order. With 5, and [`KINSHIP`], the
 /// stated errors hold in more than 95 % of random scenes for each result and are 5 to 9 times the
@@ -113,12 +113,8 @@ pub(super) fn solve_case(
 ) -> Result<Answer, Refusal> {
     let begun = Instant::now();
     let mut plan = case.plan(scenario)?;
-    let automatic = scenario.numerics.step_us.is_none();
-    if automatic {
-        plan.step /= RATIO;
-    }
     let mut solved = measured(&case, &plan, keep, watch)?;
-    if automatic {
+    if scenario.numerics.step_us.is_none() {
         for _ in 0..MOST_ATTEMPTS {
             let error = headline(&solved.errors.time_step);
             if error <= AUTO_PERCENT || solved.solution.recording.extremes.folded_at.is_some() {
