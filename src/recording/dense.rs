@@ -98,7 +98,10 @@ impl Path {
     }
 }
 
-/// Most points of a scan.
+/// Refinement ends when a parabola gains less than an eighth of this share.
+const GAIN_LEFT: f64 = 1e-7;
+
+/// Most intervals of a scan.
 pub const MOST_POINTS: usize = 24;
 
 /// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan of `points` intervals,
@@ -143,9 +146,6 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
     }
     top
 }
-
-/// Refinement ends when a parabola gains less than an eighth of this share.
-const GAIN_LEFT: f64 = 1e-7;
 
 /// The resultant of everything that acts on one node.
 #[derive(Debug, Clone)]

@@ -11,9 +11,9 @@ use crate::eye::Eye;
 use nalgebra::Vector2;
 use std::f64::consts::TAU;
 
-/// Points tried for the peak of a node force in each of the mesh's shortest periods, and the fewest
-/// within a step.
+/// Points tried for the peak of a node force in each of the mesh's shortest periods.
 const POINTS_PER_PERIOD: f64 = 9.0;
+/// The fewest points within a step.
 const FEWEST_POINTS: usize = 4;
 /// The best of these points is refined if it comes this close to the largest force so far: between
 /// two of them no oscillation of the mesh rises by more.

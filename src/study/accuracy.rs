@@ -241,7 +241,7 @@ fn measure_level(
     other.eye.level = level;
     other.numerics = crate::scenario::NumericsInput::default();
     let case = Case::new(&other);
-    let plan = case.plan(&other)?;
+    let plan = case.plan_alone(&other)?;
     let rounds = if level < 3 { 3 } else { 1 };
     let mut times = Vec::new();
     let mut evaluations = 0;

@@ -25,7 +25,7 @@ pub struct Outcome {
 /// As for any run.
 pub fn solve_one(scenario: &Scenario) -> Result<Outcome, Refusal> {
     let case = Case::new(scenario);
-    let plan = case.plan(scenario)?;
+    let plan = case.plan_alone(scenario)?;
     let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
     let extremes = &solution.recording.extremes;
     Ok(Outcome {

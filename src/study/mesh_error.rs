@@ -47,7 +47,7 @@ fn with_mass(
         ..NumericsInput::default()
     };
     let case = Case::new(&other);
-    let plan = case.plan(&other)?;
+    let plan = case.plan_alone(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
     let extremes = &solution.recording.extremes;
     let results = with_forces_times(values(extremes), mass / node_mass(&case));

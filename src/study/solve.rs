@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 const COUPLED_SAFETY: f64 = 2.0;
 /// No result of such a scene is claimed to be better than this share of the worst.
 const COUPLED_KINSHIP: f64 = 0.1;
-/// Ratio of the two steps: the longest that one run takes against the automatic one.
+/// Ratio of the two steps: the longest that a run takes against the automatic one.
 const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
 /// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
 const COUPLED_RATIO: f64 = 2.0;
@@ -131,9 +131,6 @@ pub(super) fn solve_case(
     let begun = Instant::now();
     let mut plan = case.plan(scenario)?;
     let automatic = scenario.numerics.step_us.is_none();
-    if automatic {
-        plan.step = case.automatic().1 * case.step_limit(plan.integrator);
-    }
     let mut attempts = if automatic { MOST_ATTEMPTS } else { 0 };
     let solved = loop {
         let shorter = match measured(&case, &plan, keep, watch) {
