@@ -87,6 +87,12 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
     if !risks.is_empty() {
         object["injury"] = super::injury::json(&risks);
     }
+    if answer.case.system.coupled().is_some() {
+        let cost = &answer.cost;
+        object["numerics"]["contact_tests"] = cost.contact_tests.into();
+        object["numerics"]["pressure_evaluations"] = cost.pressure_evaluations.into();
+        object["numerics"]["dashpot_evaluations"] = cost.dashpot_evaluations.into();
+    }
     if let Some(fluid) = &extremes.fluid {
         object["results"]["pressure"] = pressure(fluid);
     }

@@ -20,9 +20,9 @@ use std::time::{Duration, Instant};
 
 /// For scenes with a projectile, a fluid or dashpots, for which first order is assumed where order
 /// two is mostly seen: the stated errors are then 2 to 50 times the true ones.
-const COUPLED_SAFETY: f64 = 2.0;
+const COUPLED_SAFETY: f64 = 3.0;
 /// No result of such a scene is claimed to be better than this share of the worst.
-const COUPLED_KINSHIP: f64 = 0.1;
+const COUPLED_KINSHIP: f64 = 0.2;
 /// Ratio of the two steps: the longest that a run takes against the automatic one.
 const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
 /// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
