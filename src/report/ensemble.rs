@@ -126,7 +126,7 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let checks = ensemble.checks();
     writeln!(
         out,
-        "Step error: {} samples checked, the worst claims {} at the step the others take",
+        "Step error: {} samples set beside twice as many steps; worst at the common step {}",
         checks.count,
         percent(checks.first)
     )?;
@@ -224,8 +224,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "checked": checks.count,
             "refined": checks.refined,
             "above_promise_after_pilot": checks.missed,
-            "worst_claim_at_the_common_step_percent": checks.first,
-            "worst_claim_percent": checks.last,
+            "worst_at_the_common_step_percent": checks.first,
+            "worst_percent": checks.last,
             "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },
         "timing": {

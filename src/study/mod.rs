@@ -8,6 +8,7 @@ pub mod coverage;
 pub mod ensemble;
 mod flags;
 pub mod hard_cases;
+pub mod map;
 mod mesh_error;
 pub mod normal;
 pub mod ordered;

@@ -169,7 +169,7 @@ impl Sweep {
     pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
         let outcome = match self.scenario(number) {
             Err(error) => Err(error.to_string()),
-            Ok(scenario) => match checked(&scenario, None, watch) {
+            Ok(scenario) => match checked(&scenario, watch) {
                 Err(Refusal::Cancelled) => return None,
                 other => other.map_err(|refusal| refusal.to_string()),
             },

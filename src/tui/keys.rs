@@ -31,6 +31,10 @@ pub enum Context {
     Replays,
     /// Among the points of speed against error.
     Accuracy,
+    /// Among the bands of the results.
+    Uncertainty,
+    /// On the map of two inputs.
+    Sweep,
     /// While a value or a name is typed.
     Typing,
     /// In the list of presets to open.
@@ -55,6 +59,8 @@ impl Context {
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
             Self::Accuracy => "Accuracy",
+            Self::Uncertainty => "Spread",
+            Self::Sweep => "Map",
             Self::Typing => "Typing",
             Self::Picker => "List of presets",
             Self::Question => "Question",
@@ -66,7 +72,7 @@ impl Context {
     pub fn stack(self) -> &'static [Context] {
         use Context::{
             Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
-            Replays, Table, Typing,
+            Replays, Sweep, Table, Typing, Uncertainty,
         };
         match self {
             Everywhere => &[Everywhere],
@@ -79,6 +85,8 @@ impl Context {
             Table => &[Table, Clock, Everywhere],
             Replays => &[Replays, Clock, Everywhere],
             Accuracy => &[Accuracy, Everywhere],
+            Uncertainty => &[Uncertainty, Everywhere],
+            Sweep => &[Sweep, Everywhere],
             Typing => &[Typing],
             Picker => &[Picker],
             Question => &[Question],
@@ -190,7 +198,7 @@ const fn bind(
 
 use Context::{
     Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Picker, Question, Replay,
-    Replays, Table, Typing,
+    Replays, Sweep, Table, Typing, Uncertainty,
 };
 
 /// Every key. The footer takes its words in this order, as many as fit.
@@ -246,6 +254,25 @@ pub static BINDINGS: &[Binding] = &[
     bind(Accuracy, &[ENTER], Action::Enter, "adopt", "give the scenario its integrator and step"),
     bind(Accuracy, &[c('m')], Action::Measure, "measure", "measure every integrator again"),
 
+    bind(Uncertainty, &[UP, c('k')], Action::Up, "result", "the result above"),
+    bind(Uncertainty, &[DOWN, c('j')], Action::Down, "&", "the result below"),
+    bind(Uncertainty, &[c('m')], Action::Measure, "again", "run the samples again, or the rest of them"),
+
+    bind(Sweep, &[LEFT, c('h')], Action::Step(Step::LESS), "cursor", "the cursor to the left"),
+    bind(Sweep, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the cursor to the right"),
+    bind(Sweep, &[UP, c('k')], Action::Turn(Step::MORE), "&", "the cursor up"),
+    bind(Sweep, &[DOWN, c('j')], Action::Turn(Step::LESS), "&", "the cursor down"),
+    bind(Sweep, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "the cursor far to the left"),
+    bind(Sweep, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "the cursor far to the right"),
+    bind(Sweep, &[SHIFT_UP, c('K')], Action::Turn(Step::MUCH_MORE), "", "the cursor far up"),
+    bind(Sweep, &[SHIFT_DOWN, c('J')], Action::Turn(Step::MUCH_LESS), "", "the cursor far down"),
+    bind(Sweep, &[ENTER], Action::Enter, "adopt", "give the scenario the values under the cursor"),
+    bind(Sweep, &[c('x')], Action::Axis(true), "across", "the next input across"),
+    bind(Sweep, &[c('y')], Action::Axis(false), "up", "the next input up"),
+    bind(Sweep, &[c('+'), c('=')], Action::Reach(true), "range", "wider ranges"),
+    bind(Sweep, &[c('-')], Action::Reach(false), "&", "narrower ranges"),
+    bind(Sweep, &[c('m')], Action::Measure, "", "go on after Esc"),
+
     bind(Clock, &[c(' ')], Action::Play, "play", "play or pause"),
     bind(Clock, &[c('g')], Action::NextPeak, "peak", "to the time of the next peak"),
     bind(Clock, &[c('G')], Action::PreviousPeak, "", "to the time of the peak before"),
@@ -269,6 +296,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Everywhere, &[c('3')], Action::Show(Screen::Forces), "", "the force profiles"),
     bind(Everywhere, &[c('4')], Action::Show(Screen::Compare), "", "compare presets"),
     bind(Everywhere, &[c('5')], Action::Show(Screen::Accuracy), "", "speed against error"),
+    bind(Everywhere, &[c('6')], Action::Show(Screen::Uncertainty), "", "what the doubt in the inputs does"),
+    bind(Everywhere, &[c('7')], Action::Show(Screen::Sweep), "", "damage over two inputs"),
     bind(Everywhere, &[ESC], Action::Cancel, "", "cancel a long run"),
     bind(Everywhere, &[ctrl('l')], Action::Repaint, "", "draw everything afresh"),
     bind(Everywhere, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),

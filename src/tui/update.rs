@@ -13,11 +13,13 @@ use tui_input::{Input, InputRequest};
 use super::action::{Action, Step};
 use super::clock::Moment;
 use super::comparison::{COLUMNS, Found};
+use super::ensemble::{MANY, Question};
 use super::form::{Row, Typing, nudged, with_text};
 use super::keys::{self, Context};
-use super::model::{Choice, FORM, Model, Overlay, Question, Run, Shown, Work};
+use super::model::{Choice, FORM, Model, Overlay, Question as Asked, Run, Shown, Work};
 use super::save::{SaveError, check_name};
 use super::screens::Screen;
+use super::sweep::Question as MapQuestion;
 use super::view::eye::hottest;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
@@ -26,9 +28,13 @@ use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::quoted;
 use crate::study::accuracy::Accuracy;
+use crate::study::ensemble::Ensemble;
+use crate::study::map::Grid;
 use crate::study::{MeshError, Refusal};
 
 mod accuracy;
+mod ensemble;
+mod sweep;
 
 /// Something that happened.
 pub enum Message {
@@ -46,6 +52,10 @@ pub enum Message {
     Accuracy(Report<Accuracy>),
     /// The worker of the mesh error.
     Mesh(Report<MeshError>),
+    /// The worker of the ensembles says something.
+    Ensemble(Report<Ensemble>),
+    /// The worker of the map says something.
+    Map(Report<Grid>),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
@@ -69,6 +79,14 @@ pub enum Effect {
     Measure(Ticket, Scenario),
     /// Stop that.
     StopMeasuring(Ticket),
+    /// Run samples over what is not known.
+    Sample(Ticket, Question),
+    /// Stop that; what is done will be told.
+    StopSampling(Ticket),
+    /// Compute a map of two inputs.
+    Draw(Ticket, MapQuestion),
+    /// Stop that.
+    StopDrawing(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -103,7 +121,15 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
                 effects.push(Effect::EstimateMesh(shown.ticket, shown.scenario.clone()));
             }
         }
-        Message::Mesh(report) => hear_mesh(model, report),
+        Message::Mesh(report) => {
+            let done = matches!(report, Report::Done(..));
+            hear_mesh(model, report);
+            if done {
+                effects.extend(ensemble::idle(model));
+            }
+        }
+        Message::Ensemble(report) => ensemble::hear(model, report),
+        Message::Map(report) => sweep::hear(model, report),
         Message::Comparison(report) => {
             if let Report::Done(ticket, answer) = report {
                 let found = match *answer {
@@ -125,6 +151,8 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
     }
     effects.extend(next_comparison(model));
     effects.extend(accuracy::stop_if_unwanted(model));
+    effects.extend(ensemble::stop_if_unwanted(model));
+    effects.extend(sweep::go_on(model));
     effects
 }
 
@@ -262,7 +290,7 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Suspend => effects.push(Effect::Suspend),
         Action::Repaint => effects.push(Effect::Repaint),
         Action::Quit if model.is_edited() => {
-            model.overlay = Some(Overlay::Question(Question::Quit));
+            model.overlay = Some(Overlay::Question(Asked::Quit));
         }
         Action::Quit => effects.push(Effect::Quit(0)),
         Action::Help => {
@@ -274,7 +302,12 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Show(screen) => {
             model.screen = screen;
             effects.extend(accuracy::opened(model));
+            effects.extend(ensemble::opened(model));
         }
+        Action::Measure if model.screen == Screen::Uncertainty => {
+            effects.extend(ensemble::start(model, MANY));
+        }
+        Action::Measure if model.screen == Screen::Sweep => model.map.halted = false,
         Action::Measure => effects.extend(accuracy::start(model)),
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
@@ -284,12 +317,20 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Up | Action::Down => go(model, action == Action::Down),
         Action::Step(step) => step_here(model, step, effects),
         Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
+        Action::Enter if model.context() == Context::Sweep => sweep::adopt(model, effects),
         Action::Enter => enter(model, effects),
         Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
             effects.extend(accuracy::stop(model));
         }
+        Action::Cancel if model.context() == Context::Uncertainty => {
+            effects.extend(ensemble::stop(model));
+        }
+        Action::Cancel if model.context() == Context::Sweep => effects.extend(sweep::stop(model)),
         Action::Cancel => cancel(model, effects),
         Action::Advanced => model.form.fold(&model.work.scenario),
+        Action::Axis(across) => model.map.turn(&model.work.scenario, across),
+        Action::Reach(wider) => model.map.zoom(&model.work.scenario, wider),
+        Action::Turn(step) if model.screen == Screen::Sweep => model.map.step(step, false),
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
         Action::Widen(step) => nudge(model, "impact.half_width_deg", step, effects),
         Action::Play => {
@@ -355,6 +396,7 @@ fn go(model: &mut Model, down: bool) {
                 .min(last.saturating_sub(1));
         }
         Some(_) => {}
+        None if model.screen == Screen::Uncertainty => ensemble::go(model, down),
         None if model.screen == Screen::Compare => {
             // The form stands above the presets.
             let row = model.compare.row.saturating_add_signed(isize::from(by));
@@ -373,6 +415,7 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
         Context::Accuracy => model.accuracy.step(step),
+        Context::Sweep => model.map.step(step, true),
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);
@@ -532,7 +575,7 @@ fn save(model: &mut Model, name: String, replace: bool, effects: &mut Vec<Effect
         return;
     }
     if !replace && model.choices.iter().any(|choice| choice.name == name) {
-        model.overlay = Some(Overlay::Question(Question::Replace(name)));
+        model.overlay = Some(Overlay::Question(Asked::Replace(name)));
         return;
     }
     let mut scenario = model.work.scenario.clone();
@@ -557,7 +600,7 @@ fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
             model.work = Work::fresh(&name, &model.work.scenario);
         }
         Err(SaveError::Exists(name)) => {
-            model.overlay = Some(Overlay::Question(Question::Replace(name)));
+            model.overlay = Some(Overlay::Question(Asked::Replace(name)));
         }
         Err(error) => {
             let input = Input::new(name);
@@ -591,8 +634,8 @@ fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
 
 fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
     match model.overlay.take() {
-        Some(Overlay::Question(Question::Quit)) if yes => effects.push(Effect::Quit(0)),
-        Some(Overlay::Question(Question::Replace(name))) => {
+        Some(Overlay::Question(Asked::Quit)) if yes => effects.push(Effect::Quit(0)),
+        Some(Overlay::Question(Asked::Replace(name))) => {
             if yes {
                 save(model, name, true, effects);
             } else {

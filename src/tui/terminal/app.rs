@@ -20,10 +20,14 @@ use super::session::Session;
 use crate::scenario::library;
 use crate::study::MeshError;
 use crate::study::accuracy::Accuracy;
+use crate::study::ensemble::Ensemble;
+use crate::study::map::Grid;
 use crate::tui::accuracy::measure;
+use crate::tui::ensemble::{Question, ensemble};
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
+use crate::tui::sweep::{Question as MapQuestion, map};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
 use crate::tui::worker::{Report, Worker, mesh_error};
@@ -52,6 +56,8 @@ enum Event {
     Comparison(Report),
     Accuracy(Report<Accuracy>),
     Mesh(Report<MeshError>),
+    Ensemble(Report<Ensemble>),
+    Map(Report<Grid>),
 }
 
 /// Runs the app until the person leaves; gives the exit code.
@@ -79,6 +85,18 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
             let send = send.clone();
             Worker::of(mesh_error, move |report| {
                 let _ = send.send(Event::Mesh(report));
+            })
+        },
+        ensemble: {
+            let send = send.clone();
+            Worker::of(ensemble, move |report| {
+                let _ = send.send(Event::Ensemble(report));
+            })
+        },
+        map: {
+            let send = send.clone();
+            Worker::of(map, move |report| {
+                let _ = send.send(Event::Map(report));
             })
         },
         accuracy: Worker::of(measure, move |report| {
@@ -141,6 +159,8 @@ struct App {
     comparison: Worker,
     mesh: Worker,
     accuracy: Worker,
+    ensemble: Worker<Question>,
+    map: Worker<MapQuestion>,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
@@ -266,6 +286,8 @@ impl App {
             Event::Comparison(report) => Message::Comparison(report),
             Event::Accuracy(report) => Message::Accuracy(report),
             Event::Mesh(report) => Message::Mesh(report),
+            Event::Ensemble(report) => Message::Ensemble(report),
+            Event::Map(report) => Message::Map(report),
         };
         self.tell(message)
     }
@@ -371,6 +393,10 @@ impl App {
                 Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
                 Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
                 Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
+                Effect::Sample(ticket, question) => self.ensemble.submit(ticket, question),
+                Effect::StopSampling(ticket) => self.ensemble.cancel(ticket),
+                Effect::Draw(ticket, question) => self.map.submit(ticket, question),
+                Effect::StopDrawing(ticket) => self.map.cancel(ticket),
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Suspend => self.suspend()?,
                 Effect::Repaint => self.repaint(),

@@ -15,8 +15,10 @@ pub mod profiles;
 pub mod raster;
 pub mod replay;
 pub mod score;
+pub mod sweep;
 pub mod text;
 pub mod theme;
+pub mod uncertainty;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
