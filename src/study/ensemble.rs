@@ -136,7 +136,7 @@ impl Job<'_> {
             return Some(Sample { drawn, outcome });
         }
         let mut watch = self.watch();
-        let wants_check = index < PILOT || index % CHECK_EVERY == 0;
+        let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
         let outcome = if wants_check {
             compared(&scenario, self.cap, &mut watch)
         } else {
@@ -168,7 +168,7 @@ impl Job<'_> {
     fn gather(&self, (from, to, of): (u32, u32, u32), watch: SharedWatch, into: &mut Gathered) {
         let job = |index: usize| {
             // Timed among the samples, so that a busy machine slows both alike.
-            let single = (index % TIME_EVERY == 0).then(|| {
+            let single = index.is_multiple_of(TIME_EVERY).then(|| {
                 let began = Instant::now();
                 let _ = single(self.scenario, None, &mut self.watch());
                 began.elapsed().as_secs_f64()

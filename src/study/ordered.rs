@@ -66,14 +66,13 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let (mut seen, stop) = (Vec::new(), AtomicBool::new(false));
             pool.build().unwrap().install(|| {
-                let slow_first = |i: usize| {
-                    std::thread::sleep(std::time::Duration::from_micros(if i % 3 == 0 {
-                        500
-                    } else {
-                        1
-                    }));
-                    Some(i * i)
-                };
+                let slow_first =
+                    |i: usize| {
+                        std::thread::sleep(std::time::Duration::from_micros(
+                            if i.is_multiple_of(3) { 500 } else { 1 },
+                        ));
+                        Some(i * i)
+                    };
                 run((3, 100), &stop, slow_first, |i, square| {
                     assert_eq!(square, i * i);
                     seen.push(i);

@@ -185,7 +185,8 @@ impl Sweep {
     pub fn fingerprint(&self) -> u64 {
         let mut text = to_ron(&self.scenario);
         for axis in &self.axes {
-            text += &format!("{}={:?}\n", axis.path, axis.values);
+            let axis = format!("{}={:?}\n", axis.path, axis.values);
+            text.push_str(&axis);
         }
         let keys = OUTPUTS.iter().map(|output| output.key);
         for part in keys.chain([env!("CARGO_PKG_VERSION")]) {

@@ -16,7 +16,7 @@ const SEED: u32 = 1;
 
 /// What is asked of a worker.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Question {
+pub struct Sampling {
     /// The scenario.
     pub scenario: Scenario,
     /// How many samples.
@@ -27,12 +27,11 @@ pub struct Question {
 ///
 /// # Errors
 /// Whatever the scenario itself is refused for.
-pub fn ensemble(question: &Question, watch: Watch) -> Result<Ensemble, Refusal> {
+pub fn ensemble(question: &Sampling, watch: Watch) -> Result<Ensemble, Refusal> {
     let count = (question.count, SEED);
-    let done = overseen(watch, |stop, watch| {
+    overseen(watch, |stop, watch| {
         run(&question.scenario, count, stop, watch)
-    });
-    done.unwrap_or(Err(Refusal::Cancelled))
+    })
 }
 
 /// What is under way.
@@ -41,7 +40,7 @@ pub struct Job {
     /// Its ticket.
     pub ticket: Ticket,
     /// What was asked.
-    pub question: Question,
+    pub question: Sampling,
     /// How much of it is done.
     pub share: f64,
     /// Whether it was asked to stop.
@@ -77,7 +76,8 @@ impl Spread {
 /// What of a scenario matters.
 pub fn key(scenario: &Scenario) -> Scenario {
     Scenario {
-        name: String::new(),
+        // No name would be refused.
+        name: "any".to_owned(),
         ..scenario.clone()
     }
 }

@@ -59,7 +59,7 @@ impl Context {
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
             Self::Accuracy => "Accuracy",
-            Self::Uncertainty => "Spread",
+            Self::Uncertainty => "Doubt",
             Self::Sweep => "Map",
             Self::Typing => "Typing",
             Self::Picker => "List of presets",

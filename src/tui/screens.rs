@@ -85,7 +85,7 @@ pub static SCREENS: &[Listed] = &[
     Listed {
         screen: Screen::Uncertainty,
         key: '6',
-        title: "Spread",
+        title: "Doubt",
         draw: view::uncertainty::draw,
         panes: &[("outputs", Context::Uncertainty)],
     },

@@ -26,7 +26,7 @@ const STEPS: f64 = 3.0;
 
 /// What is asked of a worker.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Question {
+pub struct Drawing {
     /// The scenario; what it holds of the two inputs does not matter.
     pub scenario: Scenario,
     /// The inputs: across and up.
@@ -41,17 +41,16 @@ pub struct Question {
 ///
 /// # Errors
 /// [`Refusal::Cancelled`] if the watch stops it.
-pub fn map(question: &Question, watch: Watch) -> Result<Grid, Refusal> {
-    let Question {
+pub fn map(question: &Drawing, watch: Watch) -> Result<Grid, Refusal> {
+    let Drawing {
         scenario,
         spans,
         side,
         known,
     } = question;
-    let done = overseen(watch, |stop, watch| {
+    overseen(watch, |stop, watch| {
         fill(scenario, *spans, *side, known.as_ref(), stop, watch)
-    });
-    done.unwrap_or(Err(Refusal::Cancelled))
+    })
 }
 
 /// What is under way.
@@ -60,7 +59,7 @@ pub struct Job {
     /// Its ticket.
     pub ticket: Ticket,
     /// What was asked.
-    pub question: Question,
+    pub question: Drawing,
     /// How much of it is done.
     pub share: f64,
 }
@@ -118,7 +117,8 @@ fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> 
 /// The scenario without what the two inputs say of it.
 fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
     let mut bare = Scenario {
-        name: String::new(),
+        // No name would be refused.
+        name: "any".to_owned(),
         ..scenario.clone()
     };
     bare.doubt.clear();
@@ -194,14 +194,14 @@ impl Map {
     }
 
     /// What should be computed next, if anything is left.
-    pub fn next(&self, scenario: &Scenario) -> Option<Question> {
+    pub fn next(&self, scenario: &Scenario) -> Option<Drawing> {
         let spans = self.spans?;
         let known = self.grid(scenario);
         let side = match known {
             None => SIDES[0],
             Some(grid) => *SIDES.iter().find(|side| **side > grid.side)?,
         };
-        Some(Question {
+        Some(Drawing {
             scenario: key(scenario, spans),
             spans,
             side,
@@ -210,7 +210,7 @@ impl Map {
     }
 
     /// Takes a grid in.
-    pub fn take(&mut self, question: Question, grid: Grid) {
+    pub fn take(&mut self, question: Drawing, grid: Grid) {
         self.done = Some((question.scenario, question.spans, grid));
     }
 
@@ -260,7 +260,10 @@ mod tests {
         let mut map = Map::default();
         map.settle(&scenario);
         let (x, y) = map.spans.unwrap();
-        assert_eq!((x.field.path, y.field.path), ("impact.force_n", "impact.duration_ms"));
+        assert_eq!(
+            (x.field.path, y.field.path),
+            ("impact.force_n", "impact.duration_ms")
+        );
         assert_eq!((x.from, x.to), (100.0, 900.0));
         for _ in 0..60 {
             map.turn(&scenario, true);
@@ -282,7 +285,9 @@ mod tests {
                 let (x, y) = map.spans.unwrap();
                 for span in [x, y] {
                     let (_, bounds) = number(span.field, &scenario).unwrap();
-                    assert!(bounds.min <= span.from && span.from < span.to && span.to <= bounds.max);
+                    assert!(
+                        bounds.min <= span.from && span.from < span.to && span.to <= bounds.max
+                    );
                 }
             }
         }

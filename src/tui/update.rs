@@ -13,13 +13,13 @@ use tui_input::{Input, InputRequest};
 use super::action::{Action, Step};
 use super::clock::Moment;
 use super::comparison::{COLUMNS, Found};
-use super::ensemble::{MANY, Question};
+use super::ensemble::{MANY, Sampling};
 use super::form::{Row, Typing, nudged, with_text};
 use super::keys::{self, Context};
-use super::model::{Choice, FORM, Model, Overlay, Question as Asked, Run, Shown, Work};
+use super::model::{Choice, FORM, Model, Overlay, Question, Run, Shown, Work};
 use super::save::{SaveError, check_name};
 use super::screens::Screen;
-use super::sweep::Question as MapQuestion;
+use super::sweep::Drawing;
 use super::view::eye::hottest;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
@@ -80,11 +80,11 @@ pub enum Effect {
     /// Stop that.
     StopMeasuring(Ticket),
     /// Run samples over what is not known.
-    Sample(Ticket, Question),
+    Sample(Ticket, Sampling),
     /// Stop that; what is done will be told.
     StopSampling(Ticket),
     /// Compute a map of two inputs.
-    Draw(Ticket, MapQuestion),
+    Draw(Ticket, Drawing),
     /// Stop that.
     StopDrawing(Ticket),
     /// Save a preset: name, text, whether it may replace another.
@@ -290,7 +290,7 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Suspend => effects.push(Effect::Suspend),
         Action::Repaint => effects.push(Effect::Repaint),
         Action::Quit if model.is_edited() => {
-            model.overlay = Some(Overlay::Question(Asked::Quit));
+            model.overlay = Some(Overlay::Question(Question::Quit));
         }
         Action::Quit => effects.push(Effect::Quit(0)),
         Action::Help => {
@@ -575,7 +575,7 @@ fn save(model: &mut Model, name: String, replace: bool, effects: &mut Vec<Effect
         return;
     }
     if !replace && model.choices.iter().any(|choice| choice.name == name) {
-        model.overlay = Some(Overlay::Question(Asked::Replace(name)));
+        model.overlay = Some(Overlay::Question(Question::Replace(name)));
         return;
     }
     let mut scenario = model.work.scenario.clone();
@@ -600,7 +600,7 @@ fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
             model.work = Work::fresh(&name, &model.work.scenario);
         }
         Err(SaveError::Exists(name)) => {
-            model.overlay = Some(Overlay::Question(Asked::Replace(name)));
+            model.overlay = Some(Overlay::Question(Question::Replace(name)));
         }
         Err(error) => {
             let input = Input::new(name);
@@ -634,8 +634,8 @@ fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
 
 fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
     match model.overlay.take() {
-        Some(Overlay::Question(Asked::Quit)) if yes => effects.push(Effect::Quit(0)),
-        Some(Overlay::Question(Asked::Replace(name))) => {
+        Some(Overlay::Question(Question::Quit)) if yes => effects.push(Effect::Quit(0)),
+        Some(Overlay::Question(Question::Replace(name))) => {
             if yes {
                 save(model, name, true, effects);
             } else {

@@ -161,7 +161,7 @@ pub fn mesh_error(scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusa
 pub fn overseen<T: Send>(
     watch: Watch,
     work: impl FnOnce(&AtomicBool, &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T + Send,
-) -> std::thread::Result<T> {
+) -> T {
     let (stop, share) = (AtomicBool::new(false), AtomicU64::new(0));
     thread::scope(|scope| {
         let own = scope.spawn(|| {
@@ -177,6 +177,7 @@ pub fn overseen<T: Send>(
             thread::sleep(LOOK_EVERY);
         }
         own.join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }
 

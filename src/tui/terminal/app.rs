@@ -23,11 +23,11 @@ use crate::study::accuracy::Accuracy;
 use crate::study::ensemble::Ensemble;
 use crate::study::map::Grid;
 use crate::tui::accuracy::measure;
-use crate::tui::ensemble::{Question, ensemble};
+use crate::tui::ensemble::{Sampling, ensemble};
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
-use crate::tui::sweep::{Question as MapQuestion, map};
+use crate::tui::sweep::{Drawing, map};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
 use crate::tui::worker::{Report, Worker, mesh_error};
@@ -159,8 +159,8 @@ struct App {
     comparison: Worker,
     mesh: Worker,
     accuracy: Worker,
-    ensemble: Worker<Question>,
-    map: Worker<MapQuestion>,
+    ensemble: Worker<Sampling>,
+    map: Worker<Drawing>,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,

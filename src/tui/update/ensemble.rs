@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Effect, Screen, ticket};
 use crate::study::ensemble::Ensemble;
-use crate::tui::ensemble::{FEW, Job, MANY, Question, key};
+use crate::tui::ensemble::{FEW, Job, MANY, Sampling, key};
 use crate::tui::model::{Model, Run};
 use crate::tui::worker::Report;
 
@@ -30,7 +30,7 @@ pub(super) fn opened(model: &mut Model) -> Option<Effect> {
 
 /// Runs so many samples, unless that is under way. A smaller run gives way to a larger one.
 pub(super) fn start(model: &mut Model, count: u32) -> Option<Effect> {
-    let question = Question {
+    let question = Sampling {
         scenario: key(&model.work.scenario),
         count,
     };
@@ -76,7 +76,11 @@ pub(super) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
 
 /// Moves to another result.
 pub(super) fn go(model: &mut Model, down: bool) {
-    let count = model.ensemble.done.as_ref().map_or(0, |(_, e)| e.outputs().len());
+    let count = model
+        .ensemble
+        .done
+        .as_ref()
+        .map_or(0, |(_, e)| e.outputs().len());
     let at = &mut model.ensemble.output;
     *at = if down {
         (*at + 1).min(count.saturating_sub(1))
@@ -140,7 +144,7 @@ mod tests {
         key(model, KeyCode::Char(letter))
     }
 
-    fn sampled(effects: &[Effect]) -> Option<(u64, Question)> {
+    fn sampled(effects: &[Effect]) -> Option<(u64, Sampling)> {
         effects.iter().find_map(|effect| match effect {
             Effect::Sample(ticket, question) => Some((*ticket, question.clone())),
             _ => None,
@@ -148,7 +152,7 @@ mod tests {
     }
 
     /// A model with its answer, and what it asks for when the mesh error has come.
-    fn idle_model() -> (Model, u64, Question) {
+    fn idle_model() -> (Model, u64, Sampling) {
         let look = Look {
             depth: Depth::Mono,
             symbols: Symbols::Braille,
@@ -160,15 +164,18 @@ mod tests {
             panic!()
         };
         let answer = crate::study::solve(scenario, keep(scenario), &mut unwatched);
-        update(&mut model, Message::Form(Report::Done(*ticket, Box::new(answer))));
+        update(
+            &mut model,
+            Message::Form(Report::Done(*ticket, Box::new(answer))),
+        );
         let mesh = Report::Done(*ticket, Box::new(Err(Refusal::Cancelled)));
         let effects = update(&mut model, Message::Mesh(mesh));
         let (ticket, question) = sampled(&effects).expect("the band follows the mesh error");
         (model, ticket, question)
     }
 
-    fn tell(model: &mut Model, ticket: u64, question: &Question, count: u32) {
-        let small = Question {
+    fn tell(model: &mut Model, ticket: u64, question: &Sampling, count: u32) {
+        let small = Sampling {
             count,
             ..question.clone()
         };
@@ -207,7 +214,10 @@ mod tests {
         assert_eq!(question.count, MANY);
         update(&mut model, Message::Ensemble(Report::Progress(ticket, 0.3)));
         assert_eq!(model.ensemble.job.as_ref().unwrap().share, 0.3);
-        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::StopSampling(ticket)]);
+        assert_eq!(
+            key(&mut model, KeyCode::Esc),
+            [Effect::StopSampling(ticket)]
+        );
         tell(&mut model, ticket, &question, 32);
         let kept = model.ensemble.of(&model.work.scenario).unwrap();
         assert!(kept.stopped() && kept.samples.len() == 32 && kept.asked == MANY);

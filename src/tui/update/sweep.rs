@@ -89,7 +89,7 @@ mod tests {
     use crate::study::map::{SIDES, Spot};
     use crate::tui::model::Look;
     use crate::tui::open::prepare;
-    use crate::tui::sweep::Question;
+    use crate::tui::sweep::Drawing;
     use crate::tui::terminal::caps::{Depth, Symbols};
     use crate::tui::update::{Message, begin, update};
     use crossterm::event::{KeyCode, KeyEvent};
@@ -102,7 +102,7 @@ mod tests {
         key(model, KeyCode::Char(letter))
     }
 
-    fn drawn(effects: &[Effect]) -> Option<(u64, Question)> {
+    fn drawn(effects: &[Effect]) -> Option<(u64, Drawing)> {
         effects.iter().find_map(|effect| match effect {
             Effect::Draw(ticket, question) => Some((*ticket, question.clone())),
             _ => None,
@@ -119,13 +119,16 @@ mod tests {
         model
     }
 
-    fn tell(model: &mut Model, (ticket, question): (u64, Question)) -> Vec<Effect> {
+    fn tell(model: &mut Model, (ticket, question): (u64, Drawing)) -> Vec<Effect> {
         let spots = vec![Spot::Damage(10.0); question.side * question.side];
         let grid = Grid {
             side: question.side,
             spots,
         };
-        update(model, Message::Map(Report::Done(ticket, Box::new(Ok(grid)))))
+        update(
+            model,
+            Message::Map(Report::Done(ticket, Box::new(Ok(grid)))),
+        )
     }
 
     #[test]
@@ -166,7 +169,10 @@ mod tests {
         let before = model.work.scenario.clone();
         let effects = key(&mut model, KeyCode::Enter);
         assert!(matches!(effects[0], Effect::Solve(..)));
-        assert_eq!(Some(&model.work.scenario), model.map.adopted(&before).as_ref());
+        assert_eq!(
+            Some(&model.work.scenario),
+            model.map.adopted(&before).as_ref()
+        );
         letter(&mut model, 'u');
         assert_eq!(model.work.scenario, before);
     }
