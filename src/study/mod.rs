@@ -1,6 +1,7 @@
 //! Runs: one case with its errors, and what is built from many.
 
 pub mod accuracy;
+pub mod bands;
 pub mod batch;
 mod case;
 pub mod choose;

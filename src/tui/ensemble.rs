@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::worker::{Ticket, overseen};
 use crate::scenario::Scenario;
-use crate::study::ensemble::{Band, Ensemble, run};
+use crate::study::bands::Band;
+use crate::study::ensemble::{Ensemble, run};
 use crate::study::{Refusal, Watch};
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.

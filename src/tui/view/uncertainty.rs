@@ -9,9 +9,10 @@ use ratatui::style::Style;
 
 use super::text::{fitted, put, put_right, width, wrapped};
 use super::theme::Theme;
-use crate::report::ensemble::distribution;
+use crate::report::ensemble::{distribution, hundredths};
 use crate::report::text::{percent, significant};
-use crate::study::ensemble::{Band, Ensemble};
+use crate::study::bands::Band;
+use crate::study::ensemble::Ensemble;
 use crate::study::outputs::OUTPUTS;
 use crate::tui::model::Model;
 
@@ -203,7 +204,7 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
             &fitted(of.field.label, usize::from(LABEL)),
             style,
         );
-        let number = format!("{correlation:.2}");
+        let number = hundredths(correlation);
         put_right(buffer, area, (LABEL + 7, row), &number, theme.text());
         let length = (correlation.abs() * f64::from(half)).round() as u16;
         put(buffer, area, (middle, row), "│", theme.line());
