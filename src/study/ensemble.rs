@@ -82,8 +82,8 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
     changed.doubt.clear();
     let mut values = Vec::with_capacity(inputs.len());
     for (dimension, input) in (0..).zip(inputs) {
-        // The sequence has 24 bits; the middle of its cell is never 0 or 1.
-        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 16_777_216.0;
+        // The sequence has 23 bits; the middle of its cell is never 0 or 1.
+        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
         let value = input.value(u);
         input.put(&mut changed, value);
         values.push(value);
