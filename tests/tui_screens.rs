@@ -6,8 +6,10 @@ use std::sync::Arc;
 
 use contrecoup::scenario::Scenario;
 use contrecoup::study::{Refusal, solve, unwatched};
+use contrecoup::tui::ensemble::{Sampling, ensemble};
 use contrecoup::tui::model::{Look, Model};
 use contrecoup::tui::prepare;
+use contrecoup::tui::sweep::map;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::update::{Effect, Message, begin, update};
@@ -211,6 +213,63 @@ fn accuracy_screens() {
     pictures_after("accuracy_stale", &[], edit);
 }
 
+/// Opens the screen and lets a few samples of those asked for be run.
+fn open_sampled(model: &mut Model) {
+    press(model, "6");
+    let job = model.ensemble.job.as_ref().unwrap();
+    let few = Sampling {
+        count: 24,
+        ..job.question.clone()
+    };
+    let report = Report::Done(job.ticket, Box::new(ensemble(&few, &mut unwatched)));
+    update(model, Message::Ensemble(report));
+}
+
+#[test]
+fn spread_screens() {
+    let doubtful = |model: &mut Model| {
+        press(model, "\r +- 30\r");
+        open_sampled(model);
+        press(model, "jj");
+    };
+    pictures_after("spread", &[], doubtful);
+    let running = |model: &mut Model| {
+        press(model, "6");
+        let ticket = model.ensemble.job.as_ref().unwrap().ticket;
+        update(model, Message::Ensemble(Report::Progress(ticket, 0.43)));
+    };
+    pictures_after("spread_running", &[], running);
+    let beside = |model: &mut Model| {
+        press(model, "\r +- 30\r");
+        open_sampled(model);
+        press(model, "1");
+    };
+    pictures_after("main_with_band", &[], beside);
+}
+
+/// Opens the screen and lets the first grid be computed.
+fn open_mapped(model: &mut Model) {
+    press(model, "7");
+    let job = model.map.job.as_ref().unwrap();
+    let report = Report::Done(job.ticket, Box::new(map(&job.question, &mut unwatched)));
+    update(model, Message::Map(report));
+    let ticket = model.map.job.as_ref().unwrap().ticket;
+    update(model, Message::Map(Report::Progress(ticket, 0.43)));
+}
+
+#[test]
+fn map_screens() {
+    let moved = |model: &mut Model| {
+        open_mapped(model);
+        press(model, "LLKl");
+    };
+    pictures_after("map", &[], moved);
+    let other = |model: &mut Model| {
+        press(model, "7x-");
+    };
+    pictures_after("map_waiting", &["off-axis-triangle"], other);
+}
+
 #[test]
 fn overlays() {
     for (name, keys) in [
@@ -242,10 +301,12 @@ fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
 fn no_size_and_no_screen_makes_the_drawing_fail() {
     let mut model = model(&["paper-300n", "wide-area"], Depth::Sixteen);
     open_measured(&mut model);
+    open_sampled(&mut model);
+    open_mapped(&mut model);
     for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
         model.look.symbols = symbols;
         for keys in [
-            "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "1?", "?p", "\x1bs",
+            "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "6", "7", "8", "1?", "?p", "\x1bs",
         ] {
             press(&mut model, keys);
             for width in [1, 20, 59, 60, 61, 79, 100, 300] {

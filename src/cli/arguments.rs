@@ -22,7 +22,8 @@ pub struct ScenarioArgs {
     /// A preset's name, or a file if it ends in .ron or holds a path separator
     #[arg(value_name = "PRESET|FILE.ron")]
     pub source: String,
-    /// Change one field, as in `impact.force_n=450`; may be repeated, the last one wins
+    /// Change one field, as in `impact.force_n=450`, or with its doubt, as in
+    /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
     #[arg(long = "set", value_name = "FIELD=VALUE")]
     pub assignments: Vec<Assignment>,
     /// Mesh level, 1 to 8; short for `--set eye.level=K`

@@ -236,7 +236,7 @@ Job arrays: each task takes its own shard and file; the shell fills in the numbe
                    --shard $SLURM_ARRAY_TASK_ID/8 --out part-$SLURM_ARRAY_TASK_ID.csv'
   GNU parallel:  parallel contrecoup sweep paper-300n --vary impact.force_n=50:500:40 \\
                    --shard {}/8 --out part-{}.csv ::: $(seq 8)
-Together:        grep -hv '^#' part-*.csv | sort -un";
+Together:        grep -hv '^[#r]' part-*.csv | sort -t, -k1,1n";
 
 /// Arguments of `presets`.
 #[derive(Debug, Args)]

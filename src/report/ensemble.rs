@@ -3,7 +3,8 @@
 use super::text::{percent, significant};
 use crate::scenario::Scenario;
 use crate::scenario::problem::printable;
-use crate::study::ensemble::{Band, Ensemble};
+use crate::study::bands::Band;
+use crate::study::ensemble::Ensemble;
 use crate::study::outputs::OUTPUTS;
 use crate::study::point::PROMISE_PERCENT;
 use crate::study::spreads::{Input, Shape};
@@ -30,6 +31,16 @@ pub fn distribution(input: &Input) -> String {
         }
     };
     text.trim_end().to_owned()
+}
+
+/// Two digits, without a sign where they are zero.
+pub fn hundredths(value: f64) -> String {
+    let text = format!("{value:.2}");
+    if text == "-0.00" {
+        "0.00".to_owned()
+    } else {
+        text
+    }
 }
 
 /// A bar from the middle, to the left for less than zero.
@@ -63,7 +74,7 @@ pub fn text(
     writeln!(out, "{done} samples of seed {}{stopped}\n", ensemble.seed)?;
     writeln!(
         out,
-        "{:<22}{:>12}{:>12}{:>12}{:>12}",
+        "{:<22}{:>12}{:>12}{:>12}{:>16}",
         "", "5 %", "median", "95 %", "as it stands"
     )?;
     for index in ensemble.outputs() {
@@ -74,7 +85,7 @@ pub fn text(
         let nominal = ensemble.nominal.as_ref().map_or(f64::NAN, |n| n[index]);
         writeln!(
             out,
-            "{:<19}{:>3}{:>12}{:>12}{:>12}{:>12}",
+            "{:<19}{:>3}{:>12}{:>12}{:>12}{:>16}",
             OUTPUTS[index].label,
             OUTPUTS[index].unit,
             significant(low),
@@ -94,9 +105,9 @@ pub fn text(
     for (input, correlation) in ensemble.drivers(output) {
         writeln!(
             out,
-            "{:<20} {:>5.2} {}",
+            "{:<20} {:>5} {}",
             ensemble.inputs[input].field.label,
-            correlation,
+            hundredths(correlation),
             bar(correlation, BAR)
         )?;
     }
@@ -126,7 +137,7 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let checks = ensemble.checks();
     writeln!(
         out,
-        "Step error: {} samples checked, the worst claims {} at the step the others take",
+        "Step error: {} samples set beside twice as many steps; worst at the common step {}",
         checks.count,
         percent(checks.first)
     )?;
@@ -224,8 +235,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "checked": checks.count,
             "refined": checks.refined,
             "above_promise_after_pilot": checks.missed,
-            "worst_claim_at_the_common_step_percent": checks.first,
-            "worst_claim_percent": checks.last,
+            "worst_at_the_common_step_percent": checks.first,
+            "worst_percent": checks.last,
             "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },
         "timing": {
@@ -247,5 +258,6 @@ mod tests {
         assert_eq!(bar(0.5, 4), "    │██  ");
         assert_eq!(bar(-1.0, 4), "████│    ");
         assert_eq!(bar(0.0, 2), "  │  ");
+        assert_eq!([-0.004, -0.25].map(hundredths), ["0.00", "-0.25"]);
     }
 }

@@ -9,7 +9,7 @@
 
 use super::Scenario;
 use super::fields::{self, Bounds, Field, Kind};
-use super::problem::{Problem, plain, suggestion};
+use super::problem::{Problem, ScenarioError, plain, suggestion};
 
 /// What may stand between a value and its doubt; the first is what the program writes.
 const SIGNS: [&str; 3] = ["±", "+-", "+/-"];
@@ -48,7 +48,7 @@ pub(super) fn put(
     scenario: &mut Scenario,
     field: &Field,
     typed: Option<&str>,
-) -> Result<(), Problem> {
+) -> Result<(), ScenarioError> {
     let Some(typed) = typed else {
         scenario.doubt.remove(field.path);
         return Ok(());
@@ -58,7 +58,7 @@ pub(super) fn put(
             scenario.doubt.insert(field.path.to_owned(), doubt);
             Ok(())
         }
-        Err(_) => Err(refused(field, typed, "is not a number")),
+        Err(_) => Err(refused(field, typed, "is not a number").into()),
     }
 }
 

@@ -5,28 +5,24 @@
 //! and its number alone, so the result is the same bits for any number of threads, and a run that was
 //! stopped after k samples is an ensemble of k.
 //!
-//! Samples are single runs. The first [`PILOT`] are checked for their step error and set the longest
-//! step for all others; of those every [`CHECK_EVERY`]th is checked again, and refined where it misses
-//! [`super::point::PROMISE_PERCENT`].
+//! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
+//! gives the longest step that the others may take; of those every [`CHECK_EVERY`]th is compared as
+//! well, and refined where it misses [`super::point::PROMISE_PERCENT`].
 //!
-//! How samples are counted: the bands hold the samples whose mesh did not fold. Folded ones are
-//! counted apart, as their numbers are beyond the model's validity, and so are refused ones, which have
-//! no numbers. Where samples folded the bands are those of the gentler eyes; the folded ones' share says
-//! how much is missing.
+//! What samples say together is in [`super::bands`].
 //!
 //! Left out: the mesh error, which all samples share, and inputs that hang together.
 
-use super::case::{Refusal, unwatched};
+use super::case::Refusal;
 use super::ordered;
-use super::outputs::OUTPUTS;
-use super::point::{Point, checked, single};
+use super::point::{Point, compared, single};
 use super::spreads::{Input, inputs};
-use super::statistics::{quantile, rank_correlation};
+use super::statistics::quantile;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Fewest samples: a band of fewer says nothing.
 pub const FEWEST_SAMPLES: u32 = 8;
@@ -36,11 +32,8 @@ pub const MOST_SAMPLES: u32 = 1 << 16;
 pub const PILOT: u32 = 8;
 /// One in so many of the others is checked.
 pub const CHECK_EVERY: u32 = 64;
-/// The share of the pilot's longest good step that the others may take: the error falls with the
-/// fourth power of the step, so this leaves room for a factor of two.
-const CAUTION: f64 = 0.84;
-/// Runs of the scenario itself of which the median time is taken.
-const ROUNDS: usize = 5;
+/// One in so many times the scenario itself is run too, for its time.
+const TIME_EVERY: usize = 50;
 
 /// One sample.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +51,7 @@ pub struct Timing {
     pub wall: f64,
     /// On all cores together, in s.
     pub cores: f64,
-    /// A single run of the scenario itself, results only, in s.
+    /// A single run of the scenario itself, results only, in s: the median of runs among the samples.
     pub single: f64,
     /// Threads.
     pub threads: usize,
@@ -89,8 +82,8 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
     changed.doubt.clear();
     let mut values = Vec::with_capacity(inputs.len());
     for (dimension, input) in (0..).zip(inputs) {
-        // The sequence has 24 bits; the middle of its cell is never 0 or 1.
-        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 16_777_216.0;
+        // The sequence has 23 bits; the middle of its cell is never 0 or 1.
+        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
         let value = input.value(u);
         input.put(&mut changed, value);
         values.push(value);
@@ -121,6 +114,16 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
+    fn watch(&self) -> impl FnMut(f64) -> ControlFlow<()> {
+        |_| {
+            if self.stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        }
+    }
+
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
         let (scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
@@ -129,16 +132,10 @@ impl Job<'_> {
             let outcome = Err(format!("{field} not allowed"));
             return Some(Sample { drawn, outcome });
         }
-        let mut watch = |_: f64| {
-            if self.stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let wants_check = index < PILOT || index % CHECK_EVERY == 0;
+        let mut watch = self.watch();
+        let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
         let outcome = if wants_check {
-            checked(&scenario, self.cap, &mut watch)
+            compared(&scenario, self.cap, &mut watch)
         } else {
             single(&scenario, self.cap, &mut watch)
         };
@@ -155,20 +152,36 @@ impl Job<'_> {
 /// A watch that any thread may call.
 pub type SharedWatch<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
 
-/// Samples `from..to` and the time that they took together.
-fn samples(job: &Job, (from, to, of): (u32, u32, u32), watch: SharedWatch) -> (Vec<Sample>, f64) {
-    let mut samples = Vec::new();
-    let range = (from as usize, to as usize);
-    let seconds = ordered::run(
-        range,
-        job.stop,
-        |index| job.run(index as u32),
-        |index, sample| {
-            samples.push(sample);
+/// Samples, and what they and a single run of the scenario took, in s.
+#[derive(Default)]
+struct Gathered {
+    samples: Vec<Sample>,
+    cores: f64,
+    singles: Vec<f64>,
+}
+
+impl Job<'_> {
+    /// Adds samples `from..to` to those gathered.
+    fn gather(&self, (from, to, of): (u32, u32, u32), watch: SharedWatch, into: &mut Gathered) {
+        let job = |index: usize| {
+            // Timed among the samples, so that a busy machine slows both alike.
+            let single = index.is_multiple_of(TIME_EVERY).then(|| {
+                let began = Instant::now();
+                let _ = single(self.scenario, None, &mut self.watch());
+                began.elapsed().as_secs_f64()
+            });
+            let began = Instant::now();
+            let sample = self.run(index as u32)?;
+            Some((sample, began.elapsed().as_secs_f64(), single))
+        };
+        let deliver = |index: usize, (sample, took, single): (Sample, f64, Option<f64>)| {
+            into.samples.push(sample);
+            into.cores += took;
+            into.singles.extend(single);
             watch((index + 1) as f64 / f64::from(of))
-        },
-    );
-    (samples, seconds)
+        };
+        ordered::run((from as usize, to as usize), self.stop, job, deliver);
+    }
 }
 
 /// Runs `count` samples of `scenario`, which must have been checked. `watch` is told the share done
@@ -183,180 +196,52 @@ pub fn run(
     watch: SharedWatch,
 ) -> Result<Ensemble, Refusal> {
     let inputs = inputs(scenario);
-    let mut times = Vec::new();
-    let mut nominal = None;
-    for _ in 0..ROUNDS {
-        let began = Instant::now();
-        nominal = Some(single(scenario, None, &mut unwatched)?.values);
-        times.push(began.elapsed());
-        // A long run is timed once: nobody waits for the median.
-        if times[0] > Duration::from_millis(20) || stop.load(Ordering::Relaxed) {
-            break;
-        }
-    }
-    times.sort();
     let began = Instant::now();
     let mut job = Job {
         scenario,
         inputs: &inputs,
         seed,
-        cap: None,
+        // Nothing is known yet: the pilot takes the longest stable steps.
+        cap: Some(f64::INFINITY),
         stop,
+    };
+    let nominal = match single(scenario, None, &mut job.watch()) {
+        Err(Refusal::Cancelled) => None,
+        other => Some(other?.values),
     };
     let count = count.min(MOST_SAMPLES);
     let pilot = count.min(PILOT);
-    let (mut samples, mut cores) = self::samples(&job, (0, pilot, count), watch);
+    let mut gathered = Gathered::default();
+    job.gather((0, pilot, count), watch, &mut gathered);
     let good = |sample: &Sample| match &sample.outcome {
         Ok(point) if !point.folded() => point.check.map(|check| check.good_step),
         _ => None,
     };
-    let cap = samples
+    let cap = gathered
+        .samples
         .iter()
         .filter_map(good)
         .fold(f64::INFINITY, f64::min);
-    job.cap = cap.is_finite().then_some(CAUTION * cap);
-    if samples.len() == pilot as usize {
-        let (rest, more) = self::samples(&job, (pilot, count, count), watch);
-        samples.extend(rest);
-        cores += more;
+    job.cap = Some(cap);
+    if gathered.samples.len() == pilot as usize {
+        job.gather((pilot, count, count), watch, &mut gathered);
     }
+    let wall = began.elapsed().as_secs_f64();
+    gathered.singles.sort_by(f64::total_cmp);
     Ok(Ensemble {
-        cap: job.cap,
+        cap: job.cap.filter(|cap| cap.is_finite()),
         timing: Timing {
-            wall: began.elapsed().as_secs_f64(),
-            cores,
-            single: times[times.len() / 2].as_secs_f64(),
+            wall,
+            cores: gathered.cores,
+            single: quantile(&gathered.singles, 0.5),
             threads: rayon::current_num_threads(),
         },
         inputs,
         nominal,
-        samples,
+        samples: gathered.samples,
         asked: count,
         seed,
     })
-}
-
-/// Median and the band that holds nine in ten.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Band {
-    /// One in twenty lies below.
-    pub low: f64,
-    /// Half lies below.
-    pub median: f64,
-    /// One in twenty lies above.
-    pub high: f64,
-}
-
-/// What the checks of the step error found.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Checks {
-    /// Samples checked, unfolded.
-    pub count: usize,
-    /// How many of them had to take a shorter step.
-    pub refined: usize,
-    /// How many of those after the pilot, whose step was what the unchecked ones take.
-    pub missed: usize,
-    /// Largest claim at the step tried first, after the pilot, in %.
-    pub first: f64,
-    /// Largest claim at the step taken, in %.
-    pub last: f64,
-}
-
-impl Ensemble {
-    /// Whether it was stopped before the end.
-    pub fn stopped(&self) -> bool {
-        self.samples.len() < self.asked as usize
-    }
-
-    /// The samples that the bands hold.
-    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
-        let point = |sample: &Sample| sample.outcome.as_ref().is_ok_and(|p| !p.folded());
-        self.samples
-            .iter()
-            .filter(move |sample| point(sample))
-            .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
-    }
-
-    /// Samples whose mesh folded.
-    pub fn folded(&self) -> usize {
-        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(Point::folded);
-        self.samples.iter().filter(folded).count()
-    }
-
-    /// What samples were flagged with or refused for, and how many of each, by name.
-    pub fn counts(&self) -> Vec<(String, usize)> {
-        let mut counts = std::collections::BTreeMap::new();
-        for sample in &self.samples {
-            match &sample.outcome {
-                Ok(point) => {
-                    for flag in &point.flags {
-                        *counts.entry(flag.name().to_owned()).or_insert(0) += 1;
-                    }
-                }
-                Err(name) => *counts.entry(format!("refused: {name}")).or_insert(0) += 1,
-            }
-        }
-        counts.into_iter().collect()
-    }
-
-    /// The values of one output over the valid samples.
-    fn values(&self, output: usize) -> Vec<f64> {
-        self.valid()
-            .map(|(_, point)| point.values[output])
-            .collect()
-    }
-
-    /// The band of one of [`OUTPUTS`]; none where the scene has no such result, or no sample.
-    pub fn band(&self, output: usize) -> Option<Band> {
-        let mut values = self.values(output);
-        values.sort_by(f64::total_cmp);
-        let of = |p| quantile(&values, p);
-        (!values.is_empty() && values.iter().all(|v| v.is_finite())).then(|| Band {
-            low: of(0.05),
-            median: of(0.5),
-            high: of(0.95),
-        })
-    }
-
-    /// The outputs that have a band.
-    pub fn outputs(&self) -> Vec<usize> {
-        let has = |output: &usize| self.band(*output).is_some();
-        (0..OUTPUTS.len()).filter(has).collect()
-    }
-
-    /// Rank correlation of each input with an output, the strongest first: index of the input and
-    /// correlation.
-    pub fn drivers(&self, output: usize) -> Vec<(usize, f64)> {
-        let values = self.values(output);
-        let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
-            .map(|input| {
-                let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();
-                (input, rank_correlation(&drawn, &values))
-            })
-            .collect();
-        found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-        found
-    }
-
-    /// What the checks found.
-    pub fn checks(&self) -> Checks {
-        let mut checks = Checks::default();
-        for (index, sample) in self.samples.iter().enumerate() {
-            let Ok(point) = &sample.outcome else { continue };
-            let (Some(check), false) = (point.check, point.folded()) else {
-                continue;
-            };
-            let refined = check.first > super::point::PROMISE_PERCENT;
-            checks.count += 1;
-            checks.refined += usize::from(refined);
-            if index >= PILOT as usize {
-                checks.missed += usize::from(refined);
-                checks.first = checks.first.max(check.first);
-            }
-            checks.last = checks.last.max(check.last);
-        }
-        checks
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Runs: one case with its errors, and what is built from many.
 
 pub mod accuracy;
+pub mod bands;
 pub mod batch;
 pub mod calibrate;
 mod case;
@@ -10,6 +11,7 @@ pub mod ensemble;
 pub mod experiments;
 mod flags;
 pub mod hard_cases;
+pub mod map;
 mod median;
 mod mesh_error;
 pub mod ordered;

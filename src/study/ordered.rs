@@ -8,30 +8,26 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 struct Desk<T, D> {
     next: usize,
     waiting: BTreeMap<usize, T>,
     deliver: D,
-    seconds: f64,
 }
 
 /// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest, and
-/// so may `stop`. A job that gives nothing has been stopped. Returns the time that all jobs took
-/// together, in s.
+/// so may `stop`. A job that gives nothing has been stopped.
 pub fn run<T: Send>(
     (from, to): (usize, usize),
     stop: &AtomicBool,
     job: impl Fn(usize) -> Option<T> + Sync,
     deliver: impl FnMut(usize, T) -> ControlFlow<()> + Send,
-) -> f64 {
+) {
     let next = AtomicUsize::new(from);
     let desk = Mutex::new(Desk {
         next: from,
         waiting: BTreeMap::new(),
         deliver,
-        seconds: 0.0,
     });
     let work = || {
         while !stop.load(Ordering::Relaxed) {
@@ -39,12 +35,9 @@ pub fn run<T: Send>(
             if index >= to {
                 return;
             }
-            let began = Instant::now();
             let Some(result) = job(index) else { return };
-            let took = began.elapsed().as_secs_f64();
             let mut desk = desk.lock().unwrap_or_else(PoisonError::into_inner);
             let desk = &mut *desk;
-            desk.seconds += took;
             desk.waiting.insert(index, result);
             while let Some(result) = desk.waiting.remove(&desk.next) {
                 let index = desk.next;
@@ -61,9 +54,6 @@ pub fn run<T: Send>(
             scope.spawn(|_| work());
         }
     });
-    desk.into_inner()
-        .unwrap_or_else(PoisonError::into_inner)
-        .seconds
 }
 
 #[cfg(test)]
@@ -76,14 +66,13 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let (mut seen, stop) = (Vec::new(), AtomicBool::new(false));
             pool.build().unwrap().install(|| {
-                let slow_first = |i: usize| {
-                    std::thread::sleep(std::time::Duration::from_micros(if i % 3 == 0 {
-                        500
-                    } else {
-                        1
-                    }));
-                    Some(i * i)
-                };
+                let slow_first =
+                    |i: usize| {
+                        std::thread::sleep(std::time::Duration::from_micros(
+                            if i.is_multiple_of(3) { 500 } else { 1 },
+                        ));
+                        Some(i * i)
+                    };
                 run((3, 100), &stop, slow_first, |i, square| {
                     assert_eq!(square, i * i);
                     seen.push(i);

@@ -169,7 +169,7 @@ impl Sweep {
     pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
         let outcome = match self.scenario(number) {
             Err(error) => Err(error.to_string()),
-            Ok(scenario) => match checked(&scenario, None, watch) {
+            Ok(scenario) => match checked(&scenario, watch) {
                 Err(Refusal::Cancelled) => return None,
                 other => other.map_err(|refusal| refusal.to_string()),
             },
@@ -185,7 +185,8 @@ impl Sweep {
     pub fn fingerprint(&self) -> u64 {
         let mut text = to_ron(&self.scenario);
         for axis in &self.axes {
-            text += &format!("{}={:?}\n", axis.path, axis.values);
+            let axis = format!("{}={:?}\n", axis.path, axis.values);
+            text.push_str(&axis);
         }
         let keys = OUTPUTS.iter().map(|output| output.key);
         for part in keys.chain([env!("CARGO_PKG_VERSION")]) {

@@ -75,6 +75,10 @@ pub enum Action {
     Sort,
     /// Measure speed against error.
     Measure,
+    /// Another input on an axis of the map: across, or up.
+    Axis(bool),
+    /// Wider or narrower ranges of the map.
+    Reach(bool),
     /// Yes to a question.
     Yes,
     /// No to it.

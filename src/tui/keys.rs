@@ -37,6 +37,12 @@ pub enum Context {
     Replays,
     /// Among the points of speed against error.
     Accuracy,
+    /// Among the bands of the results.
+    Uncertainty,
+    /// On the map of two inputs.
+    Sweep,
+    /// Among the published injury curves.
+    Injury,
     /// While a value or a name is typed.
     Typing,
     /// In the list of presets to open.
@@ -62,6 +68,9 @@ impl Context {
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
             Self::Accuracy => "Accuracy",
+            Self::Uncertainty => "Doubt",
+            Self::Sweep => "Map",
+            Self::Injury => "Injury",
             Self::Typing => "Typing",
             Self::Picker => "List of presets",
             Self::Question => "Question",
@@ -72,8 +81,8 @@ impl Context {
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{
-            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Marks, Number, Picker, Question,
-            Replay, Replays, Table, Typing,
+            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Injury, Marks, Number, Picker,
+            Question, Replay, Replays, Sweep, Table, Typing, Uncertainty,
         };
         match self {
             Everywhere => &[Everywhere],
@@ -87,6 +96,9 @@ impl Context {
             Table => &[Table, Clock, Everywhere],
             Replays => &[Replays, Clock, Everywhere],
             Accuracy => &[Accuracy, Everywhere],
+            Uncertainty => &[Uncertainty, Everywhere],
+            Sweep => &[Sweep, Everywhere],
+            Injury => &[Injury, Everywhere],
             Typing => &[Typing],
             Picker => &[Picker],
             Question => &[Question],

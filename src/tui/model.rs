@@ -8,9 +8,11 @@ use tui_input::Input;
 use super::accuracy::Measurement;
 use super::clock::Clock;
 use super::comparison::Comparison;
+use super::ensemble::Spread;
 use super::form::Form;
 use super::keys::Context;
 use super::screens::{SCREENS, Screen};
+use super::sweep::Map;
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
 use super::worker::Ticket;
@@ -147,10 +149,16 @@ pub struct Model {
     pub clock: Clock,
     /// Which curves the force screen shows.
     pub curves: usize,
+    /// Which injury curve is explained.
+    pub injury: usize,
     /// The comparison.
     pub compare: Comparison,
     /// Speed against error.
     pub accuracy: Measurement,
+    /// What is not known of the inputs.
+    pub ensemble: Spread,
+    /// Damage over two inputs.
+    pub map: Map,
     /// What can be opened.
     pub choices: Vec<Choice>,
     /// Said in the footer until the next key.
@@ -183,8 +191,11 @@ impl Model {
             overlay: None,
             clock: Clock::default(),
             curves: 0,
+            injury: 0,
             compare: Comparison::default(),
             accuracy: Measurement::default(),
+            ensemble: Spread::default(),
+            map: Map::default(),
             choices,
             notice: None,
             slow_link: false,

@@ -21,6 +21,12 @@ pub enum Screen {
     Compare,
     /// Speed against error.
     Accuracy,
+    /// What is not known of the inputs.
+    Uncertainty,
+    /// Damage over two inputs.
+    Sweep,
+    /// Published injury curves.
+    Injury,
 }
 
 /// What there is to know of a screen.
@@ -77,6 +83,27 @@ pub static SCREENS: &[Listed] = &[
         title: "Accuracy",
         draw: view::accuracy::draw,
         panes: &[("points", Context::Accuracy)],
+    },
+    Listed {
+        screen: Screen::Uncertainty,
+        key: '6',
+        title: "Doubt",
+        draw: view::uncertainty::draw,
+        panes: &[("outputs", Context::Uncertainty)],
+    },
+    Listed {
+        screen: Screen::Sweep,
+        key: '7',
+        title: "Map",
+        draw: view::sweep::draw,
+        panes: &[("map", Context::Sweep)],
+    },
+    Listed {
+        screen: Screen::Injury,
+        key: '8',
+        title: "Injury",
+        draw: view::injury::draw,
+        panes: &[("curves", Context::Injury)],
     },
 ];
 

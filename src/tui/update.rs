@@ -12,23 +12,29 @@ use tui_input::backend::crossterm::EventHandler;
 use super::action::{Action, Step};
 use super::clock::Moment;
 use super::comparison::COLUMNS;
+use super::ensemble::{MANY, Sampling};
 use super::form::{Row, nudged};
 use super::keys::{self, Context};
 use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
 use super::save::SaveError;
 use super::screens::Screen;
+use super::sweep::Drawing;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::study::MeshError;
 use crate::study::accuracy::Accuracy;
+use crate::study::ensemble::Ensemble;
+use crate::study::map::Grid;
 
 mod accuracy;
 mod compare;
+mod ensemble;
 mod mouse;
 mod news;
 mod presets;
+mod sweep;
 mod typing;
 
 /// Something that happened.
@@ -49,6 +55,10 @@ pub enum Message {
     Accuracy(Report<Accuracy>),
     /// The worker of the mesh error.
     Mesh(Report<MeshError>),
+    /// The worker of the ensembles says something.
+    Ensemble(Report<Ensemble>),
+    /// The worker of the map says something.
+    Map(Report<Grid>),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
@@ -72,6 +82,14 @@ pub enum Effect {
     Measure(Ticket, Scenario),
     /// Stop that.
     StopMeasuring(Ticket),
+    /// Run samples over what is not known.
+    Sample(Ticket, Sampling),
+    /// Stop that; what is done will be told.
+    StopSampling(Ticket),
+    /// Compute a map of two inputs.
+    Draw(Ticket, Drawing),
+    /// Stop that.
+    StopDrawing(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -109,7 +127,15 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
                 effects.push(Effect::EstimateMesh(shown.ticket, shown.scenario.clone()));
             }
         }
-        Message::Mesh(report) => news::hear_mesh(model, report),
+        Message::Mesh(report) => {
+            let done = matches!(report, Report::Done(..));
+            news::hear_mesh(model, report);
+            if done {
+                effects.extend(ensemble::idle(model));
+            }
+        }
+        Message::Ensemble(report) => ensemble::hear(model, report),
+        Message::Map(report) => sweep::hear(model, report),
         Message::Comparison(report) => compare::hear(model, report),
         Message::Accuracy(report) => accuracy::hear(model, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
@@ -120,6 +146,8 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
     }
     effects.extend(compare::next(model));
     effects.extend(accuracy::stop_if_unwanted(model));
+    effects.extend(ensemble::stop_if_unwanted(model));
+    effects.extend(sweep::go_on(model));
     effects
 }
 
@@ -202,7 +230,12 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Show(screen) => {
             model.screen = screen;
             effects.extend(accuracy::opened(model));
+            effects.extend(ensemble::opened(model));
         }
+        Action::Measure if model.screen == Screen::Uncertainty => {
+            effects.extend(ensemble::start(model, MANY));
+        }
+        Action::Measure if model.screen == Screen::Sweep => model.map.halted = false,
         Action::Measure => effects.extend(accuracy::start(model)),
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
@@ -212,12 +245,20 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Up | Action::Down => go(model, action == Action::Down),
         Action::Step(step) => step_here(model, step, effects),
         Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
+        Action::Enter if model.context() == Context::Sweep => sweep::adopt(model, effects),
         Action::Enter => enter(model, effects),
         Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
             effects.extend(accuracy::stop(model));
         }
+        Action::Cancel if model.context() == Context::Uncertainty => {
+            effects.extend(ensemble::stop(model));
+        }
+        Action::Cancel if model.context() == Context::Sweep => effects.extend(sweep::stop(model)),
         Action::Cancel => cancel(model, effects),
         Action::Advanced => model.form.fold(&model.work.scenario),
+        Action::Axis(across) => model.map.turn(&model.work.scenario, across),
+        Action::Reach(wider) => model.map.zoom(&model.work.scenario, wider),
+        Action::Turn(step) if model.screen == Screen::Sweep => model.map.step(step, false),
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
         Action::Widen(step) => nudge(model, "impact.half_width_deg", step, effects),
         Action::Play => {
@@ -292,6 +333,12 @@ fn go(model: &mut Model, down: bool) {
                 .min(last.saturating_sub(1));
         }
         Some(_) => {}
+        None if model.screen == Screen::Uncertainty => ensemble::go(model, down),
+        None if model.screen == Screen::Injury => {
+            let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
+            let row = model.injury.saturating_add_signed(isize::from(by));
+            model.injury = row.min(count.saturating_sub(1));
+        }
         None if model.screen == Screen::Compare => {
             // The form stands above the presets.
             let row = model.compare.row.saturating_add_signed(isize::from(by));
@@ -310,6 +357,7 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
         Context::Accuracy => model.accuracy.step(step),
+        Context::Sweep => model.map.step(step, true),
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);

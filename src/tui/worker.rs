@@ -4,7 +4,7 @@
 //! stops the running one. Each job has a ticket, by which a late answer is known.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -20,6 +20,9 @@ const FRAMES: f64 = 400.0;
 /// Numbers of nodes times frames that a replay may keep: some 100 MB.
 const MOST_KEPT: f64 = 4e6;
 
+/// How often work on several threads is looked after.
+const LOOK_EVERY: Duration = Duration::from_millis(4);
+
 /// Known by this number.
 pub type Ticket = u64;
 
@@ -32,32 +35,34 @@ pub enum Report<T = Answer> {
     Done(Ticket, Box<Result<T, Refusal>>),
 }
 
-/// What a thread does with a scenario.
-pub type Job<T> = fn(&Scenario, Watch) -> Result<T, Refusal>;
+/// What a thread does with a question.
+pub type Job<Q, T> = fn(&Q, Watch) -> Result<T, Refusal>;
 
-struct Slot {
-    job: Option<(Ticket, Scenario)>,
+struct Slot<Q> {
+    job: Option<(Ticket, Q)>,
     closed: bool,
 }
 
-struct Shared {
-    slot: Mutex<Slot>,
+struct Shared<Q> {
+    slot: Mutex<Slot<Q>>,
     filled: Condvar,
     /// Jobs with a lower ticket must stop.
     wanted: AtomicU64,
 }
 
 /// A thread with room for one running and one pending job.
-pub struct Worker(Arc<Shared>);
+pub struct Worker<Q = Scenario>(Arc<Shared<Q>>);
 
 impl Worker {
     /// Starts a thread that simulates; `say` is called on it.
     pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
         Self::of(answer, say)
     }
+}
 
-    /// Starts a thread that does something else with scenarios.
-    pub fn of<T: 'static>(job: Job<T>, say: impl Fn(Report<T>) + Send + 'static) -> Self {
+impl<Q: Send + 'static> Worker<Q> {
+    /// Starts a thread that does something else.
+    pub fn of<T: 'static>(job: Job<Q, T>, say: impl Fn(Report<T>) + Send + 'static) -> Self {
         let shared = Arc::new(Shared {
             slot: Mutex::new(Slot {
                 job: None,
@@ -72,9 +77,9 @@ impl Worker {
     }
 
     /// Hands in a job. Tickets must rise.
-    pub fn submit(&self, ticket: Ticket, scenario: Scenario) {
+    pub fn submit(&self, ticket: Ticket, question: Q) {
         self.0.wanted.store(ticket, Ordering::Relaxed);
-        self.lock().job = Some((ticket, scenario));
+        self.lock().job = Some((ticket, question));
         self.0.filled.notify_one();
     }
 
@@ -83,23 +88,24 @@ impl Worker {
         self.0.wanted.fetch_max(ticket + 1, Ordering::Relaxed);
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Slot> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Slot<Q>> {
         self.0.slot.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Drop for Worker {
+impl<Q> Drop for Worker<Q> {
     fn drop(&mut self) {
         self.0.wanted.store(u64::MAX, Ordering::Relaxed);
-        self.lock().closed = true;
+        let slot = self.0.slot.lock();
+        slot.unwrap_or_else(PoisonError::into_inner).closed = true;
         self.0.filled.notify_one();
     }
 }
 
-fn work<T>(shared: &Shared, job: Job<T>, say: &impl Fn(Report<T>)) {
+fn work<Q, T>(shared: &Shared<Q>, job: Job<Q, T>, say: &impl Fn(Report<T>)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let (ticket, scenario) = loop {
+        let (ticket, question) = loop {
             if slot.closed {
                 return;
             }
@@ -112,19 +118,19 @@ fn work<T>(shared: &Shared, job: Job<T>, say: &impl Fn(Report<T>)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        say(run(shared, ticket, &scenario, job, say));
+        say(run(shared, ticket, &question, job, say));
     }
 }
 
-fn run<T>(
-    shared: &Shared,
+fn run<Q, T>(
+    shared: &Shared<Q>,
     ticket: Ticket,
-    scenario: &Scenario,
-    job: Job<T>,
+    question: &Q,
+    job: Job<Q, T>,
     say: &impl Fn(Report<T>),
 ) -> Report<T> {
     let mut reported = Instant::now();
-    let outcome = job(scenario, &mut |share| {
+    let outcome = job(question, &mut |share| {
         if shared.wanted.load(Ordering::Relaxed) > ticket {
             return ControlFlow::Break(());
         }
@@ -152,6 +158,31 @@ pub fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
 pub fn mesh_error(scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
     let answer = solve(scenario, Keep::default(), watch)?;
     MeshQuery::of(&answer).estimate(scenario, watch)
+}
+
+/// Does work that may be told to stop and says how far it is, on another thread, under the eyes of a
+/// watch that must stay on this one. What is stopped gives what it has.
+pub fn overseen<T: Send>(
+    watch: Watch,
+    work: impl FnOnce(&AtomicBool, &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T + Send,
+) -> T {
+    let (stop, share) = (AtomicBool::new(false), AtomicU64::new(0));
+    thread::scope(|scope| {
+        let own = scope.spawn(|| {
+            work(&stop, &|done: f64| {
+                share.store(done.to_bits(), Ordering::Relaxed);
+                ControlFlow::Continue(())
+            })
+        });
+        while !own.is_finished() {
+            if watch(f64::from_bits(share.load(Ordering::Relaxed))).is_break() {
+                stop.store(true, Ordering::Relaxed);
+            }
+            thread::sleep(LOOK_EVERY);
+        }
+        own.join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.

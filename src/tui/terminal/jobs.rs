@@ -4,8 +4,12 @@ use std::sync::mpsc::Sender;
 
 use super::event::Event;
 use crate::study::accuracy::Accuracy;
+use crate::study::ensemble::Ensemble;
+use crate::study::map::Grid;
 use crate::study::{Answer, MeshError};
 use crate::tui::accuracy::measure;
+use crate::tui::ensemble::{Sampling, ensemble};
+use crate::tui::sweep::{Drawing, map};
 use crate::tui::update::{Effect, Message};
 use crate::tui::worker::{Job, Report, Worker, answer, mesh_error};
 
@@ -15,14 +19,16 @@ pub(super) struct Jobs {
     comparison: Worker,
     mesh: Worker,
     accuracy: Worker,
+    ensemble: Worker<Sampling>,
+    map: Worker<Drawing>,
 }
 
 /// A thread whose news reach the loop as messages.
-fn worker<T: Send + 'static>(
+fn worker<Q: Send + 'static, T: Send + 'static>(
     send: &Sender<Event>,
-    job: Job<T>,
+    job: Job<Q, T>,
     wrap: fn(Report<T>) -> Message,
-) -> Worker {
+) -> Worker<Q> {
     let send = send.clone();
     Worker::of(job, move |report| {
         // Nobody listens once the app is leaving.
@@ -34,10 +40,12 @@ impl Jobs {
     /// Starts all threads; they wait for work.
     pub(super) fn start(send: &Sender<Event>) -> Self {
         Self {
-            form: worker::<Answer>(send, answer, Message::Form),
-            comparison: worker::<Answer>(send, answer, Message::Comparison),
-            mesh: worker::<MeshError>(send, mesh_error, Message::Mesh),
-            accuracy: worker::<Accuracy>(send, measure, Message::Accuracy),
+            form: worker::<_, Answer>(send, answer, Message::Form),
+            comparison: worker::<_, Answer>(send, answer, Message::Comparison),
+            mesh: worker::<_, MeshError>(send, mesh_error, Message::Mesh),
+            accuracy: worker::<_, Accuracy>(send, measure, Message::Accuracy),
+            ensemble: worker::<_, Ensemble>(send, ensemble, Message::Ensemble),
+            map: worker::<_, Grid>(send, map, Message::Map),
         }
     }
 
@@ -54,6 +62,10 @@ impl Jobs {
             Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
             Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
             Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
+            Effect::Sample(ticket, question) => self.ensemble.submit(ticket, question),
+            Effect::StopSampling(ticket) => self.ensemble.cancel(ticket),
+            Effect::Draw(ticket, question) => self.map.submit(ticket, question),
+            Effect::StopDrawing(ticket) => self.map.cancel(ticket),
             Effect::Save(..)
             | Effect::Suspend
             | Effect::Mouse(_)

@@ -11,6 +11,7 @@ pub mod footer;
 pub mod form;
 pub mod heat;
 pub mod hit;
+pub mod injury;
 pub mod log_axis;
 pub mod main;
 pub mod overlay;
@@ -18,8 +19,10 @@ pub mod profiles;
 pub mod raster;
 pub mod replay;
 pub mod score;
+pub mod sweep;
 pub mod text;
 pub mod theme;
+pub mod uncertainty;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -54,7 +54,10 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     put(buffer, line(1), (0, 0), "Damage", theme.heading());
     let number = format!("{} %", significant(damage));
     put_right(buffer, line(1), (17, 0), &number, theme.strong());
-    let gauge = Rect::new(area.x + 18, area.y + 1, area.width - 18, 1);
+    let band = band(model, shown, area.width);
+    let beside = if band.is_empty() { 0 } else { width(&band) + 1 };
+    put_right(buffer, line(1), (area.width, 0), &band, theme.text());
+    let gauge = Rect::new(area.x + 18, area.y + 1, area.width - 18 - beside, 1);
     bar(
         damage / 100.0,
         theme.gauge(damage / 100.0),
@@ -100,6 +103,19 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         put_right(buffer, line(5), (area.width, 0), &apex, theme.text());
     }
     flags(shown, theme, area, buffer);
+}
+
+/// Where nine in ten samples of the inputs lie, once that is known.
+fn band(model: &Model, shown: &Shown, room: u16) -> String {
+    let Some(band) = model.ensemble.damage(&shown.scenario) else {
+        return String::new();
+    };
+    if room >= 50 {
+        let (low, high) = (significant(band.low), significant(band.high));
+        format!("5-95 %: {low} to {high}")
+    } else {
+        format!("{:.0}-{:.0}", band.low, band.high)
+    }
 }
 
 /// One part of the index: its value, its threshold, and how near it comes.

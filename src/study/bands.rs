@@ -1,0 +1,135 @@
+//! What the samples of an ensemble say together: bands, what drives them, and how they are counted.
+//!
+//! The bands hold the samples whose mesh did not fold. Folded ones are counted apart, as their numbers
+//! are beyond the model's validity, and so are refused ones, which have no numbers. Where samples folded
+//! the bands are those of the gentler eyes; the folded ones' share says how much is missing.
+//!
+//! Left out: how sure the quantiles themselves are.
+
+use super::ensemble::{Ensemble, PILOT, Sample};
+use super::outputs::OUTPUTS;
+use super::point::{PROMISE_PERCENT, Point};
+use super::statistics::{quantile, rank_correlation};
+
+/// Median and the band that holds nine in ten.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// One in twenty lies below.
+    pub low: f64,
+    /// Half lies below.
+    pub median: f64,
+    /// One in twenty lies above.
+    pub high: f64,
+}
+
+/// What the checks of the step error found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Checks {
+    /// Samples checked, unfolded.
+    pub count: usize,
+    /// How many of them had to take a shorter step.
+    pub refined: usize,
+    /// How many of those after the pilot, whose step was what the unchecked ones take.
+    pub missed: usize,
+    /// Largest error at the step tried first, after the pilot, in %.
+    pub first: f64,
+    /// Largest error at the step taken, in %.
+    pub last: f64,
+}
+
+impl Ensemble {
+    /// Whether it was stopped before the end.
+    pub fn stopped(&self) -> bool {
+        self.samples.len() < self.asked as usize
+    }
+
+    /// The samples that the bands hold.
+    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
+        let point = |sample: &Sample| sample.outcome.as_ref().is_ok_and(|p| !p.folded());
+        self.samples
+            .iter()
+            .filter(move |sample| point(sample))
+            .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+    }
+
+    /// Samples whose mesh folded.
+    pub fn folded(&self) -> usize {
+        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(Point::folded);
+        self.samples.iter().filter(folded).count()
+    }
+
+    /// What samples were flagged with or refused for, and how many of each, by name.
+    pub fn counts(&self) -> Vec<(String, usize)> {
+        let mut counts = std::collections::BTreeMap::new();
+        for sample in &self.samples {
+            match &sample.outcome {
+                Ok(point) => {
+                    for flag in &point.flags {
+                        *counts.entry(flag.name().to_owned()).or_insert(0) += 1;
+                    }
+                }
+                Err(name) => *counts.entry(format!("refused: {name}")).or_insert(0) += 1,
+            }
+        }
+        counts.into_iter().collect()
+    }
+
+    /// The values of one output over the valid samples.
+    fn values(&self, output: usize) -> Vec<f64> {
+        self.valid()
+            .map(|(_, point)| point.values[output])
+            .collect()
+    }
+
+    /// The band of one of [`OUTPUTS`]; none where the scene has no such result, or no sample.
+    pub fn band(&self, output: usize) -> Option<Band> {
+        let mut values = self.values(output);
+        values.sort_by(f64::total_cmp);
+        let of = |p| quantile(&values, p);
+        (!values.is_empty() && values.iter().all(|v| v.is_finite())).then(|| Band {
+            low: of(0.05),
+            median: of(0.5),
+            high: of(0.95),
+        })
+    }
+
+    /// The outputs that have a band.
+    pub fn outputs(&self) -> Vec<usize> {
+        let has = |output: &usize| self.band(*output).is_some();
+        (0..OUTPUTS.len()).filter(has).collect()
+    }
+
+    /// Rank correlation of each input with an output, the strongest first: index of the input and
+    /// correlation.
+    pub fn drivers(&self, output: usize) -> Vec<(usize, f64)> {
+        let values = self.values(output);
+        let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
+            .map(|input| {
+                let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();
+                (input, rank_correlation(&drawn, &values))
+            })
+            .collect();
+        found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        found
+    }
+
+    /// What the checks found.
+    pub fn checks(&self) -> Checks {
+        let mut checks = Checks::default();
+        for (index, sample) in self.samples.iter().enumerate() {
+            let Ok(point) = &sample.outcome else { continue };
+            let (Some(check), false) = (point.check, point.folded()) else {
+                continue;
+            };
+            let refined = check.first > PROMISE_PERCENT;
+            checks.count += 1;
+            checks.refined += usize::from(refined);
+            if index >= PILOT as usize {
+                checks.missed += usize::from(refined);
+                checks.first = checks.first.max(check.first);
+            }
+            checks.last = checks.last.max(check.last);
+        }
+        checks
+    }
+}

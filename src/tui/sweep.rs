@@ -1,0 +1,313 @@
+//! The map of two inputs as the app holds it: which inputs, what is known, where the cursor stands.
+
+use super::action::Step;
+use super::worker::{Ticket, overseen};
+use crate::scenario::doubt::number;
+use crate::scenario::fields::{FIELDS, Field, find};
+use crate::scenario::{Scenario, set};
+use crate::study::map::{Grid, SIDES, Span, Spot, fill, scenario_at};
+use crate::study::sweep::spaced;
+use crate::study::{Refusal, Watch};
+
+/// Pairs of inputs to begin with; the first whose fields are there.
+const PAIRS: [(&str, &str); 2] = [
+    ("impact.speed_m_s", "impact.angle_deg"),
+    ("impact.force_n", "impact.duration_ms"),
+];
+/// Points a side of the finest grid, on which the cursor moves.
+const FINEST: usize = SIDES[SIDES.len() - 1];
+/// How far a range reaches at first: to three times the value and to a third of it.
+const REACH: f64 = 2.0;
+/// The factor of one key press on the reach, and its bounds.
+const ZOOM: f64 = 1.5;
+const REACHES: (f64, f64) = (0.1, 20.0);
+/// Where a value is 0 the range reaches so many large steps to both sides, at the first reach.
+const STEPS: f64 = 3.0;
+
+/// What is asked of a worker.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// The scenario; what it holds of the two inputs does not matter.
+    pub scenario: Scenario,
+    /// The inputs: across and up.
+    pub spans: (Span, Span),
+    /// Points a side.
+    pub side: usize,
+    /// What is known already.
+    pub known: Option<Grid>,
+}
+
+/// What the worker does.
+///
+/// # Errors
+/// [`Refusal::Cancelled`] if the watch stops it.
+pub fn map(question: &Drawing, watch: Watch) -> Result<Grid, Refusal> {
+    let Drawing {
+        scenario,
+        spans,
+        side,
+        known,
+    } = question;
+    overseen(watch, |stop, watch| {
+        fill(scenario, *spans, *side, known.as_ref(), stop, watch)
+    })
+}
+
+/// What is under way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// Its ticket.
+    pub ticket: Ticket,
+    /// What was asked.
+    pub question: Drawing,
+    /// How much of it is done.
+    pub share: f64,
+}
+
+/// All that the screen knows.
+pub struct Map {
+    /// The inputs: across and up.
+    pub spans: Option<(Span, Span)>,
+    /// What came last, and of which scenario and inputs.
+    pub done: Option<(Scenario, (Span, Span), Grid)>,
+    /// What is under way.
+    pub job: Option<Job>,
+    /// Whether Esc stopped it, so that only a key begins again.
+    pub halted: bool,
+    /// Where the cursor stands on the finest grid.
+    pub cursor: (usize, usize),
+    /// How far the ranges reach.
+    reach: f64,
+}
+
+impl Default for Map {
+    fn default() -> Self {
+        Self {
+            spans: None,
+            done: None,
+            job: None,
+            halted: false,
+            cursor: (FINEST / 2, FINEST / 2),
+            reach: REACH,
+        }
+    }
+}
+
+/// Three significant digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// A range round the present value, within the field's bounds.
+fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> {
+    let (value, bounds) = number(field, scenario)?;
+    let (from, to) = if value == 0.0 {
+        let wide = STEPS * bounds.coarse * reach / REACH;
+        (-wide, wide)
+    } else if value > 0.0 {
+        (value / (1.0 + reach), value * (1.0 + reach))
+    } else {
+        (value * (1.0 + reach), value / (1.0 + reach))
+    };
+    let within = |v: f64| rounded(v).clamp(bounds.min, bounds.max);
+    let (from, to) = (within(from), within(to));
+    (from < to).then_some(Span { field, from, to })
+}
+
+/// The scenario without what the two inputs say of it.
+fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
+    let mut bare = Scenario {
+        // No name would be refused.
+        name: "any".to_owned(),
+        ..scenario.clone()
+    };
+    bare.doubt.clear();
+    for span in [x, y] {
+        set::put_number(&mut bare, span.field, span.from);
+    }
+    bare
+}
+
+impl Map {
+    /// Chooses inputs where there are none, or where the scenario no longer has them.
+    pub fn settle(&mut self, scenario: &Scenario) {
+        let there = |span: &Span| number(span.field, scenario).is_some();
+        if self.spans.is_some_and(|(x, y)| there(&x) && there(&y)) {
+            return;
+        }
+        let field = |path| find(path).filter(|field| number(field, scenario).is_some());
+        let pair = PAIRS.iter().find_map(|(x, y)| Some((field(x)?, field(y)?)));
+        self.spans = pair.and_then(|(x, y)| {
+            Some((
+                span(x, scenario, self.reach)?,
+                span(y, scenario, self.reach)?,
+            ))
+        });
+    }
+
+    /// Takes the next field for the input across, or for the one up.
+    pub fn turn(&mut self, scenario: &Scenario, across: bool) {
+        let Some((x, y)) = self.spans else { return };
+        let (own, other) = if across { (x, y) } else { (y, x) };
+        let here = FIELDS.iter().position(|f| f.path == own.field.path);
+        let count = FIELDS.len();
+        let next = (1..=count)
+            .map(|i| &FIELDS[(here.unwrap_or(0) + i) % count])
+            .filter(|field| field.path != other.field.path)
+            .find_map(|field| span(field, scenario, self.reach));
+        let next = next.unwrap_or(own);
+        self.spans = Some(if across { (next, other) } else { (other, next) });
+        self.halted = false;
+    }
+
+    /// Widens or narrows both ranges about what the scenario holds now.
+    pub fn zoom(&mut self, scenario: &Scenario, wider: bool) {
+        let factor = if wider { ZOOM } else { 1.0 / ZOOM };
+        self.reach = (self.reach * factor).clamp(REACHES.0, REACHES.1);
+        if let Some((x, y)) = self.spans {
+            let again = |old: Span| span(old.field, scenario, self.reach).unwrap_or(old);
+            self.spans = Some((again(x), again(y)));
+            self.halted = false;
+        }
+    }
+
+    /// Moves the cursor: across, or up.
+    pub fn step(&mut self, step: Step, across: bool) {
+        let by = if step.coarse { 4 } else { 1 };
+        let at = if across {
+            &mut self.cursor.0
+        } else {
+            &mut self.cursor.1
+        };
+        *at = if step.up {
+            (*at + by).min(FINEST - 1)
+        } else {
+            at.saturating_sub(by)
+        };
+    }
+
+    /// What is known of this scenario over the present inputs.
+    pub fn grid(&self, scenario: &Scenario) -> Option<&Grid> {
+        let spans = self.spans?;
+        let (asked, of, grid) = self.done.as_ref()?;
+        (*of == spans && *asked == key(scenario, spans)).then_some(grid)
+    }
+
+    /// What should be computed next, if anything is left.
+    pub fn next(&self, scenario: &Scenario) -> Option<Drawing> {
+        let spans = self.spans?;
+        let known = self.grid(scenario);
+        let side = match known {
+            None => SIDES[0],
+            Some(grid) => *SIDES.iter().find(|side| **side > grid.side)?,
+        };
+        Some(Drawing {
+            scenario: key(scenario, spans),
+            spans,
+            side,
+            known: known.cloned(),
+        })
+    }
+
+    /// Takes a grid in.
+    pub fn take(&mut self, question: Drawing, grid: Grid) {
+        self.done = Some((question.scenario, question.spans, grid));
+    }
+
+    /// The values of the inputs under the cursor.
+    pub fn values(&self) -> Option<(f64, f64)> {
+        let (x, y) = self.spans?;
+        let value = |span: Span, at: usize| spaced(span.from, span.to, FINEST)[at];
+        Some((value(x, self.cursor.0), value(y, self.cursor.1)))
+    }
+
+    /// Where the cursor stands, from 0 to 1.
+    pub fn place(&self) -> (f64, f64) {
+        let share = |at: usize| at as f64 / (FINEST - 1) as f64;
+        (share(self.cursor.0), share(self.cursor.1))
+    }
+
+    /// What is known under the cursor, and whether it was simulated there, not interpolated.
+    pub fn reading(&self, scenario: &Scenario) -> Option<(Spot, bool)> {
+        let grid = self.grid(scenario)?;
+        let every = (FINEST - 1) / (grid.side - 1);
+        let (x, y) = self.cursor;
+        if x % every == 0 && y % every == 0 {
+            return Some((grid.at(x / every, y / every), true));
+        }
+        let (x, y) = self.place();
+        let spot = match (grid.nearest(x, y), grid.between(x, y)) {
+            (Spot::Folded(_), Some(value)) => Spot::Folded(value),
+            (_, Some(value)) => Spot::Damage(value),
+            (_, None) => Spot::Refused,
+        };
+        Some((spot, false))
+    }
+
+    /// The scenario with the values under the cursor.
+    pub fn adopted(&self, scenario: &Scenario) -> Option<Scenario> {
+        Some(scenario_at(scenario, self.spans?, self.cursor, FINEST))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_follow_the_scenario_and_go_round_without_meeting() {
+        let scenario = Scenario::default();
+        let mut map = Map::default();
+        map.settle(&scenario);
+        let (x, y) = map.spans.unwrap();
+        assert_eq!(
+            (x.field.path, y.field.path),
+            ("impact.force_n", "impact.duration_ms")
+        );
+        assert_eq!((x.from, x.to), (100.0, 900.0));
+        for _ in 0..60 {
+            map.turn(&scenario, true);
+            let (x, y) = map.spans.unwrap();
+            assert_ne!(x.field.path, y.field.path);
+            assert!(x.from < x.to && y.field.path == "impact.duration_ms");
+        }
+    }
+
+    #[test]
+    fn ranges_stay_within_bounds_however_wide() {
+        let scenario = Scenario::default();
+        let mut map = Map::default();
+        map.settle(&scenario);
+        map.turn(&scenario, false);
+        for wider in [true, false] {
+            for _ in 0..30 {
+                map.zoom(&scenario, wider);
+                let (x, y) = map.spans.unwrap();
+                for span in [x, y] {
+                    let (_, bounds) = number(span.field, &scenario).unwrap();
+                    assert!(
+                        bounds.min <= span.from && span.from < span.to && span.to <= bounds.max
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_edit_of_an_input_keeps_the_map_and_any_other_does_not() {
+        let mut scenario = Scenario::default();
+        let mut map = Map::default();
+        map.settle(&scenario);
+        let question = map.next(&scenario).unwrap();
+        assert_eq!(question.side, SIDES[0]);
+        let spots = vec![Spot::Damage(1.0); 81];
+        map.take(question, Grid { side: 9, spots });
+        map.cursor = (4, 8);
+        let adopted = map.adopted(&scenario).unwrap();
+        assert_ne!(adopted, scenario);
+        assert_eq!(map.reading(&adopted), Some((Spot::Damage(1.0), true)));
+        assert_eq!(map.next(&adopted).unwrap().side, SIDES[1]);
+        scenario.window_ms = 2.0;
+        assert!(map.grid(&scenario).is_none());
+    }
+}

@@ -1,0 +1,247 @@
+//! The damage index over two inputs as a map of digits: tens of percent, with the lines of 50 and 100 %.
+//!
+//! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
+//! folded its mesh the map is hatched, as no number holds there.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Modifier, Style};
+
+use super::text::{fitted, put, put_right, width, wrapped};
+use super::theme::Theme;
+use crate::report::text::significant;
+use crate::scenario::doubt::number;
+use crate::study::map::{Grid, Span, Spot};
+use crate::tui::model::Model;
+
+/// Room for the numbers of the axis that goes up.
+const LABELS: u16 = 8;
+/// Levels with a line and the sign of the line.
+const LINES: [(f64, &str); 2] = [(50.0, "+"), (100.0, "#")];
+/// Rows below the map: its axis, two of the reading, the legend.
+const BELOW: u16 = 5;
+
+/// Draws the screen.
+pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some((x, y)) = model.map.spans else {
+        let text = "this scenario has no two inputs to draw a map over";
+        put(buffer, area, (1, 1), text, theme.warning());
+        return;
+    };
+    let (said, style) = status(model, theme);
+    let title = format!("Damage: {} across, {} up", x.field.label, y.field.label);
+    let room = usize::from(area.width.saturating_sub(width(&said) + 4));
+    put(buffer, area, (1, 0), &fitted(&title, room), theme.heading());
+    put_right(buffer, area, (area.width - 1, 0), &said, style);
+    let field = Rect::new(
+        area.x + LABELS + 1,
+        area.y + 1,
+        area.width.saturating_sub(LABELS + 2),
+        area.height.saturating_sub(BELOW + 1),
+    );
+    if field.width < 10 || field.height < 4 {
+        put(
+            buffer,
+            area,
+            (1, 1),
+            "too small for the map",
+            theme.warning(),
+        );
+        return;
+    }
+    axes((x, y), area, field, theme, buffer);
+    if let Some(grid) = model.map.grid(&model.work.scenario) {
+        for row in 0..field.height {
+            for column in 0..field.width {
+                let (sign, style) = cell(grid, (column, row), field, theme);
+                put(buffer, field, (column, row), sign, style);
+            }
+        }
+        own(model, (x, y), field, theme, buffer);
+    }
+    let (px, py) = model.map.place();
+    let at = (
+        (px * f64::from(field.width - 1)).round() as u16,
+        ((1.0 - py) * f64::from(field.height - 1)).round() as u16,
+    );
+    let place = &mut buffer[(field.x + at.0, field.y + at.1)];
+    let cursor = theme
+        .text()
+        .add_modifier(Modifier::REVERSED | Modifier::BOLD);
+    place.set_style(Style::reset());
+    place.set_symbol("X").set_style(cursor);
+    let top = area.height - BELOW + 2;
+    let reading = reading(model, (x, y));
+    let room = usize::from(area.width - 2);
+    for (i, line) in wrapped(&reading, room).iter().take(2).enumerate() {
+        put(buffer, area, (1, top + i as u16), line, theme.strong());
+    }
+    let legend = "0-9: tens of %  +# 50, 100 %  * above  ▒ folded  o yours";
+    put(
+        buffer,
+        area,
+        (1, area.height - 1),
+        &fitted(legend, room),
+        theme.quiet(),
+    );
+}
+
+fn status(model: &Model, theme: Theme) -> (String, Style) {
+    let grid = model.map.grid(&model.work.scenario);
+    match (&model.map.job, grid) {
+        (Some(job), _) => {
+            let side = job.question.side;
+            let text = format!("{side} x {side}: {:.0} %  Esc stops", job.share * 100.0);
+            (text, theme.warning())
+        }
+        (None, _) if model.map.halted => ("stopped: m goes on".to_owned(), theme.warning()),
+        (None, Some(grid)) => (format!("{0} x {0} runs", grid.side), theme.quiet()),
+        (None, None) => (String::new(), theme.quiet()),
+    }
+}
+
+/// The place of a cell on the map, from 0 to 1, and of one that may lie outside.
+fn place((column, row): (u16, u16), field: Rect) -> (f64, f64) {
+    (
+        f64::from(column) / f64::from(field.width - 1),
+        1.0 - f64::from(row) / f64::from(field.height - 1),
+    )
+}
+
+fn cell(grid: &Grid, at: (u16, u16), field: Rect, theme: Theme) -> (&'static str, Style) {
+    const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    let (x, y) = place(at, field);
+    let Some(value) = grid.between(x, y) else {
+        return ("·", theme.quiet());
+    };
+    let steps = theme.heat_steps() as f64;
+    // Cold below 5 %, hottest from 100 % on.
+    let step = if value < 5.0 {
+        0
+    } else {
+        1 + ((value / 100.0).min(1.0) * (steps - 1.0)) as usize
+    };
+    let heat = theme.heat(step);
+    let heat = if theme.is_mono() || step == 0 {
+        heat
+    } else {
+        heat.add_modifier(Modifier::REVERSED)
+    };
+    let crosses = |level: f64| {
+        let next = [(at.0 + 1, at.1), (at.0, at.1 + 1)];
+        next.iter()
+            .filter(|(column, row)| *column < field.width && *row < field.height)
+            .filter_map(|next| {
+                let (x, y) = place(*next, field);
+                grid.between(x, y)
+            })
+            .any(|other| (other < level) != (value < level))
+    };
+    if let Some((_, sign)) = LINES.iter().find(|(level, _)| crosses(*level)) {
+        return (sign, theme.strong());
+    }
+    if matches!(grid.nearest(x, y), Spot::Folded(_)) {
+        return ("▒", heat);
+    }
+    let tens = (value / 10.0).max(0.0) as usize;
+    (DIGITS.get(tens).copied().unwrap_or("*"), heat)
+}
+
+/// Marks where the scenario itself lies, if it is on the map.
+fn own(model: &Model, (x, y): (Span, Span), field: Rect, theme: Theme, buffer: &mut Buffer) {
+    let share = |span: Span| {
+        let (value, _) = number(span.field, &model.work.scenario)?;
+        let share = (value - span.from) / (span.to - span.from);
+        (0.0..=1.0).contains(&share).then_some(share)
+    };
+    if let (Some(x), Some(y)) = (share(x), share(y)) {
+        let at = (
+            (x * f64::from(field.width - 1)).round() as u16,
+            ((1.0 - y) * f64::from(field.height - 1)).round() as u16,
+        );
+        put(buffer, field, at, "o", theme.warning());
+    }
+}
+
+fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mut Buffer) {
+    let bottom = field.height;
+    for row in 0..bottom {
+        put(buffer, area, (LABELS, 1 + row), "│", theme.line());
+    }
+    put(buffer, area, (LABELS, 1 + bottom), "└", theme.line());
+    for column in 0..field.width {
+        put(
+            buffer,
+            area,
+            (LABELS + 1 + column, 1 + bottom),
+            "─",
+            theme.line(),
+        );
+    }
+    let middle = |span: Span| 0.5 * (span.from + span.to);
+    for (row, value) in [(0, y.to), (bottom / 2, middle(y)), (bottom - 1, y.from)] {
+        put_right(
+            buffer,
+            area,
+            (LABELS, 1 + row),
+            &significant(value),
+            theme.quiet(),
+        );
+    }
+    let row = 2 + bottom;
+    let (left, right) = (LABELS + 1, area.width - 1);
+    put(
+        buffer,
+        area,
+        (left, row),
+        &significant(x.from),
+        theme.quiet(),
+    );
+    let text = format!("{} {}", significant(middle(x)), x.field.unit);
+    let at = left + field.width / 2;
+    put(
+        buffer,
+        area,
+        (at.saturating_sub(width(&text) / 2), row),
+        &text,
+        theme.quiet(),
+    );
+    put_right(
+        buffer,
+        area,
+        (right, row),
+        &significant(x.to),
+        theme.quiet(),
+    );
+    put(buffer, area, (1, row), y.field.unit, theme.quiet());
+}
+
+/// What is known under the cursor.
+fn reading(model: &Model, (x, y): (Span, Span)) -> String {
+    let Some((a, b)) = model.map.values() else {
+        return String::new();
+    };
+    let part = |span: Span, value: f64| {
+        let text = format!(
+            "{} {} {}",
+            span.field.label,
+            significant(value),
+            span.field.unit
+        );
+        text.trim_end().to_owned()
+    };
+    let about = |exact: bool| if exact { "" } else { "about " };
+    let value = match model.map.reading(&model.work.scenario) {
+        None => "not known yet".to_owned(),
+        Some((Spot::Refused, _)) => "not allowed".to_owned(),
+        Some((Spot::Damage(v), exact)) => {
+            format!("damage {}{} %", about(exact), significant(v))
+        }
+        Some((Spot::Folded(v), exact)) => {
+            let value = significant(v);
+            format!("damage {}{value} %, but the mesh folded", about(exact))
+        }
+    };
+    format!("X {}, {}: {value}", part(x, a), part(y, b))
+}
