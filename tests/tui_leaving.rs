@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use portable_pty::CommandBuilder;
-use support::{PATIENCE, RIGHT, Replies, Term, app, plain, started};
+use support::{PATIENCE, RIGHT, Replies, TO_FORCE, Term, app, plain, started};
 
 #[test]
 fn q_and_control_c_leave_a_clean_terminal() {
@@ -58,7 +58,7 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
     term.wait_for("ready> ");
     term.keys(&format!("{} tui\r", env!("CARGO_BIN_EXE_contrecoup")));
     term.wait_for("26.42 %");
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     term.keys("\x1a");
     term.wait_for("Stopped");
@@ -198,7 +198,7 @@ fn suspending_gives_the_mouse_back_and_loses_no_key() {
     term.keys(&format!("{} --mouse\r", env!("CARGO_BIN_EXE_contrecoup")));
     term.wait_for("26.42 %");
     term.settle();
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     // The reply to that frame is still to come, so the terminal is not handed over yet.
     term.keys("\x1a");

@@ -6,7 +6,7 @@ use std::fs;
 use std::process::Command;
 
 use portable_pty::CommandBuilder;
-use support::{RIGHT, Term, app, plain};
+use support::{RIGHT, TO_FORCE, Term, app, plain};
 
 #[test]
 fn a_preset_is_saved_and_replaced_only_when_told() {
@@ -15,7 +15,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(command);
     term.wait_for("26.42 %");
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("(edited)");
     // Unsaved work is not lost without a question.
     term.keys("q");
@@ -72,7 +72,7 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
     term.wait_for("26.42 %");
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("(edited)");
     term.keys("s");
     term.wait_for("Name");
@@ -102,7 +102,7 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     shell.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(shell);
     term.wait_for("26.42 %");
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("(edited)");
     term.keys("s");
     term.wait_for("Name");

@@ -58,6 +58,11 @@ fn model(sources: &[&str], depth: Depth) -> Model {
     model.choices.retain(|choice| choice.origin != "own");
     let effects = begin(&mut model);
     settle(&mut model, effects);
+    if let Some(force) = fields::find("impact.force_n")
+        && force.text(&model.work.scenario).is_some()
+    {
+        model.form.selected = Row::Field(force);
+    }
     model
 }
 

@@ -204,7 +204,7 @@ fn link(server: u16, rate: Option<f64>, round_trip: Duration, passed: Arc<Atomic
 fn the_app_starts_answers_keys_and_leaves_through_ssh() {
     let Some(server) = app_server() else { return };
     let mut term = server.open();
-    term.keys("\x1b[C");
+    term.keys(&format!("{TO_FORCE}\x1b[C"));
     term.wait_for("310 N");
     term.resize(120, 40);
     term.keys("\x1b2");

@@ -59,10 +59,10 @@ pub struct Typing {
 }
 
 impl Default for Form {
+    /// On the preset, where digits still switch screens.
     fn default() -> Self {
-        let force = FIELDS.iter().find(|field| field.path == "impact.force_n");
         Self {
-            selected: force.map_or(Row::Preset, Row::Field),
+            selected: Row::Preset,
             advanced: false,
             typing: None,
             complaint: None,

@@ -18,6 +18,8 @@ const FRAME: &[u8] = b"\x1b[?2026h";
 
 /// Keys as a terminal sends them.
 pub const RIGHT: &str = "\x1b[C";
+/// From the first row of the form to the peak force.
+pub const TO_FORCE: &str = "\x1b[B\x1b[B\x1b[B";
 pub const UP: &str = "\x1b[A";
 pub const DOWN: &str = "\x1b[B";
 
@@ -77,10 +79,12 @@ pub fn app(arguments: &[&str]) -> CommandBuilder {
     command
 }
 
-/// The app with nothing asked for, once it shows its first result.
+/// The app with nothing asked for, once it shows its first result, with the cursor on the force.
 pub fn started() -> Term {
     let term = Term::start(app(&[]));
     term.wait_for("26.42 %");
+    term.keys(TO_FORCE);
+    term.wait_for("▸Peak force");
     term
 }
 

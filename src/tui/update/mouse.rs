@@ -136,6 +136,7 @@ mod tests {
         };
         let mut model = prepare(&[], look).unwrap();
         begin(&mut model);
+        model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
         model
     }
 

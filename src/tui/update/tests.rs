@@ -16,6 +16,7 @@ fn model() -> Model {
     };
     let mut model = prepare(&[], look).unwrap();
     begin(&mut model);
+    model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
     model
 }
 
