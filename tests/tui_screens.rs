@@ -4,9 +4,10 @@
 
 use std::sync::Arc;
 
-use contrecoup::scenario::Scenario;
+use contrecoup::scenario::{Scenario, fields};
 use contrecoup::study::{Refusal, solve, unwatched};
 use contrecoup::tui::ensemble::{Sampling, ensemble};
+use contrecoup::tui::form::Row;
 use contrecoup::tui::model::{Look, Model};
 use contrecoup::tui::prepare;
 use contrecoup::tui::sweep::map;
@@ -220,7 +221,7 @@ fn accuracy_screens() {
 
 /// Opens the screen and lets a few samples of those asked for be run.
 fn open_sampled(model: &mut Model) {
-    press(model, "6");
+    press(model, "\x1b6");
     let job = model.ensemble.job.as_ref().unwrap();
     let few = Sampling {
         count: 24,
@@ -239,7 +240,7 @@ fn spread_screens() {
     };
     pictures_after("spread", &[], doubtful);
     let running = |model: &mut Model| {
-        press(model, "6");
+        press(model, "\x1b6");
         let ticket = model.ensemble.job.as_ref().unwrap().ticket;
         update(model, Message::Ensemble(Report::Progress(ticket, 0.43)));
     };
@@ -254,7 +255,7 @@ fn spread_screens() {
 
 /// Opens the screen and lets the first grid be computed.
 fn open_mapped(model: &mut Model) {
-    press(model, "7");
+    press(model, "\x1b7");
     let job = model.map.job.as_ref().unwrap();
     let report = Report::Done(job.ticket, Box::new(map(&job.question, &mut unwatched)));
     update(model, Message::Map(report));
@@ -270,9 +271,19 @@ fn map_screens() {
     };
     pictures_after("map", &[], moved);
     let other = |model: &mut Model| {
-        press(model, "7x-");
+        press(model, "\x1b7x-");
     };
     pictures_after("map_waiting", &["off-axis-triangle"], other);
+}
+
+#[test]
+fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
+    pictures("main_projectile", &["bb-56"], "");
+    pictures("replay_projectile", &["golf-ball"], "\x1b2");
+    pictures("forces_pressure", &["bb-56"], "\x1b3vvvvvvv");
+    pictures("injury", &["bb-56"], "\x1b8jjjjj");
+    pictures("injury_large", &["soccer-ball"], "\x1b8");
+    pictures("injury_none", &[], "\x1b8");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use portable_pty::CommandBuilder;
-use support::{Replies, Term, plain};
+use support::{Replies, TO_FORCE, Term, plain};
 
 const SERVER: &str = "/usr/sbin/sshd";
 

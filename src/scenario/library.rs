@@ -27,7 +27,7 @@ macro_rules! built_in {
 static BUILT_IN: &[(&str, &str)] = built_in![
     "air-rifle-pellet",
     "airbag-foam",
-    "airsoft",
+    "airsoft-75",
     "airsoft-99",
     "baseball-34",
     "baseball-41",

@@ -4,6 +4,7 @@ use super::*;
 use crate::recording::Keep;
 use crate::scenario::Impact;
 use crate::study::{Refusal, solve as simulate, unwatched};
+use crate::tui::form::Row;
 use crate::tui::model::Look;
 use crate::tui::open::prepare;
 use crate::tui::terminal::caps::{Depth, Symbols};

@@ -105,7 +105,13 @@ fn line(
         put(buffer, bar, (x, y), mark, style);
     }
     let percent = format!("{:.0} %", 100.0 * risk.risk);
-    put_right(buffer, area, (NAME + bar.width + 6, y), &percent, theme.strong());
+    put_right(
+        buffer,
+        area,
+        (NAME + bar.width + 6, y),
+        &percent,
+        theme.strong(),
+    );
     let (unit, scale) = risk.curve.measure.unit();
     let value = format!("{} {unit}", significant(risk.value / scale));
     let doubtful = risk.extrapolated
@@ -114,7 +120,13 @@ fn line(
             risk.curve.standing,
             Standing::Unverified | Standing::Reconstructed
         );
-    put(buffer, area, (NAME + bar.width + 7, y), &value, theme.text());
+    put(
+        buffer,
+        area,
+        (NAME + bar.width + 7, y),
+        &value,
+        theme.text(),
+    );
     if doubtful {
         put_right(buffer, area, (area.width, y), "!", theme.warning());
     }
