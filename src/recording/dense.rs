@@ -119,11 +119,18 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
         }
     }
     let mut top = (samples[best], best as f64 * spacing);
-    if best == 0 || best == points || top.0 <= floor {
+    if top.0 <= floor {
         return top;
     }
-    let (mut left, mut mid, mut right) = (samples[best - 1], samples[best], samples[best + 1]);
-    let (mut centre, mut reach) = (top.1, spacing);
+    // The top may lie between an end and its neighbour; then three points bend to it.
+    let middle = best.clamp(1, points - 1);
+    let (mut left, mut mid, mut right) =
+        (samples[middle - 1], samples[middle], samples[middle + 1]);
+    let bend = left - 2.0 * mid + right;
+    if middle != best && (bend >= 0.0 || (0.5 * (left - right) / bend).abs() >= 1.0) {
+        return top;
+    }
+    let (mut centre, mut reach) = (middle as f64 * spacing, spacing);
     for _ in 0..3 {
         let bend = left - 2.0 * mid + right;
         if bend >= 0.0 {
@@ -131,7 +138,7 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
         }
         let slope = left - right;
         let shift = (0.5 * slope / bend).clamp(-1.0, 1.0) * reach;
-        centre += shift;
+        centre = (centre + shift).clamp(0.0, 1.0);
         reach *= 0.25;
         mid = f(centre);
         if mid > top.0 {
@@ -235,7 +242,7 @@ mod tests {
 
     #[test]
     fn the_maximum_of_a_smooth_curve_is_found_between_samples() {
-        for top in [0.13, 0.5, 0.81] {
+        for top in [0.03, 0.13, 0.5, 0.81, 0.98] {
             let (value, share) = maximum(8, 0.0, |s| {
                 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3)
             });
