@@ -89,6 +89,18 @@ pub static OUTPUTS: &[Output] = &[
         "peak, top",
         "N"
     ),
+    Output {
+        key: "peak_pressure_mpa",
+        label: "peak pressure",
+        unit: "MPa",
+        of: |ran| Some(ran.extremes.fluid?.pressure.value * 1e-6),
+    },
+    Output {
+        key: "peak_contact_force_n",
+        label: "contact force",
+        unit: "N",
+        of: |ran| Some(ran.extremes.shot?.force.value),
+    },
 ];
 
 /// Every result of a run, in the order of [`OUTPUTS`]; not a number where the scene has none.

@@ -82,6 +82,7 @@ fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refu
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
         && !plan.integrator.adaptive()
+        && case.system.coupled().is_none()
     {
         plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
     }

@@ -190,12 +190,12 @@ mod tests {
     #[test]
     fn a_click_chooses_a_row_and_another_one_opens_it() {
         let mut model = model();
-        does(&mut model, Down(Left), (5, 4));
+        does(&mut model, Down(Left), (5, 5));
         let Row::Field(field) = model.form.selected else {
             panic!()
         };
         assert_eq!(field.path, "impact.duration_ms");
-        does(&mut model, Down(Left), (5, 4));
+        does(&mut model, Down(Left), (5, 5));
         assert!(model.form.typing.is_some());
         // A click elsewhere waits for the answer.
         does(&mut model, Down(Left), (5, 1));
@@ -205,11 +205,11 @@ mod tests {
     #[test]
     fn the_wheel_nudges_the_chosen_value_and_chooses_beside_it() {
         let mut model = model();
-        does(&mut model, ScrollUp, (5, 3));
+        does(&mut model, ScrollUp, (5, 4));
         assert_eq!(blow(&model).0, 310.0);
-        does(&mut model, ScrollDown, (5, 3));
+        does(&mut model, ScrollDown, (5, 4));
         assert_eq!(blow(&model).0, 300.0);
-        does(&mut model, ScrollDown, (5, 7));
+        does(&mut model, ScrollDown, (5, 8));
         assert_eq!(blow(&model).0, 300.0);
         assert!(matches!(model.form.selected, Row::Field(f) if f.path == "impact.duration_ms"));
     }

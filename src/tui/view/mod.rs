@@ -82,26 +82,40 @@ fn too_small(area: Rect, buffer: &mut Buffer) {
 /// Where the names of the screens begin in the title, and how they are written.
 pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
     // A long name gives way before the screens do.
-    let name = text::width(&model.title()).min(LONGEST_NAME) + 3;
-    // Where room is short the program's name gives way, then the names of the other screens.
-    let label = |listed: &Listed, brief: bool| {
-        if brief && listed.screen != model.screen {
-            format!(" {} ", listed.key)
-        } else {
-            format!(" {} {} ", listed.key, listed.title)
-        }
+    let name = text::width(&model.title()).min(LONGEST_NAME) + 2;
+    // Where room is short the program's name gives way, then the space between the names of the
+    // screens, then those of the others.
+    let label = |listed: &Listed, form: Form| match form {
+        Form::Brief if listed.screen != model.screen => format!(" {} ", listed.key),
+        Form::Tight => format!(" {} {}", listed.key, listed.title),
+        Form::Brief | Form::Wide => format!(" {} {} ", listed.key, listed.title),
     };
-    let wide: u16 = SCREENS.iter().map(|l| text::width(&label(l, false))).sum();
-    let brief = wide + name > columns;
-    let named = columns.saturating_sub(wide + name) >= text::width(PROGRAM);
-    let mut x = if named { 1 + text::width(PROGRAM) } else { 1 };
+    let length = |form| SCREENS.iter().map(|l| text::width(&label(l, form))).sum::<u16>();
+    let form = [Form::Wide, Form::Tight]
+        .into_iter()
+        .find(|form| length(*form) + name <= columns)
+        .unwrap_or(Form::Brief);
+    let named = columns.saturating_sub(length(Form::Wide) + name) >= text::width(PROGRAM);
+    let mut x = match (form, named) {
+        (_, true) => 1 + text::width(PROGRAM),
+        (Form::Tight, _) => 0,
+        _ => 1,
+    };
     let tab = |listed: &Listed| {
-        let label = label(listed, brief);
+        let label = label(listed, form);
         let at = x;
         x += text::width(&label);
         (at, label, listed.screen)
     };
     SCREENS.iter().map(tab).collect()
+}
+
+/// How the names of the screens are written.
+#[derive(Clone, Copy)]
+enum Form {
+    Wide,
+    Tight,
+    Brief,
 }
 
 /// The name of the program, the screens with their keys, and the preset.
@@ -111,7 +125,7 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_style(row, theme.bar());
     let name = model.title();
     let tabs = tabs(model, area.width);
-    let mut x = 1;
+    let mut x = 0;
     if tabs[0].0 > 1 {
         x = put(buffer, row, (x, 0), PROGRAM, theme.bar_strong());
     }
