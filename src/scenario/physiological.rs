@@ -31,19 +31,24 @@ pub struct Physiological {
     pub fat_stiffening: f64,
 }
 
+impl Physiological {
+    /// Every part switched on, with what `contrecoup calibrate` found.
+    pub const FITTED: Self = Self {
+        slab: true,
+        depth_mm: 16.0,
+        pressure: true,
+        initial_pressure_mmhg: 15.0,
+        bulk_modulus_mpa: 60.0,
+        dashpots: true,
+        globe_damping_ratio: 0.1,
+        fat_damping_ratio: 0.22,
+        sclera_stiffening: 3.0,
+        fat_stiffening: 10.0,
+    };
+}
+
 impl Default for Physiological {
     fn default() -> Self {
-        Self {
-            slab: true,
-            depth_mm: 16.0,
-            pressure: true,
-            initial_pressure_mmhg: 15.0,
-            bulk_modulus_mpa: 60.0,
-            dashpots: true,
-            globe_damping_ratio: 0.1,
-            fat_damping_ratio: 0.22,
-            sclera_stiffening: 3.0,
-            fat_stiffening: 10.0,
-        }
+        Self::FITTED
     }
 }

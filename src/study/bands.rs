@@ -43,13 +43,19 @@ impl Ensemble {
         self.samples.len() < self.asked as usize
     }
 
-    /// The samples that the bands hold.
+    /// The samples that the bands hold: those whose mesh did not fold, or, where most fold, as
+    /// under most objects, all that ran.
     pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
-        let point = |sample: &Sample| sample.outcome.as_ref().is_ok_and(|p| !p.folded());
+        let all = self.holds_folded();
         self.samples
             .iter()
-            .filter(move |sample| point(sample))
             .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+            .filter(move |(_, point)| all || !point.folded())
+    }
+
+    /// Whether the bands hold samples whose mesh folded, because most did.
+    pub fn holds_folded(&self) -> bool {
+        2 * self.folded() > self.samples.len()
     }
 
     /// Samples whose mesh folded.

@@ -16,7 +16,8 @@
 use super::case::Refusal;
 use super::ordered;
 use super::point::{Point, compared, single};
-use super::spreads::{Input, inputs};
+use super::outputs::with_slope;
+use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::quantile;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
@@ -139,6 +140,13 @@ impl Job<'_> {
         } else {
             single(&scenario, self.cap, &mut watch)
         };
+        let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
+        let outcome = outcome.map(|mut point| {
+            if let Some(place) = slope {
+                with_slope(&mut point.values, &scenario, drawn[place]);
+            }
+            point
+        });
         match outcome {
             Err(Refusal::Cancelled) => None,
             other => Some(Sample {
@@ -299,7 +307,12 @@ mod tests {
             "{}",
             part.samples.len()
         );
-        assert_eq!(part.samples[..], whole.samples[..part.samples.len()]);
+        // As text, since what a scene has not is no number.
+        let text = |samples: &[Sample]| format!("{samples:?}");
+        assert_eq!(
+            text(&part.samples),
+            text(&whole.samples[..part.samples.len()])
+        );
     }
 
     #[test]

@@ -6,6 +6,7 @@
 use super::case::Case;
 use super::quantity::Quantity;
 use crate::eye::Monitor;
+use crate::injury::{Blow, Injury, Measure, assess};
 use crate::recording::Extremes;
 use crate::scenario::Scenario;
 
@@ -101,7 +102,64 @@ pub static OUTPUTS: &[Output] = &[
         unit: "N",
         of: |ran| Some(ran.extremes.shot?.force.value),
     },
+    Output {
+        key: "rupture_by_pressure_percent",
+        label: "rupture, pressure",
+        unit: "%",
+        of: |ran| {
+            let pressure = ran.extremes.fluid?.pressure.value;
+            risk(None, Some(pressure), RUPTURE_BY_PRESSURE, None)
+        },
+    },
+    Output {
+        key: RUPTURE_KEY,
+        label: "rupture, energy",
+        unit: "%",
+        of: |ran| risk(Blow::of(ran.scenario), None, RUPTURE_BY_ENERGY, None),
+    },
+    Output {
+        key: RETINA_KEY,
+        label: "retina, energy",
+        unit: "%",
+        of: |ran| risk(Blow::of(ran.scenario), None, RETINA_BY_ENERGY, None),
+    },
 ];
+
+const RUPTURE_KEY: &str = "rupture_by_energy_percent";
+const RETINA_KEY: &str = "retinal_damage_by_energy_percent";
+const RUPTURE_BY_PRESSURE: (Injury, Measure) = (Injury::GlobeRupture, Measure::Pressure);
+const RUPTURE_BY_ENERGY: (Injury, Measure) = (Injury::GlobeRupture, Measure::NormalizedEnergy);
+const RETINA_BY_ENERGY: (Injury, Measure) = (Injury::RetinalDamage, Measure::NormalizedEnergy);
+
+/// Risk in % by the first curve of an injury and a measure, with its own slope or another.
+fn risk(
+    blow: Option<Blow>,
+    pressure: Option<f64>,
+    of: (Injury, Measure),
+    slope: Option<f64>,
+) -> Option<f64> {
+    let risks = assess(blow, pressure);
+    let found = risks
+        .iter()
+        .find(|r| (r.curve.injury, r.curve.measure) == of)?;
+    let risk = slope.map_or(found.risk, |s| found.curve.risk_with(found.value, s));
+    Some(100.0 * risk)
+}
+
+/// Puts the risks that rest on an assumed slope again, for the slope `slope`, into the values of a
+/// run of `scenario`.
+pub fn with_slope(values: &mut [f64], scenario: &Scenario, slope: f64) {
+    let blow = Blow::of(scenario);
+    for (key, of) in [
+        (RUPTURE_KEY, RUPTURE_BY_ENERGY),
+        (RETINA_KEY, RETINA_BY_ENERGY),
+    ] {
+        let place = OUTPUTS.iter().position(|o| o.key == key);
+        if let (Some(place), Some(risk)) = (place, risk(blow, None, of, Some(slope))) {
+            values[place] = risk;
+        }
+    }
+}
 
 /// Every result of a run, in the order of [`OUTPUTS`]; not a number where the scene has none.
 pub fn read(ran: &Ran) -> Vec<f64> {
