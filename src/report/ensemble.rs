@@ -129,7 +129,8 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     writeln!(
         out,
-        "\nThe bands hold {valid} of {done} samples: those that ran and whose mesh did not fold."
+        "\nThe bands hold {valid} of {done} samples: {}",
+        ensemble.which()
     )?;
     for (name, count) in ensemble.counts() {
         writeln!(out, "{count:>7}  {name}")?;
@@ -227,7 +228,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
         "results": results,
         "counted": {
             "in_the_bands": ensemble.valid().count(),
-            "folded_left_out": ensemble.folded(),
+            "folded": ensemble.folded(),
+            "folded_in_the_bands": ensemble.holds_folded(),
             "by_name": ensemble.counts().into_iter().map(|(name, n)| (name, json!(n))).collect::<Map<_, _>>(),
         },
         "step_error": {

@@ -53,6 +53,15 @@ impl Ensemble {
             .filter(move |(_, point)| all || !point.folded())
     }
 
+    /// Which samples the bands hold, in words.
+    pub fn which(&self) -> &'static str {
+        if self.holds_folded() {
+            "those that ran. Most of their meshes fold, beyond the model's validity."
+        } else {
+            "those that ran and whose mesh did not fold."
+        }
+    }
+
     /// Whether the bands hold samples whose mesh folded, because most did.
     pub fn holds_folded(&self) -> bool {
         2 * self.folded() > self.samples.len()

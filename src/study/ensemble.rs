@@ -15,8 +15,8 @@
 
 use super::case::Refusal;
 use super::ordered;
-use super::point::{Point, compared, single};
 use super::outputs::with_slope;
+use super::point::{Point, compared, single};
 use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::quantile;
 use crate::scenario::Scenario;

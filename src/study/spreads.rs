@@ -19,9 +19,9 @@
 //! from the measurements the mesh would have nothing to hold it. Left out too: densities and
 //! correlations between tissues, for which no spread is published.
 
+use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
-use crate::injury::ASSUMED_SLOPE;
 use crate::scenario::fields::{self, Bounds, FIELDS, Field, Kind, Place};
 use crate::scenario::{Impact, Physiological, Scenario, set};
 

@@ -90,7 +90,12 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
         Form::Tight => format!(" {} {}", listed.key, listed.title),
         Form::Brief | Form::Wide => format!(" {} {} ", listed.key, listed.title),
     };
-    let length = |form| SCREENS.iter().map(|l| text::width(&label(l, form))).sum::<u16>();
+    let length = |form| {
+        SCREENS
+            .iter()
+            .map(|l| text::width(&label(l, form)))
+            .sum::<u16>()
+    };
     let form = [Form::Wide, Form::Tight]
         .into_iter()
         .find(|form| length(*form) + name <= columns)

@@ -228,7 +228,8 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
 fn notes(ensemble: &Ensemble, room: usize) -> Vec<String> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     let mut said = vec![format!(
-        "Bands of {valid} of {done} samples, those whose mesh did not fold."
+        "Bands of {valid} of {done} samples, {}",
+        ensemble.which()
     )];
     let counts: Vec<String> = ensemble
         .counts()
