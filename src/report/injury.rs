@@ -1,6 +1,6 @@
 //! What the published injury curves say, in text and as JSON.
 
-use crate::injury::{Caution, Injury, Risk, disagreement};
+use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -45,21 +45,26 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             } else {
                 format!("{:.0}-{:.0} %", 100.0 * risk.band.0, 100.0 * risk.band.1)
             };
-            let mut marks = vec![risk.curve.standing.name()];
+            let mut marks = String::new();
+            marks.push_str(match risk.curve.standing {
+                Standing::Published => "",
+                Standing::SlopeAssumed => "s",
+                Standing::Reconstructed => "r",
+                Standing::Unverified => "us",
+            });
             if risk.extrapolated {
-                marks.push("extrapolated");
+                marks.push('x');
             }
             if risk.caution == Some(Caution::LargerThanOrbit) {
-                marks.push("INVALID");
+                marks.push('!');
             }
             writeln!(
                 out,
-                "  {name:<17}{:>7}{band:>11}  {} {} {unit} [{}] {}",
+                "  {name:<17}{:>7}{band:>11}  {:<17}{:>9} {unit:<5} [{}] {marks}",
                 share(risk.risk),
                 risk.curve.measure.name(),
                 significant(risk.value / scale),
                 number + 1,
-                marks.join(", "),
             )?;
             name = "";
         }
@@ -73,6 +78,10 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             )?;
         }
     }
+    writeln!(
+        out,
+        "  s slope assumed  r reconstructed  u unverified  x extrapolated  ! invalid here"
+    )?;
     for (i, source) in sources.iter().enumerate() {
         writeln!(out, "  [{}] {source}", i + 1)?;
         for risk in risks.iter().filter(|r| r.curve.source == *source) {
@@ -154,8 +163,8 @@ mod tests {
             "globe rupture",
             "slope assumed",
             "unverified",
-            "normalized energy 34.01 kJ/m2",
-            "peak pressure 0.3000 MPa",
+            "normalized energy    34.01 kJ/m2",
+            "peak pressure       0.3000 MPa",
             "the measures disagree",
             "Duma 2005",
             "extrapolated",
@@ -163,7 +172,7 @@ mod tests {
             assert!(page.contains(words), "{words} in\n{page}");
         }
         assert!(
-            page.lines().all(|line| line.chars().count() <= 100),
+            page.lines().all(|line| line.chars().count() <= 80),
             "{page}"
         );
     }
@@ -176,7 +185,7 @@ mod tests {
             speed: 18.0,
         };
         let page = printed(Some(ball), None);
-        assert!(page.contains("INVALID") && page.contains("WARNING"));
+        assert!(page.contains("!") && page.contains("WARNING"));
         assert_eq!(page.matches("WARNING").count(), 1);
     }
 
