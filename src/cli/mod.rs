@@ -134,7 +134,7 @@ pub struct ValidateArgs {
 #[derive(Debug, Args)]
 pub struct CalibrateArgs {
     /// Points of the first scan, from which the search starts
-    #[arg(long, value_name = "N", default_value_t = 96, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub scan: u32,
     /// Print JSON instead of text
     #[arg(long)]

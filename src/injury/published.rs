@@ -66,7 +66,7 @@ pub static CURVES: &[Curve] = &[
         source: "Duma and Crandall 2000, J Trauma 48:786",
         species: "pig",
         range: Range::Measure(0.0, 0.366),
-        data: "foam of airbag covers; range not at hand, taken up to twice the 50 % point",
+        data: "foam of airbag covers; range taken as up to twice the 50 % point",
         standing: Standing::SlopeAssumed,
         remark: "measured with light foam",
     },
@@ -102,7 +102,7 @@ pub static CURVES: &[Curve] = &[
         range: Range::Measure(0.35e6, 1.51e6),
         data: "40 eyes burst from inside; mean +- 2 standard deviations",
         standing: Standing::Published,
-        remark: "between the two means, 0.91 and 0.97 MPa, and the 50 % point, 0.90",
+        remark: "between the means 0.91 and 0.97 and the 50 % point 0.90 MPa",
     },
     pooled(
         Injury::RetinalDamage,

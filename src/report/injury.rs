@@ -101,7 +101,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     let mut cautions: Vec<Caution> = risks.iter().filter_map(|r| r.caution).collect();
     cautions.dedup();
     for caution in cautions {
-        writeln!(out, "WARNING {}: {}", caution.key(), caution.text())?;
+        writeln!(out, "WARNING {}", caution.text())?;
     }
     Ok(())
 }

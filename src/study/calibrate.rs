@@ -3,10 +3,13 @@
 //! Three numbers are free, because the evidence leaves them open: the effective bulk modulus of the
 //! globe's content and how much sclera and fat stiffen at the rate of a blow. The sum of squared
 //! misfits over the fitted experiments is made least over their logarithms, within the published
-//! spread: a scan of low-discrepancy points first, then a search along the axes from the best of them.
+//! spread: a scan of low-discrepancy points first, then a search along the axes from the best few of them.
 //! The misfit of a row is its distance from the measured value in standard deviations (where a source
 //! gives none, in units of the logarithm of 1.3), and 0 where the figure lies on the right side of a
 //! one-sided limit or inside a band.
+//!
+//! Many points fit nearly as well as the best. Of those the one with most rows inside what was
+//! measured is taken, and of several the one with the least misfit.
 //!
 //! Left out: weights between rows, and anything that was not fitted, which stays unseen here.
 
@@ -71,10 +74,13 @@ pub static FREE: [Free; 3] = [
 const LOG_SD: f64 = 0.262;
 /// Share of the area that counts as one standard deviation beyond the band.
 const AREA_SD: f64 = 0.005;
+/// Points of the scan that a search starts from.
+const STARTS: usize = 4;
 /// First and last step of the search, in logarithms.
 const STEPS: (f64, f64) = (0.4, 0.02);
-/// A point of the scan fits nearly as well as the best if its misfit is no more than this above it.
-const NEARLY: f64 = 1.0;
+/// A point fits nearly as well as the best if its misfit is no more than this above it: 95 % for one
+/// number if misfits are normal.
+const NEARLY: f64 = 3.84;
 
 /// What a calibration found.
 #[derive(Debug, Clone)]
@@ -96,6 +102,8 @@ pub struct Fit {
 struct Tried {
     at: [f64; 3],
     misfit: f64,
+    /// How many rows lie inside what was measured.
+    inside: usize,
 }
 
 fn model_at(at: [f64; 3]) -> Physiological {
@@ -139,6 +147,10 @@ fn fitted() -> impl Iterator<Item = &'static Experiment> {
 fn misfit(at: [f64; 3]) -> Tried {
     let model = model_at(at);
     let predicted = readings(fitted(), |scenario| fitted_with(scenario, model));
+    let inside = fitted()
+        .zip(&predicted)
+        .filter(|(e, value)| value.is_some_and(|value| e.measured.holds(value)))
+        .count();
     let misfit = fitted()
         .zip(predicted)
         .map(|(experiment, predicted)| {
@@ -146,7 +158,7 @@ fn misfit(at: [f64; 3]) -> Tried {
             predicted.map_or(f64::INFINITY, |value| squared(experiment, value))
         })
         .sum();
-    Tried { at, misfit }
+    Tried { at, misfit, inside }
 }
 
 fn inside(at: [f64; 3]) -> [f64; 3] {
@@ -172,34 +184,48 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
         tried.par_extend(chunk.par_iter().map(|&at| misfit(at)));
         heard(watch, 0.5 * tried.len() as f64 / points.len() as f64)?;
     }
-    let mut best = least(&tried).unwrap_or_else(|| {
-        let start = Physiological::default();
-        misfit(inside(std::array::from_fn(|i| (FREE[i].get)(&start).ln())))
-    });
-    let mut step = STEPS.0;
-    while step > STEPS.1 {
-        let around: Vec<[f64; 3]> = (0..6)
-            .map(|i| {
-                let mut at = best.at;
-                at[i / 2] += if i % 2 == 0 { step } else { -step };
-                inside(at)
-            })
-            .collect();
-        let found: Vec<Tried> = around.par_iter().map(|&at| misfit(at)).collect();
-        tried.extend(&found);
-        match least(&found) {
-            Some(better) if better.misfit < best.misfit => best = better,
-            _ => step *= 0.5,
+    let mut starts: Vec<Tried> = tried
+        .iter()
+        .filter(|t| t.misfit.is_finite())
+        .copied()
+        .collect();
+    starts.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
+    starts.truncate(STARTS);
+    for i in 0..starts.len() {
+        let mut step = STEPS.0;
+        while step > STEPS.1 {
+            let around: Vec<[f64; 3]> = (0..6)
+                .map(|axis| {
+                    let mut at = starts[i].at;
+                    at[axis / 2] += if axis % 2 == 0 { step } else { -step };
+                    inside(at)
+                })
+                .collect();
+            let found: Vec<Tried> = around.par_iter().map(|&at| misfit(at)).collect();
+            tried.extend(&found);
+            match least(&found) {
+                Some(better) if better.misfit < starts[i].misfit => starts[i] = better,
+                _ => step *= 0.5,
+            }
+            let within = (STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln();
+            heard(
+                watch,
+                0.5 + 0.5 * (i as f64 + within.min(1.0)) / starts.len() as f64,
+            )?;
         }
-        heard(
-            watch,
-            0.5 + 0.5 * (STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln(),
-        )?;
     }
+    let best = least(&starts).unwrap_or_else(|| {
+        let now = Physiological::default();
+        misfit(inside(std::array::from_fn(|i| (FREE[i].get)(&now).ln())))
+    });
+    let limit = best.misfit + NEARLY;
+    let near = || tried.iter().filter(|t| t.misfit <= limit);
+    let better =
+        |a: &&Tried, b: &&Tried| (a.inside.cmp(&b.inside)).then(b.misfit.total_cmp(&a.misfit));
+    let best = near().max_by(better).copied().unwrap_or(best);
     let model = model_at(best.at);
-    let near = tried.iter().filter(|t| t.misfit <= best.misfit + NEARLY);
     let mut nearly = [(f64::INFINITY, f64::NEG_INFINITY); 3];
-    for point in near {
+    for point in near() {
         for (range, log) in nearly.iter_mut().zip(point.at) {
             *range = (range.0.min(log.exp()), range.1.max(log.exp()));
         }

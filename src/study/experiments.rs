@@ -2,7 +2,7 @@
 //!
 //! The plane model takes a ball for a disc, that is, for a rod of the eye's depth: it engages more
 //! of the eye than the ball did. The mass and face of the impactor in the orbit are not published;
-//! a heavy one with a face of 20 mm is taken, so that its speed hardly changes.
+//! a heavy disc of 20 mm is taken, so that its speed hardly changes.
 //!
 //! Pressure in the pig's eye is taken as pressure in the human one (species factor 1: it is a load,
 //! and the two eyes are of like size). Strength is not: a pig's globe bursts at 1.8 times the
@@ -132,11 +132,14 @@ fn shot(name: &str, mass_g: f64, diameter_mm: f64, speed_m_s: f64, window_ms: f6
     }
 }
 
+/// Taken for the face of the impactor, which is not published.
+const IMPACTOR_MM: f64 = 20.0;
+
 fn impactor_8() -> Scenario {
-    shot("blunt impactor, 8.2 m/s", 1000.0, 20.0, 8.2, 1.1)
+    shot("blunt impactor, 8.2 m/s", 1000.0, IMPACTOR_MM, 8.2, 1.1)
 }
 fn impactor_10() -> Scenario {
-    shot("blunt impactor, 10 m/s", 1000.0, 20.0, 10.0, 1.35)
+    shot("blunt impactor, 10 m/s", 1000.0, IMPACTOR_MM, 10.0, 1.35)
 }
 fn ball_6() -> Scenario {
     shot("6.35 mm steel ball, 6.2 m/s", 1.05, 6.35, 6.2, 3.0)

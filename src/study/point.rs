@@ -106,7 +106,7 @@ pub fn single(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Poi
 /// As for any run.
 pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
     let case = Case::new(scenario);
-    let mut plan = plan(scenario, &case, None)?;
+    let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, Keep::default(), watch)?;
     let first = answer.errors.time_step_percent();
     let good_step = plan.step * shortening(&plan, first);
