@@ -59,41 +59,47 @@ impl Server {
         if user == "root" {
             fs::create_dir_all("/run/sshd").unwrap();
         }
-        let port = free_port();
-        fs::write(
-            path("sshd_config"),
-            format!(
-                "Port {port}\nListenAddress 127.0.0.1\nHostKey {}\nPidFile none\n\
-                 AuthorizedKeysFile {}\nPasswordAuthentication no\n\
-                 KbdInteractiveAuthentication no\nUsePAM no\nStrictModes no\n\
-                 PermitRootLogin prohibit-password\nPrintMotd no\n",
-                path("hostkey"),
-                path("authorized_keys")
-            ),
-        )
-        .unwrap();
         let key = read("hostkey.pub");
         let key: Vec<&str> = key.split_whitespace().take(2).collect();
         fs::write(path("known_hosts"), format!("test {}\n", key.join(" "))).unwrap();
-        let process = Command::new(SERVER)
-            .args(["-D", "-e", "-f", &path("sshd_config")])
-            .stderr(Stdio::null())
-            .spawn()
+        // A port that was free a moment ago may be taken by now: then another is tried.
+        for _ in 0..5 {
+            let port = free_port();
+            fs::write(
+                path("sshd_config"),
+                format!(
+                    "Port {port}\nListenAddress 127.0.0.1\nHostKey {}\nPidFile none\n\
+                     AuthorizedKeysFile {}\nPasswordAuthentication no\n\
+                     KbdInteractiveAuthentication no\nUsePAM no\nStrictModes no\n\
+                     PermitRootLogin prohibit-password\nPrintMotd no\n",
+                    path("hostkey"),
+                    path("authorized_keys")
+                ),
+            )
             .unwrap();
-        let begun = Instant::now();
-        while TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_err() {
-            assert!(
-                begun.elapsed() < support::PATIENCE,
-                "the server never listens"
-            );
-            thread::sleep(Duration::from_millis(20));
+            fs::write(path("log"), "").unwrap();
+            let mut process = Command::new(SERVER)
+                .args(["-D", "-f", &path("sshd_config"), "-E", &path("log")])
+                .spawn()
+                .unwrap();
+            let begun = Instant::now();
+            while process.try_wait().unwrap().is_none() {
+                if read("log").contains("Server listening") {
+                    return Some(Self {
+                        folder,
+                        process,
+                        port,
+                        user,
+                    });
+                }
+                assert!(
+                    begun.elapsed() < support::PATIENCE,
+                    "the server never listens"
+                );
+                thread::sleep(Duration::from_millis(20));
+            }
         }
-        Some(Self {
-            folder,
-            process,
-            port,
-            user,
-        })
+        panic!("no server will start: {}", read("log"));
     }
 
     /// A client of this server, by way of `port`.

@@ -5,7 +5,7 @@ mod support;
 use std::thread;
 use std::time::Duration;
 
-use support::{DOWN, RIGHT, Replies, Term, app, started};
+use support::{DOWN, RIGHT, Replies, TO_FORCE, Term, app, started};
 
 /// The numbers of every colour code in what was sent.
 fn colour_codes(raw: &[u8]) -> Vec<u32> {
@@ -113,7 +113,7 @@ fn two_frames_at_most_wait_for_their_replies() {
 fn a_terminal_that_never_answers_is_served_all_the_same() {
     let term = Term::open(app(&[]), (80, 24), Replies::Never);
     term.wait_for("26.42 %");
-    term.keys(RIGHT);
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     // Two silences later nothing is asked any more, and keys are answered at once.
     term.keys(DOWN);

@@ -25,7 +25,7 @@ const fn pooled(injury: Injury, half: f64, remark: &'static str) -> Curve {
         measure: Measure::NormalizedEnergy,
         form: logistic(half),
         source: DUMA,
-        species: "pooled tests, species not told apart",
+        species: "pooled, species not told apart",
         range: Range::Speed(2.0, 122.0),
         data: PROJECTILES,
         standing: Standing::SlopeAssumed,

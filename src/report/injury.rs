@@ -95,7 +95,8 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             }
         }
         if let Some(risk) = risks.iter().find(|r| r.curve.source == *source) {
-            writeln!(out, "      {}; {}", risk.curve.species, risk.curve.data)?;
+            writeln!(out, "      {}", risk.curve.species)?;
+            writeln!(out, "      {}", risk.curve.data)?;
         }
     }
     let mut cautions: Vec<Caution> = risks.iter().filter_map(|r| r.caution).collect();

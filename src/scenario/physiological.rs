@@ -38,12 +38,12 @@ impl Physiological {
         depth_mm: 16.0,
         pressure: true,
         initial_pressure_mmhg: 15.0,
-        bulk_modulus_mpa: 260.0,
+        bulk_modulus_mpa: 247.0,
         dashpots: true,
         globe_damping_ratio: 0.1,
         fat_damping_ratio: 0.22,
-        sclera_stiffening: 3.7,
-        fat_stiffening: 9.6,
+        sclera_stiffening: 3.676,
+        fat_stiffening: 10.0,
     };
 }
 

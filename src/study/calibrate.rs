@@ -191,38 +191,27 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
         .collect();
     starts.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
     starts.truncate(STARTS);
-    for i in 0..starts.len() {
-        let mut step = STEPS.0;
-        while step > STEPS.1 {
-            let around: Vec<[f64; 3]> = (0..6)
-                .map(|axis| {
-                    let mut at = starts[i].at;
-                    at[axis / 2] += if axis % 2 == 0 { step } else { -step };
-                    inside(at)
-                })
-                .collect();
-            let found: Vec<Tried> = around.par_iter().map(|&at| misfit(at)).collect();
-            tried.extend(&found);
-            match least(&found) {
-                Some(better) if better.misfit < starts[i].misfit => starts[i] = better,
-                _ => step *= 0.5,
-            }
-            let within = (STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln();
-            heard(
-                watch,
-                0.5 + 0.5 * (i as f64 + within.min(1.0)) / starts.len() as f64,
-            )?;
-        }
+    let searches = (starts.len() + 1) as f64;
+    for (i, start) in starts.iter_mut().enumerate() {
+        let less = |a: &Tried, b: &Tried| a.misfit < b.misfit;
+        let heard = |share| heard(watch, 0.5 + 0.5 * (i as f64 + share) / searches);
+        *start = search(*start, less, &mut tried, heard)?;
     }
-    let best = least(&starts).unwrap_or_else(|| {
+    let least = least(&starts).unwrap_or_else(|| {
         let now = Physiological::default();
         misfit(inside(std::array::from_fn(|i| (FREE[i].get)(&now).ln())))
     });
-    let limit = best.misfit + NEARLY;
+    let limit = least.misfit + NEARLY;
+    let better = |a: &Tried, b: &Tried| {
+        let most_inside = b.inside.cmp(&a.inside);
+        a.misfit <= limit && most_inside.then(a.misfit.total_cmp(&b.misfit)).is_lt()
+    };
+    let chosen = tried
+        .iter()
+        .fold(least, |best, t| if better(t, &best) { *t } else { best });
+    let heard = |share| heard(watch, 1.0 - 0.5 * (1.0 - share) / searches);
+    let best = search(chosen, better, &mut tried, heard)?;
     let near = || tried.iter().filter(|t| t.misfit <= limit);
-    let better =
-        |a: &&Tried, b: &&Tried| (a.inside.cmp(&b.inside)).then(b.misfit.total_cmp(&a.misfit));
-    let best = near().max_by(better).copied().unwrap_or(best);
     let model = model_at(best.at);
     let mut nearly = [(f64::INFINITY, f64::NEG_INFINITY); 3];
     for point in near() {
@@ -237,6 +226,38 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
         nearly,
         tried: tried.len(),
     })
+}
+
+/// Goes along the axes from `start` to whatever is `better`, with ever smaller steps; keeps in `tried`
+/// what it passed, and tells `heard` the share done, roughly.
+fn search(
+    start: Tried,
+        better: impl Fn(&Tried, &Tried) -> bool,
+    tried: &mut Vec<Tried>,
+    mut heard: impl FnMut(f64) -> Result<(), Refusal>,
+) -> Result<Tried, Refusal> {
+    let mut best = start;
+    let mut step = STEPS.0;
+    while step > STEPS.1 {
+        let around: Vec<[f64; 3]> = (0..6)
+            .map(|axis| {
+                let mut at = best.at;
+                at[axis / 2] += if axis % 2 == 0 { step } else { -step };
+                inside(at)
+            })
+            .collect();
+        let found: Vec<Tried> = around.par_iter().map(|&at| misfit(at)).collect();
+        tried.extend(&found);
+        let next = found
+            .iter()
+            .fold(best, |best, t| if better(t, &best) { *t } else { best });
+        if next.at == best.at {
+            step *= 0.5;
+        }
+        best = next;
+        heard(((STEPS.0 / step).ln() / (STEPS.0 / STEPS.1).ln()).min(1.0))?;
+    }
+    Ok(best)
 }
 
 fn least(tried: &[Tried]) -> Option<Tried> {

@@ -127,7 +127,9 @@ pub(super) fn readings(
 
 fn single(scenario: &Scenario, keep: Keep) -> Result<(Eye, Recording), Refusal> {
     let case = Case::new(scenario);
-    let plan = case.plan(scenario)?;
+    let mut plan = case.plan(scenario)?;
+    // An answer takes a finer run as well; this one stands alone.
+    plan.step *= 0.5;
     let solution = case.run(&plan, keep, &mut unwatched)?;
     Ok((case.eye, solution.recording))
 }
