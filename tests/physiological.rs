@@ -96,7 +96,7 @@ fn a_ring_under_pressure_carries_p_r_over_t() {
     scenario.eye.fat_kpa = 1e-3;
     scenario.eye.lens = false;
     scenario.eye.filament_hops = Vec::new();
-    scenario.window_ms = 20.0;
+    scenario.window_ms = 60.0;
     let mut case = Case::new(&scenario);
     let mut coupled = case.system.coupled().unwrap().clone();
     // A globe filled with more than fits.
@@ -106,7 +106,7 @@ fn a_ring_under_pressure_carries_p_r_over_t() {
     let plan = case.plan(&scenario).unwrap();
     let keep = Keep {
         traces: false,
-        frames_every: Some(20e-3),
+        frames_every: Some(60e-3),
     };
     let solved = case.run(&plan, keep, &mut unwatched).unwrap();
     let last = solved.recording.frames.last().unwrap();

@@ -1,29 +1,12 @@
 //! The hard cases as a table of 80 columns and as JSON. The names are a contract.
 
-use super::text::percent;
+use super::text::{WIDTH, percent, wrapped};
 use crate::study::hard_cases::{Outcome, Verdict};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Columns of a line.
-const WIDTH: usize = 80;
 /// Columns that a note is moved in.
 const INDENT: usize = 4;
-
-/// `text` in lines of at most `width` characters, broken between words.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
-}
 
 fn flags(outcome: &Outcome) -> Vec<&'static str> {
     outcome.flags.iter().map(|kind| kind.name()).collect()

@@ -35,6 +35,24 @@ pub fn percent(value: f64) -> String {
     }
 }
 
+/// Columns of a line.
+pub(super) const WIDTH: usize = 80;
+
+/// `text` in lines of at most `width` characters, broken between words.
+pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Prints the results of an answer.
 ///
 /// # Errors
@@ -200,7 +218,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     }
     writeln!(
         out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us (stable up to {:.4})",
+        "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
         answer.cost.steps,
@@ -219,7 +237,10 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         writeln!(out, "  {reason}")?;
     }
     for flag in &answer.flags {
-        writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
+        let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
+        for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {
+            writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
+        }
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
 }

@@ -232,7 +232,7 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
 /// what it passed, and tells `heard` the share done, roughly.
 fn search(
     start: Tried,
-        better: impl Fn(&Tried, &Tried) -> bool,
+    better: impl Fn(&Tried, &Tried) -> bool,
     tried: &mut Vec<Tried>,
     mut heard: impl FnMut(f64) -> Result<(), Refusal>,
 ) -> Result<Tried, Refusal> {
