@@ -186,7 +186,7 @@ mod tests {
             speed: 18.0,
         };
         let page = printed(Some(ball), None);
-        assert!(page.contains("!") && page.contains("WARNING"));
+        assert!(page.contains('!') && page.contains("WARNING"));
         assert_eq!(page.matches("WARNING").count(), 1);
     }
 

@@ -6,7 +6,7 @@
 //!
 //! Pressure in the pig's eye is taken as pressure in the human one (species factor 1: it is a load,
 //! and the two eyes are of like size). Strength is not: a pig's globe bursts at 1.8 times the
-//! pressure of a human one (1.64 against 0.91 MPa), so bursting is compared with the limit of the
+//! pressure of a human one (1.64 against 0.91), so bursting is compared with the limit of the
 //! species that was shot at.
 
 use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario};

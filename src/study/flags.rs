@@ -95,7 +95,6 @@ pub(super) fn raise(
     load: &ArcLoad,
     spacing: f64,
 ) -> Vec<Flag> {
-    let (arc, shielded) = (load.arc.1 - load.arc.0, load.shielded);
     let mut flags = Vec::new();
     let split = disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan();
     let predictable = extremes.folded_at.is_none() || !split;
@@ -173,6 +172,16 @@ pub(super) fn raise(
             Some(window),
         );
     }
+    of_load(load, spacing, &mut raise);
+    if let Some(shot) = &extremes.shot {
+        of_shot(shot, window, &mut raise);
+    }
+    flags
+}
+
+/// Flags of where a force acts.
+fn of_load(load: &ArcLoad, spacing: f64, raise: &mut impl FnMut(FlagKind, String, Option<f64>)) {
+    let (arc, shielded) = (load.arc.1 - load.arc.0, load.shielded);
     if !load.shares.is_empty() && arc < spacing * (1.0 - NEGLIGIBLE) {
         raise(
             FlagKind::ArcUnresolved,
@@ -194,10 +203,6 @@ pub(super) fn raise(
             None,
         );
     }
-    if let Some(shot) = &extremes.shot {
-        of_shot(shot, window, &mut raise);
-    }
-    flags
 }
 
 /// Flags of a projectile.

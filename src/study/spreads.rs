@@ -62,8 +62,8 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
 
 /// What the Physiological model takes.
 const FITTED: Physiological = Physiological::FITTED;
-/// What fits the experiments nearly as well, as `contrecoup calibrate` prints it: bulk modulus in
-/// MPa, stiffening of the sclera, stiffening of the fat.
+/// What fits the experiments nearly as well, as `contrecoup calibrate` prints it: bulk modulus
+/// (`MPa`), stiffening of the sclera, stiffening of the fat.
 const NEARLY: [(f64, f64); 3] = [(157.0, 301.0), (1.05, 8.2), (6.7, 10.0)];
 const FIT_SOURCE: &str = "fits the published experiments nearly as well (contrecoup calibrate)";
 

@@ -161,14 +161,11 @@ fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut B
         words += ".";
     }
     if let Some((low, high)) = disagreement(risks, curve.injury) {
-        words += &format!(
-            " The measures disagree: {:.0} to {:.0} %.",
-            100.0 * low,
-            100.0 * high
-        );
+        let (low, high) = (100.0 * low, 100.0 * high);
+        words.extend([format!(" The measures disagree: {low:.0} to {high:.0} %.")]);
     }
     if !curve.remark.is_empty() {
-        words += &format!(" ({}.)", curve.remark);
+        words.extend([" (", curve.remark, ".)"]);
     }
     paragraph(&words, 1, theme, area, buffer);
 }
