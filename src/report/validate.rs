@@ -1,11 +1,17 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
-use super::text::significant;
+use super::text::{WIDTH, significant, wrapped};
 use crate::study::calibrate::{FREE, Fit};
 use crate::study::experiments::{Band, Experiment};
 use crate::study::validate::Row;
 use serde_json::{Value, json};
 use std::io::{self, Write};
+
+const REMARKS: &str = "Where a source gives one value without a spread, 30 % on both sides counts as \
+    inside. Pig pressures stand as they are (species factor 1); bursting is compared with the species' \
+    own limit. A disc in the plane is a rod in space: small balls engage more of the eye here than in \
+    life, and fluid cannot make way sideways, so that their pressure is too high and the globe's change \
+    of shape too small.";
 
 fn measured(experiment: &Experiment) -> String {
     let scale = experiment.unit.1;
@@ -82,13 +88,10 @@ pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
         lines(&part, out)?;
         writeln!(out)?;
     }
-    writeln!(
-        out,
-        "Where a source gives one value without a spread, 30 % on both sides counts as inside.\n\
-         Pig pressures stand as they are (species factor 1); bursting is compared with the\n\
-         species' own limit. A disc in the plane is a rod in space: small balls engage more of\n\
-         the eye here than in life. Research and education, not diagnosis."
-    )
+    for line in wrapped(REMARKS, WIDTH) {
+        writeln!(out, "{line}")?;
+    }
+    writeln!(out, "Research and education, not diagnosis.")
 }
 
 fn row(row: &Row) -> Value {
@@ -146,11 +149,13 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
             format!("{} to {}", significant(nearly.0), significant(nearly.1)),
             significant(free.of(&now)),
         )?;
-        writeln!(
-            out,
-            "    {}: tried {} to {}; {}",
+        let note = format!(
+            "{}: tried {} to {}; {}",
             free.path, free.range.0, free.range.1, free.source
-        )?;
+        );
+        for line in wrapped(&note, WIDTH - 4) {
+            writeln!(out, "    {line}")?;
+        }
     }
     writeln!(out)?;
     lines(&fit.rows.iter().collect::<Vec<_>>(), out)

@@ -38,11 +38,11 @@ impl Physiological {
         depth_mm: 16.0,
         pressure: true,
         initial_pressure_mmhg: 15.0,
-        bulk_modulus_mpa: 247.0,
+        bulk_modulus_mpa: 233.0,
         dashpots: true,
         globe_damping_ratio: 0.1,
         fat_damping_ratio: 0.22,
-        sclera_stiffening: 3.676,
+        sclera_stiffening: 4.51,
         fat_stiffening: 10.0,
     };
 }

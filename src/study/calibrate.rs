@@ -9,7 +9,7 @@
 //! one-sided limit or inside a band.
 //!
 //! Many points fit nearly as well as the best. Of those the one with most rows inside what was
-//! measured is taken, and of several the one with the least misfit.
+//! measured, scatter included, is taken, and of several the one with the least misfit.
 //!
 //! Left out: weights between rows, and anything that was not fitted, which stays unseen here.
 
@@ -74,6 +74,8 @@ pub static FREE: [Free; 3] = [
 const LOG_SD: f64 = 0.262;
 /// Share of the area that counts as one standard deviation beyond the band.
 const AREA_SD: f64 = 0.005;
+/// Results of a mesh that folds scatter by about this share from one set of numbers to the next.
+const SCATTER: f64 = 0.04;
 /// Points of the scan that a search starts from.
 const STARTS: usize = 4;
 /// First and last step of the search, in logarithms.
@@ -102,14 +104,20 @@ pub struct Fit {
 struct Tried {
     at: [f64; 3],
     misfit: f64,
-    /// How many rows lie inside what was measured.
+    /// How many rows lie inside what was measured, scatter included.
     inside: usize,
+}
+
+/// To three digits: what is printed is what was run.
+fn rounded(value: f64) -> f64 {
+    let unit = 10f64.powf(2.0 - value.log10().floor());
+    (value * unit).round() / unit
 }
 
 fn model_at(at: [f64; 3]) -> Physiological {
     let mut model = Physiological::default();
     for (free, log) in FREE.iter().zip(at) {
-        (free.set)(&mut model, log.exp());
+        (free.set)(&mut model, rounded(log.exp()));
     }
     model
 }
@@ -140,6 +148,17 @@ fn squared(experiment: &Experiment, predicted: f64) -> f64 {
     z * z
 }
 
+/// Whether `predicted` and what lies within its scatter agree with what was measured.
+fn surely_inside(experiment: &Experiment, predicted: f64) -> bool {
+    let rest = match experiment.reading {
+        Reading::FarthestArea => 1.0,
+        _ => 0.0,
+    };
+    [1.0 - SCATTER, 1.0 + SCATTER]
+        .into_iter()
+        .all(|share| experiment.measured.holds(rest + share * (predicted - rest)))
+}
+
 fn fitted() -> impl Iterator<Item = &'static Experiment> {
     EXPERIMENTS.iter().filter(|e| e.fitted)
 }
@@ -149,7 +168,7 @@ fn misfit(at: [f64; 3]) -> Tried {
     let predicted = readings(fitted(), |scenario| fitted_with(scenario, model));
     let inside = fitted()
         .zip(&predicted)
-        .filter(|(e, value)| value.is_some_and(|value| e.measured.holds(value)))
+        .filter(|(e, value)| value.is_some_and(|value| surely_inside(e, value)))
         .count();
     let misfit = fitted()
         .zip(predicted)
@@ -159,6 +178,15 @@ fn misfit(at: [f64; 3]) -> Tried {
         })
         .sum();
     Tried { at, misfit, inside }
+}
+
+/// Sum of squared misfits of `model`, whose free numbers are first brought into what is tried.
+pub fn misfit_of(model: &Physiological) -> f64 {
+    misfit(inside(logarithms(model))).misfit
+}
+
+fn logarithms(model: &Physiological) -> [f64; 3] {
+    std::array::from_fn(|i| (FREE[i].get)(model).ln())
 }
 
 fn inside(at: [f64; 3]) -> [f64; 3] {
@@ -197,10 +225,8 @@ pub fn calibrate(scan: u32, watch: Watch) -> Result<Fit, Refusal> {
         let heard = |share| heard(watch, 0.5 + 0.5 * (i as f64 + share) / searches);
         *start = search(*start, less, &mut tried, heard)?;
     }
-    let least = least(&starts).unwrap_or_else(|| {
-        let now = Physiological::default();
-        misfit(inside(std::array::from_fn(|i| (FREE[i].get)(&now).ln())))
-    });
+    let least =
+        least(&starts).unwrap_or_else(|| misfit(inside(logarithms(&Physiological::default()))));
     let limit = least.misfit + NEARLY;
     let better = |a: &Tried, b: &Tried| {
         let most_inside = b.inside.cmp(&a.inside);

@@ -26,6 +26,8 @@ pub enum Reading {
     Shortening,
     /// Largest growth of the vertical diameter, as a share of it.
     Widening,
+    /// When that growth is largest, s.
+    TimeOfWidening,
 }
 
 /// What was measured, SI.
@@ -185,6 +187,7 @@ const N: (&str, f64) = ("N", 1.0);
 const MPA: (&str, f64) = ("MPa", 1e6);
 const PERCENT: (&str, f64) = ("%", 0.01);
 const MM: (&str, f64) = ("mm", 1e-3);
+const MS: (&str, f64) = ("ms", 1e-3);
 /// Allowed where a source gives a value without a spread.
 const NO_SPREAD: f64 = 0.3;
 
@@ -341,6 +344,18 @@ pub static EXPERIMENTS: &[Experiment] = &[
         reading: Reading::Widening,
         measured: Band::Single(0.28, NO_SPREAD),
         unit: PERCENT,
+        fitted: false,
+        mark: Mark::Unverified,
+        species: "pig",
+        source: "Delori 1969, Invest Ophthalmol 8:290",
+    },
+    Experiment {
+        key: "bb-time",
+        what: "the same: when the equator is widest",
+        scenario: bb_62,
+        reading: Reading::TimeOfWidening,
+        measured: Band::Single(0.4e-3, NO_SPREAD),
+        unit: MS,
         fitted: false,
         mark: Mark::Unverified,
         species: "pig",

@@ -64,7 +64,7 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
 const FITTED: Physiological = Physiological::FITTED;
 /// What fits the experiments nearly as well, as `contrecoup calibrate` prints it: bulk modulus
 /// (`MPa`), stiffening of the sclera, stiffening of the fat.
-const NEARLY: [(f64, f64); 3] = [(157.0, 301.0), (1.05, 8.2), (6.7, 10.0)];
+const NEARLY: [(f64, f64); 3] = [(133.0, 285.0), (0.78, 8.2), (6.4, 10.0)];
 const FIT_SOURCE: &str = "fits the published experiments nearly as well (contrecoup calibrate)";
 
 /// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.

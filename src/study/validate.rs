@@ -161,6 +161,7 @@ fn read(reading: Reading, eye: &Eye, recording: &Recording) -> Option<f64> {
         }
         Reading::Apex => extremes.apex.value,
         Reading::Widening => extremes.meridian_growth.value,
+        Reading::TimeOfWidening => extremes.meridian_growth.time,
         Reading::Shortening => shortening(eye, recording)?,
     };
     value.is_finite().then_some(value)
