@@ -40,10 +40,11 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
                 sources.len() - 1
             });
             let (unit, scale) = risk.curve.measure.unit();
-            let band = if risk.band.1 - risk.band.0 < 5e-4 {
+            let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);
+            let band = if format!("{low:.0}") == format!("{high:.0}") {
                 String::new()
             } else {
-                format!("{:.0}-{:.0} %", 100.0 * risk.band.0, 100.0 * risk.band.1)
+                format!("{low:.0}-{high:.0} %")
             };
             let mut marks = String::new();
             marks.push_str(match risk.curve.standing {
@@ -58,14 +59,14 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             if risk.caution == Some(Caution::LargerThanOrbit) {
                 marks.push('!');
             }
-            writeln!(
-                out,
+            let line = format!(
                 "  {name:<17}{:>7}{band:>11}  {:<17}{:>9} {unit:<5} [{}] {marks}",
                 share(risk.risk),
                 risk.curve.measure.name(),
                 significant(risk.value / scale),
                 number + 1,
-            )?;
+            );
+            writeln!(out, "{}", line.trim_end())?;
             name = "";
         }
         if let Some((low, high)) = disagreement(risks, injury) {

@@ -67,7 +67,7 @@ impl Context {
             Self::Marks => "Compare: presets",
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
-            Self::Accuracy => "Accuracy",
+            Self::Accuracy => "Error",
             Self::Uncertainty => "Doubt",
             Self::Sweep => "Map",
             Self::Injury => "Injury",

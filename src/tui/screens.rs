@@ -80,7 +80,7 @@ pub static SCREENS: &[Listed] = &[
     Listed {
         screen: Screen::Accuracy,
         key: '5',
-        title: "Accuracy",
+        title: "Error",
         draw: view::accuracy::draw,
         panes: &[("points", Context::Accuracy)],
     },

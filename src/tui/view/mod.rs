@@ -41,6 +41,8 @@ const PROGRAM: &str = "contrecoup ";
 
 /// Columns that the preset's name can claim in the title.
 const LONGEST_NAME: u16 = 26;
+/// What is left of it, at least, beside the names of all screens.
+const SHORTENED_NAME: u16 = 11;
 
 /// Draws the whole screen.
 pub fn draw(model: &Model, buffer: &mut Buffer) {
@@ -82,7 +84,8 @@ fn too_small(area: Rect, buffer: &mut Buffer) {
 /// Where the names of the screens begin in the title, and how they are written.
 pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
     // A long name gives way before the screens do.
-    let name = text::width(&model.title()).min(LONGEST_NAME) + 2;
+    let full = text::width(&model.title());
+    let name = full.min(LONGEST_NAME) + 2;
     // Where room is short the program's name gives way, then the space between the names of the
     // screens, then those of the others.
     let label = |listed: &Listed, form: Form| match form {
@@ -96,10 +99,14 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
             .map(|l| text::width(&label(l, form)))
             .sum::<u16>()
     };
-    let form = [Form::Wide, Form::Tight]
-        .into_iter()
-        .find(|form| length(*form) + name <= columns)
-        .unwrap_or(Form::Brief);
+    let tight = length(Form::Tight) + full.min(SHORTENED_NAME) + 2;
+    let form = if length(Form::Wide) + name <= columns {
+        Form::Wide
+    } else if tight <= columns {
+        Form::Tight
+    } else {
+        Form::Brief
+    };
     let named = columns.saturating_sub(length(Form::Wide) + name) >= text::width(PROGRAM);
     let mut x = match (form, named) {
         (_, true) => 1 + text::width(PROGRAM),
