@@ -30,6 +30,8 @@ use crate::study::map::Grid;
 
 mod accuracy;
 mod compare;
+#[cfg(test)]
+mod driven;
 mod ensemble;
 mod mouse;
 mod news;

@@ -97,26 +97,12 @@ mod made_up;
 mod tests {
     use super::*;
     use crate::scenario::IntegratorChoice;
-    use crate::tui::model::Look;
-    use crate::tui::open::prepare;
-    use crate::tui::terminal::caps::{Depth, Symbols};
+    use crate::tui::update::driven::{key, letter, opened};
     use crate::tui::update::{Message, begin, update};
-    use crossterm::event::{KeyCode, KeyEvent};
-
-    fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
-        update(model, Message::Key(KeyEvent::from(code)))
-    }
-
-    fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
-        key(model, KeyCode::Char(letter))
-    }
+    use crossterm::event::KeyCode;
 
     fn model() -> Model {
-        let look = Look {
-            depth: Depth::Mono,
-            symbols: Symbols::Braille,
-        };
-        let mut model = prepare(&[], look).unwrap();
+        let mut model = opened();
         model.work.scenario.window_ms = 0.2;
         begin(&mut model);
         model

@@ -129,20 +129,10 @@ mod tests {
     use crate::scenario::Scenario;
     use crate::study::{Refusal, unwatched};
     use crate::tui::ensemble::ensemble;
-    use crate::tui::model::Look;
-    use crate::tui::open::prepare;
-    use crate::tui::terminal::caps::{Depth, Symbols};
+    use crate::tui::update::driven::{key, letter, opened};
     use crate::tui::update::{Message, begin, update};
     use crate::tui::worker::keep;
-    use crossterm::event::{KeyCode, KeyEvent};
-
-    fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
-        update(model, Message::Key(KeyEvent::from(code)))
-    }
-
-    fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
-        key(model, KeyCode::Char(letter))
-    }
+    use crossterm::event::KeyCode;
 
     fn sampled(effects: &[Effect]) -> Option<(u64, Sampling)> {
         effects.iter().find_map(|effect| match effect {
@@ -153,11 +143,7 @@ mod tests {
 
     /// A model with its answer, and what it asks for when the mesh error has come.
     fn idle_model() -> (Model, u64, Sampling) {
-        let look = Look {
-            depth: Depth::Mono,
-            symbols: Symbols::Braille,
-        };
-        let mut model = prepare(&[], look).unwrap();
+        let mut model = opened();
         model.work.scenario.window_ms = 0.2;
         let effects = begin(&mut model);
         let Effect::Solve(ticket, scenario) = &effects[0] else {

@@ -120,22 +120,15 @@ fn wheel(model: &mut Model, (down, coarse): (bool, bool), spot: Spot, effects: &
 mod tests {
     use super::*;
     use crate::scenario::Impact;
-    use crate::tui::model::Look;
-    use crate::tui::open::prepare;
-    use crate::tui::terminal::caps::{Depth, Symbols};
-    use crate::tui::update::{Message, begin, update};
+    use crate::tui::update::driven::begun;
+    use crate::tui::update::{Message, update};
     use MouseButton::Left;
     use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
 
     const SIZE: (u16, u16) = (80, 24);
 
     fn model() -> Model {
-        let look = Look {
-            depth: Depth::Mono,
-            symbols: Symbols::Braille,
-        };
-        let mut model = prepare(&[], look).unwrap();
-        begin(&mut model);
+        let mut model = begun();
         model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
         model
     }

@@ -87,36 +87,16 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
 mod tests {
     use super::*;
     use crate::study::map::{SIDES, Spot};
-    use crate::tui::model::Look;
-    use crate::tui::open::prepare;
     use crate::tui::sweep::Drawing;
-    use crate::tui::terminal::caps::{Depth, Symbols};
-    use crate::tui::update::{Message, begin, update};
-    use crossterm::event::{KeyCode, KeyEvent};
-
-    fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
-        update(model, Message::Key(KeyEvent::from(code)))
-    }
-
-    fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
-        key(model, KeyCode::Char(letter))
-    }
+    use crate::tui::update::driven::{begun, key, letter};
+    use crate::tui::update::{Message, update};
+    use crossterm::event::KeyCode;
 
     fn drawn(effects: &[Effect]) -> Option<(u64, Drawing)> {
         effects.iter().find_map(|effect| match effect {
             Effect::Draw(ticket, question) => Some((*ticket, question.clone())),
             _ => None,
         })
-    }
-
-    fn model() -> Model {
-        let look = Look {
-            depth: Depth::Mono,
-            symbols: Symbols::Braille,
-        };
-        let mut model = prepare(&[], look).unwrap();
-        begin(&mut model);
-        model
     }
 
     fn tell(model: &mut Model, (ticket, question): (u64, Drawing)) -> Vec<Effect> {
@@ -133,7 +113,7 @@ mod tests {
 
     #[test]
     fn grids_are_refined_until_the_finest() {
-        let mut model = model();
+        let mut model = begun();
         let mut effects = letter(&mut model, '7');
         for side in SIDES {
             let asked = drawn(&effects).unwrap();
@@ -146,7 +126,7 @@ mod tests {
 
     #[test]
     fn escape_and_leaving_stop_it_and_a_key_goes_on() {
-        let mut model = model();
+        let mut model = begun();
         let (ticket, question) = drawn(&letter(&mut model, '7')).unwrap();
         assert_eq!(key(&mut model, KeyCode::Esc), [Effect::StopDrawing(ticket)]);
         assert!(tell(&mut model, (ticket, question)).is_empty(), "late news");
@@ -160,7 +140,7 @@ mod tests {
 
     #[test]
     fn the_cursor_moves_and_its_values_are_adopted() {
-        let mut model = model();
+        let mut model = begun();
         letter(&mut model, '7');
         let middle = model.map.cursor;
         key(&mut model, KeyCode::Up);

@@ -1,22 +1,15 @@
 //! What keys and answers do to the model, without a terminal and without threads.
 
+use super::driven::begun;
 use super::*;
 use crate::recording::Keep;
 use crate::scenario::Impact;
 use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::form::Row;
-use crate::tui::model::Look;
-use crate::tui::open::prepare;
-use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::terminal::input::{Input as Typed, Parser};
 
 fn model() -> Model {
-    let look = Look {
-        depth: Depth::Mono,
-        symbols: Symbols::Braille,
-    };
-    let mut model = prepare(&[], look).unwrap();
-    begin(&mut model);
+    let mut model = begun();
     model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
     model
 }

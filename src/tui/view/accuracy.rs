@@ -9,7 +9,7 @@ use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
 use super::raster::{Ink, Raster};
-use super::text::{fitted, put, put_right, width, wrapped};
+use super::text::{fitted, put, put_both, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::dynamics::Integrator;
 use crate::report::text::{percent, significant};
@@ -55,22 +55,9 @@ fn style(theme: Theme, point: &Point) -> Style {
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let end = put(
-        buffer,
-        area,
-        (1, 0),
-        "Error in % against time",
-        theme.heading(),
-    );
-    let room = usize::from(area.width.saturating_sub(end + 3));
     let (said, style) = status(model, theme);
-    put_right(
-        buffer,
-        area,
-        (area.width - 1, 0),
-        &fitted(&said, room),
-        style,
-    );
+    let heading = ("Error in % against time", theme.heading());
+    put_both(buffer, area, heading, (&said, style));
     let Some(measured) = &model.accuracy.measured else {
         let text = match (&model.accuracy.job, &model.accuracy.complaint) {
             (Some(_), _) => "every integrator is being timed at several steps",

@@ -35,6 +35,15 @@ pub fn put_right(
     put(buffer, area, (left, y), text, style);
 }
 
+/// Writes a heading at the left of the first row and, cut to the room that is left, a text at its
+/// right.
+pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&str, Style), right: (&str, Style)) {
+    let end = put(buffer, area, (1, 0), left.0, left.1);
+    let room = usize::from(area.width.saturating_sub(end + 3));
+    let text = fitted(right.0, room);
+    put_right(buffer, area, (area.width - 1, 0), &text, right.1);
+}
+
 /// A text cut to so many cells, with a mark where something is left out.
 pub fn fitted(text: &str, room: usize) -> String {
     if text.width() <= room {

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, put_right, width, wrapped};
+use super::text::{fitted, put, put_both, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::text::{percent, significant};
@@ -25,22 +25,9 @@ const MARGIN: f64 = 0.06;
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let end = put(
-        buffer,
-        area,
-        (1, 0),
-        "5 to 95 % of samples",
-        theme.heading(),
-    );
-    let room = usize::from(area.width.saturating_sub(end + 3));
     let (said, style) = status(model, theme);
-    put_right(
-        buffer,
-        area,
-        (area.width - 1, 0),
-        &fitted(&said, room),
-        style,
-    );
+    let title = ("5 to 95 % of samples", theme.heading());
+    put_both(buffer, area, title, (&said, style));
     let Some((_, ensemble)) = &model.ensemble.done else {
         let text = match (&model.ensemble.job, &model.ensemble.complaint) {
             (Some(_), _) => {

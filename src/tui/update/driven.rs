@@ -1,0 +1,33 @@
+//! A model of the preset that opens first, in one colour, and keys for it: what the tests here start from.
+
+use super::{Effect, Message, begin, update};
+use crate::tui::model::{Look, Model};
+use crate::tui::open::prepare;
+use crate::tui::terminal::caps::{Depth, Symbols};
+use crossterm::event::{KeyCode, KeyEvent};
+
+/// Opened, without its first simulation.
+pub fn opened() -> Model {
+    let look = Look {
+        depth: Depth::Mono,
+        symbols: Symbols::Braille,
+    };
+    prepare(&[], look).unwrap()
+}
+
+/// Opened, and its first simulation asked for.
+pub fn begun() -> Model {
+    let mut model = opened();
+    begin(&mut model);
+    model
+}
+
+/// Presses a key.
+pub fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
+    update(model, Message::Key(KeyEvent::from(code)))
+}
+
+/// Presses the key of a letter.
+pub fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
+    key(model, KeyCode::Char(letter))
+}
