@@ -2,7 +2,7 @@
 
 use contrecoup::dynamics::{Fluid, PA_PER_MMHG, State, area};
 use contrecoup::eye::SpringKind;
-use contrecoup::recording::Keep;
+use contrecoup::recording::{Keep, Spacing};
 use contrecoup::scenario::{Impact, Model, Physiological, Projectile, Scenario};
 use contrecoup::study::{Answer, Case, solve, unwatched};
 use nalgebra::{Point2, Vector2};
@@ -69,7 +69,7 @@ fn the_eye_at_rest_stays_at_rest() {
         scenario.eye.level = level;
         let keep = Keep {
             traces: false,
-            frames_every: Some(3e-3),
+            frames: Some(Spacing::even(3e-3)),
         };
         let answer = solve(&scenario, keep, &mut unwatched).unwrap();
         let last = answer.recording.frames.last().unwrap();
@@ -106,7 +106,7 @@ fn a_ring_under_pressure_carries_p_r_over_t() {
     let plan = case.plan(&scenario).unwrap();
     let keep = Keep {
         traces: false,
-        frames_every: Some(60e-3),
+        frames: Some(Spacing::even(60e-3)),
     };
     let solved = case.run(&plan, keep, &mut unwatched).unwrap();
     let last = solved.recording.frames.last().unwrap();

@@ -1,7 +1,7 @@
 //! Projectiles: contact against closed forms, balance, no tunnelling, honest errors.
 
 use contrecoup::dynamics::{Body, Contact, Observer, Piece, State, Survey, System, march};
-use contrecoup::recording::{Keep, ShotExtremes};
+use contrecoup::recording::{Keep, ShotExtremes, Spacing};
 use contrecoup::scenario::{
     Impact, Model, Physiological, Projectile, ProjectileStiffness, Scenario,
 };
@@ -300,7 +300,7 @@ fn a_shot_head_on_gives_a_symmetric_answer() {
     let scenario = physiological(bb(15.0));
     let keep = Keep {
         traces: true,
-        frames_every: Some(1e-4),
+        frames: Some(Spacing::even(1e-4)),
     };
     let answer = solve(&scenario, keep, &mut unwatched).unwrap();
     let eye = &answer.case.eye;

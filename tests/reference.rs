@@ -2,7 +2,7 @@
 //! form with a step of 50 ns, level 1, window 3 ms.
 
 use contrecoup::dynamics::Integrator;
-use contrecoup::recording::Keep;
+use contrecoup::recording::{Keep, Spacing};
 use contrecoup::scenario::{ForcePulse, Impact, IntegratorChoice, PulseShape, Scenario};
 use contrecoup::study::{Answer, FlagKind, solve, unwatched};
 
@@ -194,7 +194,7 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
             let plan = case.plan(&scenario).unwrap();
             let keep = Keep {
                 traces: true,
-                frames_every: Some(5e-5),
+                frames: Some(Spacing::even(5e-5)),
             };
             case.run(&plan, keep, &mut unwatched).unwrap().recording
         };
@@ -229,7 +229,7 @@ fn the_front_node_shows_the_papers_two_peaks() {
     let scenario = scenario(&head_on(100.0, 0.2));
     let keep = Keep {
         traces: true,
-        frames_every: None,
+        frames: None,
     };
     let answer = solve(&scenario, keep, &mut unwatched).unwrap();
     let traces = answer.recording.traces.unwrap();
@@ -288,7 +288,7 @@ fn stopping_early_changes_no_result_in_random_scenes() {
         let plan = case.plan(&scenario).unwrap();
         let whole = Keep {
             traces: true,
-            frames_every: None,
+            frames: None,
         };
         let early = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
         let full = case.run(&plan, whole, &mut unwatched).unwrap();

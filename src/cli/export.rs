@@ -7,7 +7,7 @@ use std::path::Path;
 use super::progress::Progress;
 use super::{CliError, ExportArgs};
 use crate::eye::side_at_level;
-use crate::recording::{Keep, write_frames, write_traces};
+use crate::recording::{Keep, Spacing, write_frames, write_traces};
 use crate::scenario::Scenario;
 use crate::study::solve;
 
@@ -33,7 +33,10 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     let keep = Keep {
         traces: args.traces.is_some(),
-        frames_every: args.frames.is_some().then_some(every_us * 1e-6),
+        frames: args
+            .frames
+            .is_some()
+            .then_some(Spacing::even(every_us * 1e-6)),
     };
     let mut progress = Progress::new();
     let answer = solve(&scenario, keep, &mut |share| progress.simulated(share))?;

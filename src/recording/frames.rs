@@ -1,4 +1,4 @@
-//! Frames: where every node is, and the force on it, at even intervals, for replay and export.
+//! Frames: where every node is, and the force on it, at chosen instants, for replay and export.
 //!
 //! A frame falls between two step ends; positions come from dense output and forces from one
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
@@ -8,6 +8,34 @@ use super::dense::Path;
 use crate::dynamics::{Piece, State, System};
 use crate::eye::Eye;
 use nalgebra::Point2;
+
+/// When frames are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spacing {
+    /// So many intervals at first.
+    pub early: u32,
+    /// Each of this length, in s.
+    pub early_every: f64,
+    /// The length of all others, in s.
+    pub every: f64,
+}
+
+impl Spacing {
+    /// All intervals alike, in s.
+    pub fn even(every: f64) -> Self {
+        Self {
+            early: 0,
+            early_every: every,
+            every,
+        }
+    }
+
+    /// When the frame with this number is due, in s.
+    fn due(self, number: usize) -> f64 {
+        let early = number.min(self.early as usize);
+        self.early_every * early as f64 + self.every * (number - early) as f64
+    }
+}
 
 /// All nodes at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,10 +52,25 @@ pub struct Frame {
     pub pressure: Option<f64>,
 }
 
+/// The place of the frame nearest to a time, in s.
+pub fn nearest(frames: &[Frame], time: f64) -> usize {
+    let after = frames.partition_point(|frame| frame.time < time);
+    let before = after.saturating_sub(1);
+    let apart = |place: usize| {
+        let frame: Option<&Frame> = frames.get(place);
+        frame.map_or(f64::INFINITY, |frame| (frame.time - time).abs())
+    };
+    if apart(after) < apart(before) {
+        after
+    } else {
+        before
+    }
+}
+
 /// Collects frames during a march.
 #[derive(Debug, Clone)]
 pub struct FrameTaker {
-    every: f64,
+    spacing: Spacing,
     nodes: usize,
     masses: Vec<f64>,
     probe: State,
@@ -36,10 +79,10 @@ pub struct FrameTaker {
 }
 
 impl FrameTaker {
-    /// A frame every `every` seconds of the motion of `eye`.
-    pub fn new(every: f64, eye: &Eye, system: &System) -> Self {
+    /// Frames of the motion of `eye`.
+    pub fn new(spacing: Spacing, eye: &Eye, system: &System) -> Self {
         Self {
-            every,
+            spacing,
             nodes: eye.nodes.len(),
             masses: eye
                 .nodes
@@ -52,7 +95,7 @@ impl FrameTaker {
     }
 
     fn due(&self) -> f64 {
-        self.every * self.frames.len() as f64
+        self.spacing.due(self.frames.len())
     }
 
     /// Takes the frame at the very start.
@@ -66,7 +109,7 @@ impl FrameTaker {
     pub fn step(&mut self, system: &System, (before, after): (&State, &State), piece: Piece) {
         let h = after.time - before.time;
         // The frame at the end of the window must not be lost to rounding.
-        while self.due() <= after.time + 1e-9 * self.every {
+        while self.due() <= after.time + 1e-9 * self.spacing.every {
             let share = ((self.due() - before.time) / h).min(1.0);
             let mut probe = std::mem::replace(&mut self.probe, State::empty());
             probe.time = before.time + share * h;

@@ -2,7 +2,7 @@
 
 use super::coupled::CoupledWatch;
 use super::dense::{NodeForce, Peak};
-use super::frames::FrameTaker;
+use super::frames::{FrameTaker, Spacing};
 use super::lengths::{Growth, Measure};
 use super::settling::Bounds;
 use super::{Extremes, Recording, Traces};
@@ -36,8 +36,8 @@ const ROUNDING_J: f64 = 1e-13;
 pub struct Keep {
     /// Traces of every step (thinned beyond 100,000 steps).
     pub traces: bool,
-    /// Frames, this many seconds apart.
-    pub frames_every: Option<f64>,
+    /// Frames, so far apart.
+    pub frames: Option<Spacing>,
 }
 
 /// Watches a march and records it.
@@ -107,7 +107,9 @@ impl Recorder {
             rows: keep.traces.then(Traces::default),
             every_row: steps.div_ceil(MOST_ROWS).max(1),
             steps: 0,
-            frames: keep.frames_every.map(|dt| FrameTaker::new(dt, eye, system)),
+            frames: keep
+                .frames
+                .map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
             coupled: CoupledWatch::new(system),
             provable: system.coupled().is_none(),

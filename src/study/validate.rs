@@ -7,7 +7,7 @@ use super::experiments::{EXPERIMENTS, Experiment, Reading};
 use super::flags::FlagKind;
 use super::solve::solve;
 use crate::eye::Eye;
-use crate::recording::{Keep, Recording};
+use crate::recording::{Keep, Recording, Spacing};
 use crate::scenario::{Model, Scenario};
 use rayon::prelude::*;
 
@@ -51,7 +51,7 @@ fn keep(experiments: &[&Experiment]) -> Keep {
     let frames = experiments.iter().any(|e| e.reading == Reading::Shortening);
     Keep {
         traces: true,
-        frames_every: frames.then_some(FRAMES),
+        frames: frames.then_some(Spacing::even(FRAMES)),
     }
 }
 

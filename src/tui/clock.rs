@@ -2,7 +2,7 @@
 
 use super::action::Step;
 use crate::eye::Monitor;
-use crate::recording::Peak;
+use crate::recording::{Frame, Peak, nearest};
 use crate::report::text::significant;
 use crate::study::Answer;
 
@@ -97,10 +97,25 @@ impl Clock {
     }
 
     /// Moves by one frame, or by ten.
-    pub fn step(&mut self, step: Step, from: f64, frame: f64, window: f64) {
-        let frames = if step.coarse { 10.0 } else { 1.0 };
-        let here = (from / frame).round() + step.sign() * frames;
-        self.moment = Moment::At((here * frame).clamp(0.0, window));
+    /// Where there are no frames, the last interval goes on to the end of the window.
+    pub fn step(&mut self, step: Step, from: f64, frames: &[Frame], window: f64) {
+        let [.., before, last] = frames else {
+            return;
+        };
+        let by = if step.coarse { 10 } else { 1 };
+        let every = last.time - before.time;
+        let beyond = ((from - last.time) / every).round().max(0.0);
+        let here = nearest(frames, from) + beyond as usize;
+        let next = if step.up {
+            here + by
+        } else {
+            here.saturating_sub(by)
+        };
+        let time = frames.get(next).map_or_else(
+            || last.time + every * (next + 1 - frames.len()) as f64,
+            |frame| frame.time,
+        );
+        self.moment = Moment::At(time.clamp(0.0, window));
         self.playing = false;
     }
 
@@ -194,7 +209,7 @@ pub fn peak_at(answer: &Answer, time: f64) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Keep;
+    use crate::recording::{Keep, Spacing};
     use crate::scenario::Scenario;
     use crate::study::{solve, unwatched};
 
@@ -227,8 +242,26 @@ mod tests {
         assert_eq!(clock.moment, Moment::At(1e-3));
         clock.advance(10.0, 1e-3, 3e-3);
         assert_eq!(clock.moment, Moment::At(0.0));
-        clock.step(Step::MUCH_MORE, 0.0, 1e-5, 3e-3);
+        let keep = Keep {
+            traces: false,
+            frames: Some(Spacing {
+                early: 12,
+                early_every: 1e-5,
+                every: 1e-4,
+            }),
+        };
+        let answer = solve(&Scenario::default(), keep, &mut unwatched).unwrap();
+        let frames = &answer.recording.frames;
+        clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);
         assert!(!clock.playing);
-        assert_eq!(clock.moment, Moment::At(1e-4));
+        let time = |clock: &Clock| clock.time(&answer);
+        assert!((time(&clock) - 1e-4).abs() < 1e-12);
+        clock.step(Step::MUCH_MORE, 1e-4, frames, 3e-3);
+        assert!(
+            (time(&clock) - 9.2e-4).abs() < 1e-12,
+            "two early, eight late"
+        );
+        clock.step(Step::LESS, 9.2e-4, frames, 3e-3);
+        assert!((time(&clock) - 8.2e-4).abs() < 1e-12);
     }
 }

@@ -372,10 +372,9 @@ fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>) {
 /// A step from frame to frame.
 fn step_time(model: &mut Model, step: Step) {
     if let (Some(answer), Some(window)) = (model.clock_answer(), model.window()) {
-        let frames = answer.recording.frames.len().max(2) - 1;
-        let frame = answer.case.window / frames as f64;
-        let time = model.time();
-        model.clock.step(step, time, frame, window);
+        let mut clock = model.clock;
+        clock.step(step, model.time(), &answer.recording.frames, window);
+        model.clock = clock;
     }
 }
 

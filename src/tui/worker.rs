@@ -9,14 +9,16 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::recording::Keep;
-use crate::scenario::Scenario;
+use crate::recording::{Keep, Spacing};
+use crate::scenario::{Impact, Scenario};
 use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
+/// The time in which most happens after a short blow, in s.
+const LIVELY: f64 = 5e-3;
 /// Numbers of nodes times frames that a replay may keep: some 100 MB.
 const MOST_KEPT: f64 = 4e6;
 
@@ -185,13 +187,32 @@ pub fn overseen<T: Send>(
     })
 }
 
+/// In a long window half of the frames fall into the time in which most happens.
+fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
+    let window = scenario.window_ms * 1e-3;
+    let pulse = match &scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.duration_ms * 1e-3,
+        Impact::Projectile(_) => 0.0,
+    };
+    let lively = LIVELY.max(2.0 * pulse);
+    if window < 2.0 * lively {
+        return Spacing::even(window / frames);
+    }
+    let early = (0.5 * frames).round();
+    Spacing {
+        early: early as u32,
+        early_every: lively / early,
+        every: (window - lively) / (frames - early),
+    }
+}
+
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
 pub fn keep(scenario: &Scenario) -> Keep {
     let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
     let frames = FRAMES.min(MOST_KEPT / (side * side)).max(20.0);
     Keep {
         traces: true,
-        frames_every: Some(scenario.window_ms * 1e-3 / frames),
+        frames: Some(spacing(scenario, frames)),
     }
 }
 

@@ -10,7 +10,7 @@ use super::heat::{heat_glyph, step_of, thresholds};
 use super::raster::{Ink, Raster};
 use super::theme::Theme;
 use crate::eye::{Eye, GLOBE_RADIUS_M, ORBIT_RADIUS_M, Region, Spring, SpringKind};
-use crate::recording::Frame;
+use crate::recording::{Frame, nearest};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Kind};
 use crate::study::Answer;
@@ -188,9 +188,7 @@ pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
 /// The frame nearest to a time.
 pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
     let frames = &answer.recording.frames;
-    let every = frames.get(1)?.time;
-    let index = (time / every).round() as usize;
-    frames.get(index.min(frames.len() - 1))
+    frames.get(nearest(frames, time))
 }
 
 struct Drawing<'a> {
