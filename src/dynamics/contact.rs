@@ -34,7 +34,7 @@ pub const AIM: f64 = 0.007;
 /// force: three times the secant stiffness that Kennedy and Duma (2008) measured.
 const STIFF_EYE_N_M: f64 = 1e5;
 /// Rounds that the search for the shift of the surface takes at most.
-const MOST_ROUNDS: usize = 16;
+const MOST_ROUNDS: usize = 60;
 /// Change of the shift, as a share of the radius, at which it is found.
 const SETTLED: f64 = 1e-13;
 /// Halvings of an interval that leave nothing of it.
@@ -287,11 +287,17 @@ impl Contact {
     }
 
     /// Newton's method for the shift of a surface without mass; returns the segments tested.
+    ///
+    /// A step that does not lower the potential is halved: where a touch is lost, the spring alone
+    /// would send the surface to the far side of the shell, which has places of balance of its own.
     fn find_shift(&self, spring: f64, body: &mut Body, ring: &[Point2<f64>]) -> usize {
         let mut tests = 0;
         let mut shift = body.shift.dot(&self.direction);
+        let mut lowest = f64::INFINITY;
+        let mut step = 0.0;
         for _ in 0..MOST_ROUNDS {
             let centre = body.position + self.direction * shift;
+            let mut potential = 0.5 * spring * shift * shift;
             let mut slope = shift * spring;
             let mut bend = spring;
             let mut add = |away: Vector2<f64>, penalty: f64| {
@@ -299,7 +305,9 @@ impl Contact {
                 if square < self.radius * self.radius && square > 0.0 {
                     let distance = square.sqrt();
                     let along = away.dot(&self.direction) / distance;
-                    slope -= along * (penalty * (self.radius - distance));
+                    let depth = self.radius - distance;
+                    potential += 0.5 * penalty * depth * depth;
+                    slope -= along * (penalty * depth);
                     bend += along * along * penalty;
                 }
             };
@@ -310,11 +318,17 @@ impl Contact {
                 add(centre - point, self.rim_penalty);
             }
             tests += ring.len();
-            let step = slope / bend;
-            shift -= step;
+            if potential <= lowest * (1.0 + f64::EPSILON) {
+                lowest = potential;
+                step = slope / bend;
+            } else {
+                shift += step;
+                step *= 0.5;
+            }
             if step.abs() <= SETTLED * self.radius {
                 break;
             }
+            shift -= step;
         }
         body.shift = self.direction * shift;
         tests
