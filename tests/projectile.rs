@@ -1,7 +1,8 @@
 //! Projectiles: contact against closed forms, balance, no tunnelling, honest errors.
 
 use contrecoup::dynamics::{Body, Contact, Observer, Piece, State, Survey, System, march};
-use contrecoup::recording::{Keep, ShotExtremes, Spacing};
+use contrecoup::recording::{Frame, Keep, ShotExtremes, Spacing};
+use contrecoup::scenario::library;
 use contrecoup::scenario::{
     Impact, Model, Physiological, Projectile, ProjectileStiffness, Scenario,
 };
@@ -418,4 +419,95 @@ fn stated_step_errors_hold_against_a_run_ten_times_finer() {
             );
         }
     }
+}
+
+fn soft(name: &str) -> Scenario {
+    let found = library::built_in().into_iter().find(|p| p.name == name);
+    found.unwrap().scenario().unwrap()
+}
+
+#[test]
+fn a_soft_ball_wedged_in_the_rim_keeps_its_energy_at_any_step() {
+    let mut scenario = soft("squash-ball");
+    let mut damage = Vec::new();
+    for step_us in [0.6, 1.2, 2.4] {
+        scenario.numerics.step_us = Some(step_us);
+        let answer = answer(&scenario);
+        let energies = answer.recording.extremes.energy_residual;
+        assert!(energies < 1e-3, "{step_us} us: {energies}");
+        assert!(shot(&answer).rebound_speed > 30.0, "{step_us} us");
+        damage.push(answer.index.damage());
+    }
+    assert!((damage[2] / damage[0] - 1.0).abs() < 0.05, "{damage:?}");
+}
+
+#[test]
+fn no_soft_object_is_pressed_through_itself_and_one_pressed_far_is_flagged() {
+    for (name, flattened) in [("tennis-ball", true), ("golf-ball", false)] {
+        let answer = answer(&soft(name));
+        let share = shot(&answer).squeezed_share;
+        assert!(share > 0.0 && share < 0.9, "{name}: {share}");
+        assert_eq!(has(&answer, FlagKind::ObjectFlattened), flattened, "{name}");
+    }
+}
+
+#[test]
+fn an_object_lighter_than_a_node_or_behind_the_bone_is_flagged() {
+    let foam = answer(&soft("airbag-foam"));
+    assert!(has(&foam, FlagKind::ObjectLight));
+    let sphere = Projectile {
+        mass_g: 10_000.0,
+        ..bb(56.0)
+    };
+    let through = answer(&physiological(sphere));
+    assert!(has(&through, FlagKind::ThroughBone));
+    let usual = answer(&physiological(bb(56.0)));
+    assert!(!has(&usual, FlagKind::ThroughBone) && !has(&usual, FlagKind::ObjectLight));
+}
+
+#[test]
+fn an_object_that_misses_has_exact_results_and_no_curve_of_its_energy() {
+    for offset_mm in [12.0, 17.0] {
+        let aside = Projectile {
+            offset_mm,
+            ..bb(56.0)
+        };
+        let answer = answer(&paper(aside));
+        assert!(has(&answer, FlagKind::EyeMissed), "{offset_mm}");
+        assert!(!has(&answer, FlagKind::Unconverged), "{offset_mm}");
+        assert_eq!(answer.errors.time_step_percent(), 0.0);
+        assert!(answer.risks().is_empty());
+    }
+}
+
+/// With hardly any fat and no drag nothing from outside acts, so the mean of all places, by mass,
+/// moves on at the speed that the object brought.
+#[test]
+fn eye_and_object_together_keep_their_momentum() {
+    let mut scenario = paper(bb(30.0));
+    scenario.eye.fat_kpa = 1e-3;
+    scenario.eye.globe_drag_ns_m = 0.0;
+    scenario.eye.fat_drag_ns_m = 0.0;
+    scenario.window_ms = 0.4;
+    let keep = Keep {
+        traces: false,
+        frames: Some(Spacing::even(1e-4)),
+    };
+    let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+    let frames = &answer.recording.frames;
+    let moment = |frame: &Frame| {
+        let nodes = answer.case.eye.nodes.iter().zip(&frame.positions);
+        let eye: Vector2<f64> = nodes
+            .filter(|(node, _)| !node.fixed())
+            .map(|(node, place)| place.coords * node.mass)
+            .sum();
+        eye + frame.projectile.unwrap().coords * 0.345e-3
+    };
+    let brought = Vector2::new(0.345e-3 * 30.0, 0.0);
+    for frame in &frames[1..] {
+        let moved = moment(frame) - moment(&frames[0]);
+        let error = (moved - brought * frame.time).norm() / (brought * frame.time).norm();
+        assert!(error < 2e-3, "{} s: {error}", frame.time);
+    }
+    assert!(shot(&answer).contact.is_some());
 }

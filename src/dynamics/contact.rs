@@ -16,7 +16,8 @@
 //! by a stiff eye, stays within it too.
 //!
 //! A projectile with a spring of its own has a surface without mass, shifted by u against the mass
-//! along the line of its flight. The shift is where `k_p u^2 / 2 + U(c + u e)` is least, found by
+//! along the line of its flight. The shift is where the energy of the spring (see
+//! [`super::object_spring`]) and `U(c + u e)` together are least, found by
 //! Newton's method without the curvature of d; the spring is then in series with the penalty. Across
 //! the line the surface stays with the mass: free to shift there too, a soft ball wedged in the rim
 //! would lose its balance, as the curvature of the contact, F/R, can outweigh its spring.
@@ -24,6 +25,7 @@
 //! Left out: friction and spin; a surface that changes its shape, so a soft ball never bulges into
 //! the orbit; and the third dimension, in which a ball is no rod. Rim and bone are rigid and fixed.
 
+use super::object_spring::ObjectSpring;
 use crate::eye::{ORBIT_RADIUS_M, cross};
 use crate::scenario::{Projectile, ProjectileStiffness};
 use nalgebra::{Point2, Vector2};
@@ -100,10 +102,12 @@ pub struct Contact {
     pub penalty: f64,
     /// Penalty of a point of the rim, in N/m.
     pub rim_penalty: f64,
-    /// The projectile's own stiffness, in N/m.
-    pub spring: Option<f64>,
+    /// The projectile's own spring, where it is soft.
+    pub spring: Option<ObjectSpring>,
     /// The edge of the opening, in m.
     pub rim: [Point2<f64>; 2],
+    /// Mass of a node of the shell, in kg.
+    pub node_mass: f64,
 }
 
 /// The point of the segment from `a` to `b` that is closest to `c`, as a share of the way from `a`.
@@ -150,7 +154,9 @@ impl Contact {
         let side = Vector2::new(-direction.y, direction.x) * (input.offset_mm * 1e-3);
         let spring = match input.stiffness {
             ProjectileStiffness::Rigid => None,
-            ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
+            ProjectileStiffness::Linear { n_per_m } => {
+                Some(ObjectSpring::new(n_per_m, 2.0 * radius))
+            }
         };
         let rim = [1.0, -1.0].map(|sign| {
             Point2::new(
@@ -167,8 +173,9 @@ impl Contact {
         let (penalty, rim_penalty) = match spring {
             None => (by_nodes.max(sustained(STIFF_EYE_N_M)), by_bone),
             // The spring between nodes and mass limits every force.
-            Some(k) => {
-                let limit = sustained(k).max(k);
+            Some(spring) => {
+                let greatest = spring.greatest_force(0.5 * mass * speed * speed);
+                let limit = (greatest / aim).max(spring.stiffness);
                 (by_nodes.max(sustained(STIFF_EYE_N_M)).min(limit), limit)
             }
         };
@@ -182,6 +189,7 @@ impl Contact {
             rim_penalty,
             spring,
             rim,
+            node_mass,
         };
         contact.place(ring, side);
         contact
@@ -235,6 +243,15 @@ impl Contact {
         0.5 * self.mass * self.speed * self.speed
     }
 
+    /// Whether the object reaches through the wall of the orbit, of which only the rim stops it, by
+    /// more than a penalty would let it.
+    pub fn through_bone(&self, body: &Body) -> bool {
+        let centre = body.position + body.shift;
+        let far = centre.coords.norm();
+        let behind_rim = centre.x * ORBIT_RADIUS_M > self.rim[0].x * far;
+        far > 0.0 && behind_rim && far + self.radius > ORBIT_RADIUS_M + 4.0 * AIM * self.radius
+    }
+
     /// Adds the forces on the ring to `forces`, finds the shift of the surface, and sets the
     /// acceleration of `body`.
     pub fn apply(
@@ -244,14 +261,16 @@ impl Contact {
         forces: &mut [Vector2<f64>],
     ) -> Touch {
         let mut tests = 0;
-        if let Some(spring) = self.spring {
+        let mut stored = 0.0;
+        if let Some(spring) = &self.spring {
             tests += self.find_shift(spring, body, ring);
+            stored = spring.at(-body.shift.dot(&self.direction)).energy;
         }
         let centre = body.position + body.shift;
         let mut touch = Touch {
             shell: Vector2::zeros(),
             rim: Vector2::zeros(),
-            potential: 0.5 * self.spring.unwrap_or(0.0) * body.shift.norm_squared(),
+            potential: stored,
             penetration: 0.0,
             gap: f64::INFINITY,
             rim_gap: f64::INFINITY,
@@ -290,16 +309,17 @@ impl Contact {
     ///
     /// A step that does not lower the potential is halved: where a touch is lost, the spring alone
     /// would send the surface to the far side of the shell, which has places of balance of its own.
-    fn find_shift(&self, spring: f64, body: &mut Body, ring: &[Point2<f64>]) -> usize {
+    fn find_shift(&self, spring: &ObjectSpring, body: &mut Body, ring: &[Point2<f64>]) -> usize {
         let mut tests = 0;
         let mut shift = body.shift.dot(&self.direction);
         let mut lowest = f64::INFINITY;
         let mut step = 0.0;
         for _ in 0..MOST_ROUNDS {
             let centre = body.position + self.direction * shift;
-            let mut potential = 0.5 * spring * shift * shift;
-            let mut slope = shift * spring;
-            let mut bend = spring;
+            let squeezed = spring.at(-shift);
+            let mut potential = squeezed.energy;
+            let mut slope = -squeezed.force;
+            let mut bend = squeezed.slope;
             let mut add = |away: Vector2<f64>, penalty: f64| {
                 let square = away.norm_squared();
                 if square < self.radius * self.radius && square > 0.0 {

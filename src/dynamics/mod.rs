@@ -20,6 +20,7 @@ mod kernel;
 mod lanes;
 mod load;
 mod march;
+mod object_spring;
 pub mod plain;
 mod ring;
 mod runge_kutta;

@@ -154,7 +154,7 @@ impl Standing {
             Self::Published => "published",
             Self::SlopeAssumed => "slope assumed",
             Self::Reconstructed => "reconstructed",
-            Self::Unverified => "unverified",
+            Self::Unverified => "unverified, slope assumed",
         }
     }
 }
@@ -166,6 +166,8 @@ pub enum Range {
     Measure(f64, f64),
     /// Of the object's speed, m/s: the source gives no other.
     Speed(f64, f64),
+    /// Not at hand: every value counts as outside.
+    Unknown,
 }
 
 /// One published curve.
@@ -191,7 +193,16 @@ pub struct Curve {
     pub remark: &'static str,
 }
 
+/// Below this share of its point of 50 % a curve of an assumed slope shows that slope only: its risk
+/// of nothing is 1 %.
+const LITTLE: f64 = 0.1;
+
 impl Curve {
+    /// Whether `value` lies where nothing but an assumed slope makes the risk.
+    pub fn says_little(&self, value: f64) -> bool {
+        matches!(self.form, Form::Logistic { half, .. } if value < LITTLE * half)
+    }
+
     /// Risk at `value`, 0 to 1.
     pub fn risk(&self, value: f64) -> f64 {
         match self.form {

@@ -83,7 +83,8 @@ pub static CURVES: &[Curve] = &[
         source: "Kennedy 2006, Stapp Car Crash J 50",
         species: "human",
         standing: Standing::Unverified,
-        data: "human eyes; range not at hand",
+        range: Range::Unknown,
+        data: "human eyes; range not at hand, so that all counts as extrapolated",
         ..pooled(
             Injury::GlobeRupture,
             35_519.0,

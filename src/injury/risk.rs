@@ -58,7 +58,7 @@ impl Blow {
 
     /// What speaks against normalized energy for this object.
     pub fn caution(&self) -> Option<Caution> {
-        if self.diameter > ORBIT.0 {
+        if self.diameter > ORBIT.1 {
             Some(Caution::LargerThanOrbit)
         } else if self.diameter > EYE {
             Some(Caution::LargerThanEye)
@@ -90,7 +90,7 @@ impl Caution {
     pub fn text(self) -> &'static str {
         match self {
             Self::LargerThanOrbit => {
-                "the object is larger than the orbit, so normalized energy is not valid"
+                "the object is larger than the orbit's opening: normalized energy is not valid"
             }
             Self::LargerThanEye => {
                 "the object is larger than the eye, beyond the data of normalized energy"
@@ -130,7 +130,10 @@ pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
         };
         let extrapolated = match curve.range {
             Range::Measure(low, high) => !(low..=high).contains(&inside),
-            Range::Speed(low, high) => !(low..=high).contains(&blow?.speed),
+            Range::Speed(low, high) => {
+                !(low..=high).contains(&blow?.speed) || curve.says_little(value)
+            }
+            Range::Unknown => true,
         };
         Some(Risk {
             curve,
@@ -218,11 +221,11 @@ mod tests {
             ..ball
         };
         assert_eq!(golf.caution(), Some(Caution::LargerThanOrbit));
-        let squash = Blow {
-            diameter: 0.0398,
+        let cork = Blow {
+            diameter: 0.031,
             ..ball
         };
-        assert_eq!(squash.caution(), Some(Caution::LargerThanEye));
+        assert_eq!(cork.caution(), Some(Caution::LargerThanEye));
         assert_eq!(BB.caution(), None);
     }
 

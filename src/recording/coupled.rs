@@ -44,10 +44,16 @@ pub struct ShotExtremes {
     pub penetration: f64,
     /// The same as a share of the diameter.
     pub penetration_share: f64,
+    /// Largest compression of a soft object, as a share of the diameter.
+    pub squeezed_share: f64,
     /// How far it went along its way, in m, and when.
     pub travel: Peak,
     /// When it first met the rim, in s.
     pub rim_at: Option<f64>,
+    /// When it first passed the wall of the orbit, which stops it at the rim only, in s.
+    pub through_bone_at: Option<f64>,
+    /// Whether it is lighter than a node of the shell.
+    pub light: bool,
     /// Whether it touched the shell at the end of the window.
     pub touching: bool,
     /// Whether it was free of the shell but still going on at the end of the window.
@@ -89,8 +95,11 @@ impl CoupledWatch {
                 energy_before: contact.energy(),
                 penetration: 0.0,
                 penetration_share: 0.0,
+                squeezed_share: 0.0,
                 travel: Peak::floor(0.0),
                 rim_at: None,
+                through_bone_at: None,
+                light: contact.mass < contact.node_mass,
                 touching: false,
                 going_on: true,
             },
@@ -138,8 +147,13 @@ impl Shot {
         if readings.rim_force != Vector2::zeros() && r.rim_at.is_none() {
             r.rim_at = Some(time);
         }
+        if r.through_bone_at.is_none() && self.contact.through_bone(body) {
+            r.through_bone_at = Some(time);
+        }
         r.penetration = r.penetration.max(readings.penetration);
         r.penetration_share = r.penetration / (2.0 * self.contact.radius);
+        let squeezed = body.shift.norm() / (2.0 * self.contact.radius);
+        r.squeezed_share = r.squeezed_share.max(squeezed);
         r.velocity = body.velocity;
         r.rebound_speed = -body.velocity.dot(&self.contact.direction);
         r.energy = r.energy_before - 0.5 * self.contact.mass * body.velocity.norm_squared();

@@ -46,8 +46,11 @@ pub struct Frame {
     pub positions: Vec<Point2<f64>>,
     /// |m a| of each node of the eye, in N; 0 for the orbit.
     pub forces: Vec<f64>,
-    /// Centre of the projectile, in m, where the scene has one.
+    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
+    /// and squeezed.
     pub projectile: Option<Point2<f64>>,
+    /// How much it is squeezed along its flight, in m.
+    pub squeezed: f64,
     /// Intraocular pressure, in Pa, where the scene has a fluid.
     pub pressure: Option<f64>,
 }
@@ -140,7 +143,8 @@ impl FrameTaker {
             projectile: system
                 .coupled()
                 .filter(|c| c.contact.is_some())
-                .map(|_| state.readings.body.position),
+                .map(|_| state.readings.body.position + state.readings.body.shift * 0.5),
+            squeezed: state.readings.body.shift.norm(),
             pressure: system
                 .coupled()
                 .filter(|c| c.fluid.is_some())

@@ -4,7 +4,7 @@ use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use super::text::significant;
+use super::text::{WIDTH, significant, wrapped};
 
 /// A share as whole percent, or finer where it is small.
 fn share(risk: f64) -> String {
@@ -103,7 +103,10 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     let mut cautions: Vec<Caution> = risks.iter().filter_map(|r| r.caution).collect();
     cautions.dedup();
     for caution in cautions {
-        writeln!(out, "WARNING {}", caution.text())?;
+        let warning = format!("WARNING {}", caution.text());
+        for line in wrapped(&warning, WIDTH) {
+            writeln!(out, "{line}")?;
+        }
     }
     Ok(())
 }

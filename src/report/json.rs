@@ -126,6 +126,7 @@ fn projectile(shot: &ShotExtremes) -> Value {
         "energy_before_j": shot.energy_before,
         "travel_mm": shot.travel.value * 1e3,
         "penetration_percent": shot.penetration_share * 1e2,
+        "squeezed_percent": shot.squeezed_share * 1e2,
         "rim_met_ms": shot.rim_at.map(|t| t * 1e3),
     })
 }

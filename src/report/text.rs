@@ -170,10 +170,15 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
             last * 1e3
         )?;
     }
+    let (way, speed) = if shot.rebound_speed < 0.0 {
+        ("Goes on at ", -shot.rebound_speed)
+    } else {
+        ("Rebound speed", shot.rebound_speed)
+    };
     writeln!(
         out,
-        "Rebound speed      {:>9} m/s of {} m/s",
-        significant(shot.rebound_speed),
+        "{way:<18} {:>9} m/s of {} m/s",
+        significant(speed),
         input.speed_m_s
     )?;
     writeln!(
@@ -187,6 +192,13 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
         "Penetration        {:>9} %  of the diameter, the largest (error of contact)",
         significant(shot.penetration_share * 1e2)
     )?;
+    if shot.squeezed_share > 0.0 {
+        writeln!(
+            out,
+            "Squeezed           {:>9} %  of its diameter, the most",
+            significant(shot.squeezed_share * 1e2)
+        )?;
+    }
     if !input.unverified.is_empty() {
         writeln!(out, "Unverified figures: {}", input.unverified.join(", "))?;
     }

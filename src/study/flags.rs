@@ -39,6 +39,12 @@ pub enum FlagKind {
     BoneShields,
     /// The projectile went deeper into the shell or the rim than a rigid one should.
     DeepPenetration,
+    /// A soft projectile was squeezed further than its spring is linear.
+    ObjectFlattened,
+    /// The projectile went through the wall of the orbit.
+    ThroughBone,
+    /// The projectile is lighter than a node that it hits.
+    ObjectLight,
     /// The orbit's rim met the projectile.
     RimStops,
     /// The projectile never touched the eye.
@@ -62,6 +68,9 @@ impl FlagKind {
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
             Self::DeepPenetration => "deep_penetration",
+            Self::ObjectFlattened => "object_flattened",
+            Self::ThroughBone => "through_bone",
+            Self::ObjectLight => "object_light",
             Self::RimStops => "rim_stops",
             Self::EyeMissed => "eye_missed",
             Self::ContactCut => "contact_cut",
@@ -80,6 +89,9 @@ const UNPREDICTABLE_PERCENT: f64 = 5.0;
 
 /// A penetration above this share of the diameter is an alarm.
 const DEEP: f64 = 0.02;
+
+/// A soft object squeezed by more than this share of the diameter is no linear spring.
+const FLATTENED: f64 = 0.5;
 
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -218,6 +230,34 @@ fn of_shot(
                 "the projectile went {:.1} % of its diameter into what it hit: take a smaller step",
                 100.0 * shot.penetration_share
             ),
+            None,
+        );
+    }
+    if shot.squeezed_share > FLATTENED {
+        raise(
+            FlagKind::ObjectFlattened,
+            format!(
+                "the projectile was squeezed by {:.0} % of its diameter: beyond a linear spring",
+                100.0 * shot.squeezed_share
+            ),
+            None,
+        );
+    }
+    if let Some(time) = shot.through_bone_at {
+        raise(
+            FlagKind::ThroughBone,
+            format!(
+                "the projectile passed the wall of the orbit at {:.3} ms: bone is left out there",
+                time * 1e3
+            ),
+            Some(time),
+        );
+    }
+    if shot.light && shot.contact.is_some() {
+        raise(
+            FlagKind::ObjectLight,
+            "the projectile is lighter than a node: rebound and contact depend on the mesh"
+                .to_owned(),
             None,
         );
     }

@@ -45,6 +45,10 @@ const AUTO_PERCENT: f64 = 1.0;
 const AUTO_BALANCE_PERCENT: f64 = 0.5;
 /// How often it is shortened, at most to a half each time: a person waits, and what is left is flagged.
 const MOST_ATTEMPTS: usize = 3;
+/// The same for a mesh that folded under an object, whose results scatter anyway.
+const FOLDED_PERCENT: f64 = 3.0;
+/// A shorter step helped if it brought the error below this share of the one before.
+const HELPED: f64 = 0.8;
 /// No result is claimed to be better than this, in %: rounding and the search for peaks end here.
 const FLOOR_PERCENT: f64 = 1e-6;
 
@@ -103,10 +107,12 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// What the published injury curves say, beside the paper's index.
+    /// What the published injury curves say, beside the paper's index. The energy of an object that
+    /// never touched the eye says nothing.
     pub fn risks(&self) -> Vec<Risk> {
         let fluid = self.recording.extremes.fluid;
-        assess(self.case.blow, fluid.map(|fluid| fluid.pressure.value))
+        let blow = self.case.blow.filter(|_| !missed(&self.recording));
+        assess(blow, fluid.map(|fluid| fluid.pressure.value))
     }
 }
 
@@ -136,18 +142,31 @@ pub(super) fn solve_case(
     let mut plan = case.plan(scenario)?;
     let automatic = scenario.numerics.step_us.is_none();
     let mut attempts = if automatic { MOST_ATTEMPTS } else { 0 };
-    let solved = loop {
-        let shorter = match measured(&case, &plan, keep, watch) {
-            Ok(solved) => match shorter(&case, &plan, &solved) {
-                Some(share) if attempts > 0 => share,
-                _ => break solved,
-            },
+    let mut best: Option<(Plan, Measured)> = None;
+    loop {
+        let share = match measured(&case, &plan, keep, watch) {
+            Ok(solved) => {
+                let before = best.as_ref().map(|(_, solved)| solved);
+                let share = shorter(&case, &plan, &solved, before);
+                // Where the mesh folded, a shorter step need not be the better one.
+                if before.is_none_or(|before| solved.is_better_than(before)) {
+                    best = Some((plan, solved));
+                }
+                share
+            }
             // The bound of the step is for the mesh as it was built; crushed, it can be stiffer.
-            Err(Refusal::Diverged(_)) if attempts > 0 => 0.5,
+            Err(Refusal::Diverged(_)) if attempts > 0 => Some(0.5),
+            Err(Refusal::Diverged(_)) if best.is_some() => None,
             Err(refusal) => return Err(refusal),
         };
-        plan.step *= shorter;
+        match share {
+            Some(share) if attempts > 0 => plan.step *= share,
+            _ => break,
+        }
         attempts -= 1;
+    }
+    let Some((plan, solved)) = best else {
+        return Err(Refusal::Cancelled);
     };
     let mut answer = finish(case, plan, solved);
     answer.total_time = begun.elapsed();
@@ -155,11 +174,18 @@ pub(super) fn solve_case(
 }
 
 /// The share of its step that a run should have taken; none if it was good enough.
-fn shorter(case: &Case, plan: &Plan, solved: &Measured) -> Option<f64> {
+///
+/// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
+/// runs before.
+fn shorter(case: &Case, plan: &Plan, solved: &Measured, before: Option<&Measured>) -> Option<f64> {
     let error = headline(&solved.errors.time_step);
+    let helped = before.is_none_or(|before| error < HELPED * headline(&before.errors.time_step));
+    let folded = solved.solution.recording.extremes.folded_at.is_some();
     if solved.errors.energy_balance > AUTO_BALANCE_PERCENT {
         Some(0.5)
-    } else if error > AUTO_PERCENT && solved.solution.recording.extremes.folded_at.is_none() {
+    } else if folded && case.system.coupled().is_some() {
+        (error > FOLDED_PERCENT && helped).then_some(0.5)
+    } else if error > AUTO_PERCENT && !folded {
         let order = f64::from(case.order(plan.integrator));
         Some((0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8))
     } else {
@@ -181,6 +207,12 @@ pub(super) fn solve_by(
     Ok(finish(case, plan, solved))
 }
 
+/// Whether there was an object and it never touched the eye.
+fn missed(recording: &Recording) -> bool {
+    let shot = recording.extremes.shot;
+    shot.is_some_and(|shot| shot.contact.is_none())
+}
+
 /// A run and its step error.
 struct Measured {
     solution: Solution,
@@ -189,6 +221,15 @@ struct Measured {
     disagreement: f64,
     time: Duration,
     total_time: Duration,
+}
+
+impl Measured {
+    /// By its energy where one of them does not keep it, else by its step error.
+    fn is_better_than(&self, other: &Self) -> bool {
+        let balance = |run: &Self| run.errors.energy_balance.max(AUTO_BALANCE_PERCENT);
+        let error = |run: &Self| headline(&run.errors.time_step);
+        (balance(self), error(self)) <= (balance(other), error(other))
+    }
 }
 
 fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
@@ -226,9 +267,11 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     } else {
         FLOOR_PERCENT
     };
+    let missed = missed(&solution.recording);
+    let disagreement = if missed { 0.0 } else { disagreement };
     let stated = std::array::from_fn(|i| {
-        // What a scene has not is exactly 0 and stays so.
-        if i >= Quantity::COMMON && results[i] == 0.0 {
+        // What a scene has not is exactly 0 and stays so; of an eye that is not hit, all is.
+        if missed || i >= Quantity::COMMON && results[i] == 0.0 {
             0.0
         } else {
             factor * difference[i] + floor

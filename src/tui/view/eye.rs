@@ -3,6 +3,7 @@
 //! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
 //! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is solid.
 
+use nalgebra::Vector2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -370,10 +371,13 @@ impl Drawing<'_> {
             return;
         };
         let ink = Ink::solid(self.theme.load(), BLOW, 'o');
+        // A soft object is squeezed along its flight; how it bulges is left out.
+        let along = contact.direction * (contact.radius - 0.5 * self.frame.squeezed);
+        let across = Vector2::new(-contact.direction.y, contact.direction.x) * contact.radius;
         let corner = |i: u32| {
             let angle = std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-            let (x, y) = (angle.cos() * contact.radius, angle.sin() * contact.radius);
-            self.projection.dot(centre.x + x, centre.y + y)
+            let place = centre + along * angle.cos() + across * angle.sin();
+            self.projection.dot(place.x, place.y)
         };
         for i in 0..SIDES {
             raster.line(corner(i), corner(i + 1), ink);
