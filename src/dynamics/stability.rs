@@ -7,13 +7,13 @@
 //! pass over the springs, no iteration.
 //!
 //! A node of a stiff shell has many springs, whose far ends cannot all swing against it at once. The
-//! springs along the shell, to neighbours and by filaments, join nodes h apart on a ring of N. With k_h
-//! the largest stiffness of hop h, what they hold is at most the sum over h and o of
-//! k_h |x_o - x_(o+h)|^2, and the largest eigenvalue of this circulant matrix is
-//! L = max over j of the sum over h of 2 k_h (1 - cos(2 pi j h / N)). With all other springs as before,
-//! omega^2 is at most the largest (L on the shell, else 0, + 2 sum of other k) / mass. The lower of
-//! the two bounds holds: a sixth lower for a shell much stiffer than the rest, where it is within 3 % of
-//! the highest frequency at rest.
+//! springs along the shell, to neighbours and by filaments, join nodes h apart on a ring of N. With
+//! `k_h` the largest stiffness of hop h, what they hold is at most the sum over h and o of
+//! `k_h |x_o - x_(o+h)|^2`, and the largest eigenvalue of this circulant matrix is L, the largest over
+//! j of the sum over h of `2 k_h (1 - cos(2 pi j h / N))`. With all other springs as before, omega^2 is
+//! at most the largest (L on the shell, else 0, + 2 sum of other k) / mass. The lower of the two bounds
+//! holds: a seventh lower for a shell much stiffer than the rest, where it is within 3 % of the highest
+//! frequency that springs at rest length could have if they resisted in every direction.
 //!
 //! An integrator that is stable for omega h up to c may take steps of c / omega; each c is where
 //! the spectral radius of one step of the oscillator passes 1 (a test scans it). Drag adds three
