@@ -127,7 +127,7 @@ impl Coupled {
                 .collect(),
             node_mass,
             spacing: std::f64::consts::TAU * GLOBE_RADIUS_M / ring.len() as f64,
-            free_omega_squared: system.omega_bound().powi(2) + by_fluid,
+            free_omega_squared: system.omega_by_nodes().powi(2) + by_fluid,
             inverse_mass: lanes().map(|(g, l)| g.inverse_mass[l]).collect(),
             half_mass: lanes().map(|(g, l)| g.half_mass[l]).collect(),
         })

@@ -6,8 +6,8 @@
 //!
 //! Two forms of 1/l are compiled. The portable one is square root and division without fused
 //! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
-//! one fuses and, on vectors of eight, takes 1/sqrt in f32, two directions at a time, and one
-//! third-order Newton step to full f64; it is as accurate, but its last bits depend on the machine.
+//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a series;
+//! it is as accurate, but its last bits depend on the machine.
 
 #![allow(
     clippy::inline_always,
@@ -300,11 +300,11 @@ pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
 /// Name of the kernel that this machine runs.
 pub fn name(portable: bool) -> String {
     let level = Level::new();
-    let seeds = dispatch!(level, simd => lanes::seeds_pay(simd));
+    let seeds = dispatch!(level, simd => lanes::has_seeds(simd));
     let form = match (portable, seeds) {
         (true, _) => "sqrt and division",
         (false, false) => "fused, sqrt and division",
-        (false, true) => "fused, f32 seed and Newton",
+        (false, true) => "fused, 14-bit seed and series",
     };
     format!("{}, {form}", vectors_name(level))
 }

@@ -8,7 +8,7 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use super::lanes::{Springs, Sums, V, inverse_roots, load, load_pair, splat, store, total, zeros};
+use super::lanes::{Springs, Sums, V, inverse_root, load, load_pair, splat, store, total, zeros};
 use super::state::{Scratch, State};
 use super::system::{LANES, Rows, System};
 use crate::eye::{Eye, SpringKind};
@@ -81,9 +81,9 @@ impl Ring {
         (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
     }
 
-    /// Length of the runs of all hop counts, and of the space for a strip that is never read.
+    /// Length of the runs of all hop counts.
     pub fn hops_len(&self) -> usize {
-        self.padded_len() * self.hops.len() + LANES
+        self.padded_len() * self.hops.len()
     }
 }
 
@@ -163,15 +163,6 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             f.rest[place + o] = l;
             f.inverse_rest[place + o] = 1.0 / l;
         }
-    }
-    // The inverse roots come in pairs of vectors: the last strip may need a partner, which gives
-    // no forces and is never read.
-    if !ring.filaments.strips.len().is_multiple_of(2) {
-        ring.filaments.add(Strip {
-            first: 0,
-            hop: 1,
-            into: by_hop.len() * run,
-        });
     }
     // An eye without a shell has no pairs.
     let pairs = if ghosts == 0 { 0 } else { owned + 1 };
@@ -263,33 +254,27 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
     let width = V::<S>::LEN;
     let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
     let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
-    // Two vectors at a time, as the inverse roots come in pairs.
-    for o in (0..f.stiffness.len()).step_by(2 * width) {
-        let springs = [o, o + width].map(|o| {
-            let strip = &f.strips[o / LANES];
-            let a = strip.first + o % LANES;
-            Springs::<S>::new::<QUICK>(
-                load_pair(simd, ring_x, ring_y, a),
-                load_pair(simd, ring_x, ring_y, a + strip.hop),
-                shortest,
-            )
-        });
-        let inverse = inverse_roots::<S, QUICK>(simd, springs[0].square, springs[1].square);
-        for (n, inverse) in [inverse.0, inverse.1].into_iter().enumerate() {
-            let o = o + n * width;
-            let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
-            let (fx, fy) = springs[n].force::<QUICK>(inverse, stiffness, tension);
-            if SURVEY {
-                sums.add::<QUICK>(
-                    springs[n].square * inverse,
-                    load(simd, &f.half_stiffness, o),
-                    load(simd, &f.rest, o),
-                    load(simd, &f.inverse_rest, o),
-                );
-            }
-            let into = f.strips[o / LANES].into + o % LANES;
-            store::<S>(hop_fx, into, fx);
-            store::<S>(hop_fy, into, fy);
+    for o in (0..f.stiffness.len()).step_by(width) {
+        let strip = &f.strips[o / LANES];
+        let a = strip.first + o % LANES;
+        let springs = Springs::<S>::new::<QUICK>(
+            load_pair(simd, ring_x, ring_y, a),
+            load_pair(simd, ring_x, ring_y, a + strip.hop),
+            shortest,
+        );
+        let inverse = inverse_root::<S, QUICK>(simd, springs.square);
+        let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
+        let (fx, fy) = springs.force::<QUICK>(inverse, stiffness, tension);
+        if SURVEY {
+            sums.add::<QUICK>(
+                springs.square * inverse,
+                load(simd, &f.half_stiffness, o),
+                load(simd, &f.rest, o),
+                load(simd, &f.inverse_rest, o),
+            );
         }
+        let into = strip.into + o % LANES;
+        store::<S>(hop_fx, into, fx);
+        store::<S>(hop_fy, into, fy);
     }
 }

@@ -10,7 +10,7 @@
 )]
 
 use super::lanes::{
-    Pair, Springs, Sums, V, inverse_roots, load, load_pair, shifted, splat, store, zeros,
+    Pair, Springs, Sums, V, inverse_root, load, load_pair, shifted, splat, store, zeros,
 };
 use super::state::State;
 use super::system::{DIRECTIONS, Group, LANES, System};
@@ -185,11 +185,12 @@ impl<S: Simd> Quartet<S> {
             Springs::<S>::new::<QUICK>(here, above_right, shortest_squared),
             Springs::<S>::new::<QUICK>(above, right, shortest_squared),
         ];
-        let first = inverse_roots::<S, QUICK>(simd, springs[0].square, springs[1].square);
-        let second = inverse_roots::<S, QUICK>(simd, springs[2].square, springs[3].square);
-        Self {
-            springs,
-            inverse: [first.0, first.1, second.0, second.1],
-        }
+        let inverse = [
+            inverse_root::<S, QUICK>(simd, springs[0].square),
+            inverse_root::<S, QUICK>(simd, springs[1].square),
+            inverse_root::<S, QUICK>(simd, springs[2].square),
+            inverse_root::<S, QUICK>(simd, springs[3].square),
+        ];
+        Self { springs, inverse }
     }
 }

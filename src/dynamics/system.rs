@@ -17,6 +17,7 @@ use super::coupled::Coupled;
 use super::lanes;
 use super::load::{ArcLoad, Pulse};
 use super::ring::{self, Ring};
+use super::stability;
 use crate::eye::{Eye, SpringKind};
 use fearless_simd::{Level, dispatch};
 
@@ -121,6 +122,7 @@ pub struct System {
     load: NodeLoad,
     coupled: Option<Coupled>,
     omega_bound: f64,
+    omega_by_nodes: f64,
     springs_per_evaluation: usize,
 }
 
@@ -155,7 +157,8 @@ impl System {
                 work: Vec::new(),
             },
             coupled: None,
-            omega_bound: omega_bound(eye),
+            omega_bound: stability::omega_bound(eye),
+            omega_by_nodes: stability::omega_by_nodes(eye),
             springs_per_evaluation: 0,
         };
         system.put_nodes(eye, &rows);
@@ -294,6 +297,11 @@ impl System {
         self.omega_bound
     }
 
+    /// The wider bound of [`stability::omega_by_nodes`], in rad/s.
+    pub(super) fn omega_by_nodes(&self) -> f64 {
+        self.omega_by_nodes
+    }
+
     /// Springs that one force evaluation computes.
     pub fn springs_per_evaluation(&self) -> usize {
         self.springs_per_evaluation
@@ -389,20 +397,4 @@ fn decay_rates(eye: &Eye) -> [f64; 2] {
             .find(|n| n.region.in_globe() == globe && !n.fixed())
             .map_or(0.0, |n| n.drag / n.mass)
     })
-}
-
-fn omega_bound(eye: &Eye) -> f64 {
-    let mut sums = vec![0.0; eye.nodes.len()];
-    for spring in &eye.springs {
-        sums[spring.a] += spring.stiffness;
-        sums[spring.b] += spring.stiffness;
-    }
-    let worst = eye
-        .nodes
-        .iter()
-        .zip(&sums)
-        .filter(|(n, _)| !n.fixed())
-        .map(|(n, sum)| sum / n.mass)
-        .fold(0.0, f64::max);
-    (2.0 * worst).sqrt()
 }

@@ -6,8 +6,9 @@
 //! stopped after k samples is an ensemble of k.
 //!
 //! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
-//! gives the longest step that the others may take; of those every [`CHECK_EVERY`]th is compared as
-//! well, and refined where it misses [`super::point::PROMISE_PERCENT`].
+//! gives the longest step that the others may take: a stiff eye that keeps the promise at its longest
+//! stable step says nothing of soft ones, which may take longer. Of the others every
+//! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`PROMISE_PERCENT`].
 //!
 //! What samples say together is in [`super::bands`].
 //!
@@ -16,7 +17,7 @@
 use super::case::Refusal;
 use super::ordered;
 use super::outputs::with_slope;
-use super::point::{Point, compared, single};
+use super::point::{PROMISE_PERCENT, Point, compared, single};
 use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::quantile;
 use crate::scenario::Scenario;
@@ -33,6 +34,8 @@ pub const MOST_SAMPLES: u32 = 1 << 16;
 pub const PILOT: u32 = 8;
 /// One in so many of the others is checked.
 pub const CHECK_EVERY: u32 = 64;
+/// The share of the longest good step of the pilot that the others may take.
+const HEADROOM: f64 = 0.8;
 /// One in so many times the scenario itself is run too, for its time.
 const TIME_EVERY: usize = 50;
 
@@ -192,6 +195,23 @@ impl Job<'_> {
     }
 }
 
+/// The longest step that the pilot allows, in s: a little below those at which its samples would just
+/// keep the promise, of the samples that did not keep it at their longest stable step. Where all did,
+/// none longer than they took. Infinite if all have folded.
+fn longest_step(pilot: &[Sample]) -> f64 {
+    let checks = || {
+        let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
+        points.filter(|p| !p.folded()).filter_map(|p| p.check)
+    };
+    let tried = checks().map(|check| check.tried).reduce(f64::max);
+    checks()
+        .filter(|check| check.first > PROMISE_PERCENT)
+        .map(|check| check.good_step)
+        .reduce(f64::min)
+        .or(tried)
+        .map_or(f64::INFINITY, |step| HEADROOM * step)
+}
+
 /// Runs `count` samples of `scenario`, which must have been checked. `watch` is told the share done
 /// after each; where it breaks, or `stop` is set, the samples done so far are the result.
 ///
@@ -221,16 +241,7 @@ pub fn run(
     let pilot = count.min(PILOT);
     let mut gathered = Gathered::default();
     job.gather((0, pilot, count), watch, &mut gathered);
-    let good = |sample: &Sample| match &sample.outcome {
-        Ok(point) if !point.folded() => point.check.map(|check| check.good_step),
-        _ => None,
-    };
-    let cap = gathered
-        .samples
-        .iter()
-        .filter_map(good)
-        .fold(f64::INFINITY, f64::min);
-    job.cap = Some(cap);
+    job.cap = Some(longest_step(&gathered.samples));
     if gathered.samples.len() == pilot as usize {
         job.gather((pilot, count, count), watch, &mut gathered);
     }
@@ -254,6 +265,7 @@ pub fn run(
 
 #[cfg(test)]
 mod tests {
+    use super::super::point::Check;
     use super::*;
     use crate::scenario::set::set;
 
@@ -332,6 +344,29 @@ mod tests {
         sure.doubt.insert("impact.force_n".to_owned(), 0.0);
         let none = ensemble(&sure, 8, 1).band(0).unwrap();
         assert!(none.low == none.median && none.median == none.high);
+    }
+
+    #[test]
+    fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
+        let sample = |first, tried, good_step| Sample {
+            drawn: Vec::new(),
+            outcome: Ok(Point {
+                values: Vec::new(),
+                flags: Vec::new(),
+                check: Some(Check {
+                    first,
+                    tried,
+                    last: 0.01,
+                    good_step,
+                }),
+            }),
+        };
+        let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
+        let mixed = longest_step(&[stiff.clone(), soft]);
+        assert!((mixed / (HEADROOM * 5e-6) - 1.0).abs() < 1e-12);
+        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)]);
+        assert!((kept / (HEADROOM * 4e-6) - 1.0).abs() < 1e-12);
+        assert!(longest_step(&[]).is_infinite());
     }
 
     #[test]

@@ -44,6 +44,8 @@ pub struct Check {
     pub first: f64,
     /// The error at the step that was taken in the end.
     pub last: f64,
+    /// The step that was tried first, in s.
+    pub tried: f64,
     /// The step, in s, at which the first error would just be [`PROMISE_PERCENT`].
     pub good_step: f64,
 }
@@ -109,6 +111,7 @@ pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
     let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, Keep::default(), watch)?;
     let first = answer.errors.time_step_percent();
+    let tried = plan.step;
     let good_step = plan.step * shortening(&plan, first);
     if scenario.numerics.step_us.is_none() {
         for _ in 0..MOST_ATTEMPTS {
@@ -124,6 +127,7 @@ pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
     point.flags = answer.flags.iter().map(|flag| flag.kind).collect();
     point.check = Some(Check {
         first,
+        tried,
         last: answer.errors.time_step_percent(),
         good_step,
     });
@@ -155,6 +159,7 @@ pub fn compared(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<P
             let mut point = point(scenario, &case, &coarse);
             point.check = Some(Check {
                 first,
+                tried: plan.step,
                 last: error,
                 good_step: plan.step * shortening(&plan, first),
             });
