@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
 use contrecoup::scenario::{Scenario, fields};
 use contrecoup::study::{Refusal, solve, unwatched};
 use contrecoup::tui::ensemble::{Sampling, ensemble};
@@ -347,4 +348,123 @@ fn what_a_name_holds_never_reaches_the_terminal_as_a_command() {
         let text = picture(&model, size);
         assert!(!text.contains(['\u{1b}', '\u{202e}']));
     }
+}
+
+/// The line that has a word, from that word on.
+fn line_from<'a>(text: &'a str, word: &str) -> &'a str {
+    let line = text.lines().find(|line| line.contains(word));
+    let line = line.unwrap_or_else(|| panic!("no {word} in\n{text}"));
+    &line[line.find(word).unwrap()..]
+}
+
+#[test]
+fn points_of_a_large_blow_stand_whole_beside_their_threshold() {
+    let mut model = model(&["paper-600n"], Depth::Mono);
+    press(&mut model, "\r\x1520000\r");
+    let index = &model.shown.as_ref().unwrap().answer.index;
+    let parts = [
+        ("S shell", "1.5", SHELL.points(index.shell_growth)),
+        ("M meridian", "4", MERIDIAN.points(index.meridian_growth)),
+        ("E energy", "5.3", ENERGY.points(index.energy)),
+    ];
+    assert!(parts[2].2 > 1e4);
+    for size in SIZES {
+        let text = picture(&model, size);
+        for (name, threshold, points) in parts {
+            let line = line_from(&text, name);
+            let words: Vec<&str> = line.split_whitespace().collect();
+            assert_eq!(words[4..6], ["of", threshold], "{line}");
+            let last = words.last().unwrap().split('/').next().unwrap();
+            let shown: f64 = last.parse().unwrap_or_else(|_| panic!("{line}"));
+            assert!((shown / points - 1.0).abs() < 0.05, "{line}");
+        }
+    }
+}
+
+#[test]
+fn the_legend_of_the_energies_is_whole() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "\x1b3vvvvvv");
+    for size in SIZES {
+        let text = picture(&model, size);
+        for name in ["1 work in", "2 kinetic", "3 elastic", "4 dissipated"] {
+            let rest = &line_from(&text, name)[name.len()..];
+            let words: Vec<&str> = rest.split_whitespace().collect();
+            assert!(words[0].parse::<f64>().is_ok() && words[1] == "J", "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    press(&mut model, "\x1b2");
+    let text = picture(&model, (80, 24));
+    assert!(text.contains(" contact ") && !text.contains(" load "));
+    assert!(text.contains('⣿'), "the bar of time has the force in it");
+    press(&mut model, "\x1b3vvvvv");
+    assert!(picture(&model, (80, 24)).contains("contact, N"));
+    for (sources, label) in [
+        (["paper-300n", "wide-area"], "load, N"),
+        (["paper-300n", "bb-56"], "load or contact, N"),
+        (["golf-ball", "bb-56"], "contact, N"),
+    ] {
+        let mut model = self::model(&sources, Depth::Mono);
+        press(&mut model, "\x1b4vvvv");
+        let text = picture(&model, (80, 24));
+        assert!(text.contains(&format!(" {label}")), "{label}\n{text}");
+    }
+}
+
+#[test]
+fn curves_that_no_answer_has_are_not_offered() {
+    let mut model = model(&["paper-300n", "wide-area"], Depth::Mono);
+    press(&mut model, "\x1b4");
+    for _ in 0..20 {
+        press(&mut model, "v");
+        assert!(!picture(&model, (80, 24)).contains("pressure, MPa"));
+    }
+}
+
+#[test]
+fn six_marked_presets_leave_room_for_their_curves() {
+    let six = [
+        "paper-300n",
+        "paper-100n",
+        "paper-600n",
+        "wide-area",
+        "bb-56",
+        "golf-ball",
+    ];
+    let mut model = model(&six, Depth::Mono);
+    press(&mut model, "\x1b4");
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(text.contains("centre, N") && text.contains("v curves"));
+        assert!(
+            six.iter()
+                .all(|name| text.contains(&name[..8.min(name.len())]))
+        );
+    }
+}
+
+#[test]
+fn what_a_folded_mesh_makes_of_a_risk_is_said_beside_it() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    press(&mut model, "\x1b8");
+    for size in SIZES {
+        assert!(picture(&model, size).contains("FLAGS mesh folded"));
+    }
+}
+
+#[test]
+fn a_peak_has_its_time_beside_it_however_long_its_number() {
+    let model = model(&["bb-56"], Depth::Mono);
+    let text = picture(&model, (80, 24));
+    for name in ["centre", "front", "right", "top ", "press.", "contact"] {
+        let line = line_from(&text, name);
+        assert!(line.ends_with("ms"), "{line}");
+    }
+    let text = picture(&model, (60, 20));
+    assert!(line_from(&text, "press.").ends_with("MPa"));
 }

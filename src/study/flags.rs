@@ -158,7 +158,9 @@ pub(super) fn raise(
     if predictable && !converged {
         raise(
             FlagKind::Unconverged,
-            format!("the step error is {step_error_percent:.1} %: take a smaller step"),
+            format!(
+                "the largest step error of the results is {step_error_percent:.1} %: take a smaller step"
+            ),
             None,
         );
     }

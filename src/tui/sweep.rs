@@ -114,6 +114,12 @@ fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> 
     (from < to).then_some(Span { field, from, to })
 }
 
+/// The place on the finest grid that is nearest to a value.
+fn nearest(span: Span, value: f64) -> usize {
+    let share = ((value - span.from) / (span.to - span.from)).clamp(0.0, 1.0);
+    (share * (FINEST - 1) as f64).round() as usize
+}
+
 /// The scenario without what the two inputs say of it.
 fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
     let mut bare = Scenario {
@@ -143,6 +149,19 @@ impl Map {
                 span(y, scenario, self.reach)?,
             ))
         });
+        self.go_home(scenario, (true, true));
+    }
+
+    /// Puts the cursor to what the scenario holds, across and up as is asked for.
+    fn go_home(&mut self, scenario: &Scenario, (across, up): (bool, bool)) {
+        let Some((x, y)) = self.spans else { return };
+        let own = |span: Span| number(span.field, scenario).map(|(value, _)| value);
+        if let Some(value) = own(x).filter(|_| across) {
+            self.cursor.0 = nearest(x, value);
+        }
+        if let Some(value) = own(y).filter(|_| up) {
+            self.cursor.1 = nearest(y, value);
+        }
     }
 
     /// Takes the next field for the input across, or for the one up.
@@ -157,6 +176,7 @@ impl Map {
             .find_map(|field| span(field, scenario, self.reach));
         let next = next.unwrap_or(own);
         self.spans = Some(if across { (next, other) } else { (other, next) });
+        self.go_home(scenario, (across, !across));
         self.halted = false;
     }
 
@@ -165,8 +185,13 @@ impl Map {
         let factor = if wider { ZOOM } else { 1.0 / ZOOM };
         self.reach = (self.reach * factor).clamp(REACHES.0, REACHES.1);
         if let Some((x, y)) = self.spans {
+            let values = self.values();
             let again = |old: Span| span(old.field, scenario, self.reach).unwrap_or(old);
-            self.spans = Some((again(x), again(y)));
+            let (x, y) = (again(x), again(y));
+            self.spans = Some((x, y));
+            if let Some((a, b)) = values {
+                self.cursor = (nearest(x, a), nearest(y, b));
+            }
             self.halted = false;
         }
     }
@@ -271,6 +296,25 @@ mod tests {
             assert_ne!(x.field.path, y.field.path);
             assert!(x.from < x.to && y.field.path == "impact.duration_ms");
         }
+    }
+
+    #[test]
+    fn the_cursor_begins_on_what_the_scenario_holds_and_keeps_its_values_when_ranges_change() {
+        let scenario = Scenario::default();
+        let mut map = Map::default();
+        map.settle(&scenario);
+        let near = |map: &Map, force: f64| {
+            let (x, _) = map.spans.unwrap();
+            let step = (x.to - x.from) / (FINEST - 1) as f64;
+            assert!((map.values().unwrap().0 - force).abs() <= 0.51 * step);
+        };
+        near(&map, 300.0);
+        map.step(Step::MUCH_MORE, true);
+        let force = map.values().unwrap().0;
+        map.zoom(&scenario, true);
+        near(&map, force);
+        map.turn(&scenario, false);
+        near(&map, force);
     }
 
     #[test]

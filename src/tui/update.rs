@@ -286,7 +286,7 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Exaggerate => model.clock.change_zoom(),
         Action::Detail => model.clock.change_detail(),
         Action::Curves if model.screen == Screen::Compare => {
-            model.compare.curve = (model.compare.curve + 1) % profiles::CURVES.len();
+            compare::next_curve(model);
         }
         Action::Curves => {
             let traces = model

@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use super::{Effect, ticket};
+use crate::recording::Traces;
 use crate::scenario::problem::quoted;
 use crate::study::Answer;
 use crate::tui::comparison::Found;
 use crate::tui::model::{FORM, Model};
 use crate::tui::view::heat::hottest;
+use crate::tui::view::profiles::CURVES;
 use crate::tui::worker::Report;
 
 /// What the worker says.
@@ -30,6 +32,19 @@ pub(super) fn next(model: &mut Model) -> Option<Effect> {
     let ticket = ticket(model);
     model.compare.job = Some((ticket, name));
     Some(Effect::Compare(ticket, scenario))
+}
+
+/// Takes the next curve that any of the answers has.
+pub(super) fn next_curve(model: &mut Model) {
+    let entries = &model.compare.entries;
+    let there = |curve: &usize| {
+        let has = |traces: &Traces| !(CURVES[*curve].values)(traces).is_empty();
+        let mut answers = entries.iter().filter_map(|entry| entry.answer());
+        answers.any(|answer| answer.recording.traces.as_ref().is_some_and(has))
+    };
+    let (here, count) = (model.compare.curve, CURVES.len());
+    let next = (1..=count).map(|by| (here + by) % count).find(there);
+    model.compare.curve = next.unwrap_or(here);
 }
 
 pub(super) fn mark(model: &mut Model, effects: &mut Vec<Effect>) {

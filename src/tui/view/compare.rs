@@ -5,13 +5,14 @@ use ratatui::layout::Rect;
 
 use super::chart::{Chart, Curve};
 use super::eye::Scene;
-use super::profiles::{CURVES, mark};
+use super::profiles::{CURVES, DRIVE, drive_label, mark};
 use super::raster::Ink;
+use super::score::name as flag_name;
 use super::text::{fitted, put, put_right, width};
 use super::theme::Theme;
 use crate::eye::Monitor;
 use crate::report::text::significant;
-use crate::study::Quantity;
+use crate::study::{Flag, Quantity};
 use crate::tui::comparison::{COLUMNS, Column, Entry, Found};
 use crate::tui::keys::Context;
 use crate::tui::model::{FORM, Model};
@@ -99,14 +100,22 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// A table that is wider is no easier to read.
+const WIDEST: u16 = 120;
+/// The least rows of the chart below it.
+const CHART: u16 = 5;
+
 fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     heading(model, area, buffer);
     let count = model.compare.entries.len() as u16;
-    let rows = 2 + 2 * count;
-    let table_area = Rect::new(area.x, area.y + 1, area.width, rows.min(area.height - 1));
-    table(model, table_area, buffer);
-    let below = area.height.saturating_sub(1 + rows);
-    if below >= 5 {
+    let room = area.height.saturating_sub(1);
+    // The differences give way before the chart does.
+    let each = if 2 + 2 * count + CHART <= room { 2 } else { 1 };
+    let rows = (2 + each * count).min(room);
+    let table_area = Rect::new(area.x, area.y + 1, area.width.min(WIDEST), rows);
+    table(model, each, table_area, buffer);
+    let below = room - rows;
+    if below >= CHART {
         let place = Rect::new(area.x, area.y + 1 + rows, area.width, below);
         overlaid(model, model.compare.curve, place, buffer);
     }
@@ -152,7 +161,7 @@ fn name_room(model: &Model, area: Rect) -> usize {
     usize::from(area.width - taken).saturating_sub(4)
 }
 
-fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let compare = &model.compare;
     let focused = model.context() == Context::Table;
@@ -173,7 +182,9 @@ fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
         let text = format!("{sign}{name}");
         if i == 0 {
             put(buffer, area, (1, 0), &text, style);
-            put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
+            if each > 1 {
+                put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
+            }
         } else {
             let text = fitted(&text, 6);
             put_right(buffer, area, (right, 0), &text, style);
@@ -182,9 +193,13 @@ fn table(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     let base = compare.entries.first();
     for (i, entry) in compare.sorted().into_iter().enumerate() {
-        let y = 2 + 2 * i as u16;
         let at = compare.entries.iter().position(|e| e.name == entry.name);
-        row(model, entry, (at.unwrap_or(0), base), y, area, buffer);
+        let place = Rect {
+            y: area.y + 2 + each * i as u16,
+            height: each,
+            ..area
+        };
+        row(model, entry, (at.unwrap_or(0), base), place, buffer);
     }
 }
 
@@ -192,24 +207,36 @@ fn row(
     model: &Model,
     entry: &Entry,
     (place, base): (usize, Option<&Entry>),
-    y: u16,
     area: Rect,
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
     let room = name_room(model, area);
     let sign = mark(place).to_string();
-    put(buffer, area, (1, y), &sign, theme.curve(place));
-    let name = fitted(&entry.name, room);
-    put(buffer, area, (3, y), &name, theme.strong());
+    put(buffer, area, (1, 0), &sign, theme.curve(place));
+    // In a row of one line what there is to say stands beside the name.
+    let brief = area.height < 2;
+    let flags = match &entry.found {
+        Found::Answer(answer, _) => answer.flags.len(),
+        _ => 0,
+    };
+    let beside = if brief && flags > 0 {
+        format!(" {flags}!")
+    } else {
+        String::new()
+    };
+    let name = fitted(&entry.name, room - beside.len().min(room));
+    let end = put(buffer, area, (3, 0), &name, theme.strong());
+    put(buffer, area, (end, 0), &beside, theme.warning());
+    let said = if brief { (end + 2, 0) } else { (3, 1) };
     let answer = match &entry.found {
         Found::Awaited => {
-            put(buffer, area, (3, y + 1), "simulating", theme.quiet());
+            put(buffer, area, said, "simulating", theme.quiet());
             return;
         }
         Found::Refused(why) => {
-            let why = fitted(why, usize::from(area.width) - 4);
-            put(buffer, area, (3, y + 1), &why, theme.error());
+            let why = fitted(why, usize::from(area.width.saturating_sub(said.0 + 1)));
+            put(buffer, area, said, &why, theme.error());
             return;
         }
         Found::Answer(answer, _) => answer,
@@ -217,27 +244,44 @@ fn row(
     for (i, right) in columns(model, area) {
         let column = COLUMNS[i];
         let value = column.of(answer);
-        put_right(buffer, area, (right, y), &short(value), theme.text());
-        let first = base.filter(|_| place > 0).and_then(Entry::answer);
-        if let Some(first) = first {
+        put_right(buffer, area, (right, 0), &short(value), theme.text());
+        // An error that is larger by so many percent says little.
+        let first = base.filter(|_| place > 0 && column != Column::Error);
+        if let Some(first) = first.and_then(Entry::answer) {
             let text = difference(value, column.of(first));
-            put_right(buffer, area, (right, y + 1), &text, theme.quiet());
+            put_right(buffer, area, (right, 1), &text, theme.quiet());
         }
     }
-    let flags = answer.flags.len();
-    let text = match (place, flags) {
-        (0, 0) => "the first".to_owned(),
-        (0, n) => format!("the first, {n} flags"),
-        (_, 0) => String::new(),
-        (_, n) => format!("{n} flags"),
-    };
-    let text = fitted(&text.replace("1 flags", "1 flag"), room);
     let style = if flags > 0 {
         theme.warning()
     } else {
         theme.quiet()
     };
-    put(buffer, area, (3, y + 1), &text, style);
+    let text = remark(place == 0, &answer.flags, room);
+    put(buffer, area, (3, 1), &text, style);
+}
+
+/// What stands below a name: whether it is the first, and its flags: their names where there is room,
+/// else how many.
+fn remark(first: bool, flags: &[Flag], room: usize) -> String {
+    let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
+    let count = match flags.len() {
+        1 => "1 flag".to_owned(),
+        n => format!("{n} flags"),
+    };
+    let candidates = match (first, flags.is_empty()) {
+        (true, true) => vec!["the first".to_owned()],
+        (false, true) => return String::new(),
+        (true, false) => vec![
+            format!("the first, {}", names.join(", ")),
+            format!("the first, {count}"),
+            format!("first, {count}"),
+        ],
+        (false, false) => vec![names.join(", "), count],
+    };
+    let brief = format!("{}!", flags.len());
+    let fits = |text: &String| text.len() <= room;
+    candidates.into_iter().find(fits).unwrap_or(brief)
 }
 
 /// A number in five cells.
@@ -301,8 +345,19 @@ fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let reading = format!("{:.3} ms", model.time() * 1e3);
+    let label = if curve % CURVES.len() == DRIVE {
+        let entries = model.compare.entries.iter();
+        let mut labels: Vec<&str> = entries
+            .filter_map(|entry| Some(drive_label(entry.answer()?.recording.traces.as_ref()?)))
+            .collect();
+        labels.sort_unstable_by(|a, b| b.cmp(a));
+        labels.dedup();
+        labels.join(" or ")
+    } else {
+        profile.label.to_owned()
+    };
     Chart {
-        title: &format!("{}, {}", profile.label, profile.unit),
+        title: &format!("{label}, {}", profile.unit),
         reading: &reading,
         curves,
         window,

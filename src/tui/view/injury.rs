@@ -3,19 +3,27 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{put, put_right, width, wrapped};
+use super::score::name;
+use super::text::{fitted, put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
 use crate::report::text::significant;
-use crate::tui::model::Model;
+use crate::tui::model::{Model, Shown};
 
 /// Columns of the injury's name and of the figures behind the bar.
 const NAME: u16 = 18;
 const FIGURES: u16 = 21;
+/// Columns that the screen takes at most.
+const WIDEST: u16 = 120;
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
+    // Bars that are longer are no easier to read.
+    let area = Rect {
+        width: area.width.min(WIDEST),
+        ..area
+    };
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
         return;
@@ -31,6 +39,15 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     {
         put_right(buffer, area, (area.width - 1, 0), why, theme.warning());
     }
+    let flags = flags(shown, usize::from(area.width.saturating_sub(2)));
+    for (y, line) in (1..).zip(&flags) {
+        put(buffer, area, (1, y), line, theme.warning());
+    }
+    let area = Rect {
+        y: area.y + flags.len() as u16,
+        height: area.height.saturating_sub(flags.len() as u16),
+        ..area
+    };
     if risks.is_empty() {
         let why = "No published curve applies here: a force pulse has no kinetic energy and the Paper \
                    model has no pressure. Take the impact Projectile, the model Physiological, or both.";
@@ -64,6 +81,19 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         ..area
     };
     explain(&risks[chosen], &risks, theme, foot, buffer);
+}
+
+/// The names of the flags of the answer, which the curves rest on, in two lines at most.
+fn flags(shown: &Shown, room: usize) -> Vec<String> {
+    let names: Vec<String> = shown.answer.flags.iter().map(|f| name(f.kind)).collect();
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
+    if lines.len() > 2 {
+        lines = vec![fitted(&lines.join(" "), room)];
+    }
+    lines
 }
 
 /// Rows that the explanation takes.

@@ -5,13 +5,12 @@ use ratatui::layout::Rect;
 
 use super::chart::{Curve, spark};
 use super::eye::Scene;
-use super::profiles::{COUPLED, CURVES};
+use super::profiles::{CURVES, DRIVE, PRESSURE};
 use super::raster::Ink;
-use super::text::{put, put_right};
+use super::text::{put, put_right, width};
 use super::theme::Theme;
 use super::{form, score};
 use crate::recording::Peak;
-use crate::report::text::significant;
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run, Shown};
 
@@ -137,16 +136,15 @@ fn traces_of(shown: &Shown) -> Vec<Trace> {
         .iter()
         .enumerate()
         .map(|(i, peak)| (i, *peak));
-    let fluid = extremes.fluid.map(|fluid| (COUPLED[0], fluid.pressure));
-    let shot = extremes.shot.map(|shot| (COUPLED[1], shot.force));
+    let fluid = extremes.fluid.map(|fluid| (PRESSURE, fluid.pressure));
+    let shot = extremes.shot.map(|shot| (DRIVE, shot.force));
     forces
         .chain(fluid)
         .chain(shot)
         .map(|(which, peak)| Trace {
-            label: if which == COUPLED[1] {
-                "contact"
-            } else {
-                CURVES[which].label
+            label: match which {
+                DRIVE => "contact",
+                _ => CURVES[which].label,
             },
             unit: CURVES[which].unit,
             factor: CURVES[which].factor,
@@ -154,6 +152,59 @@ fn traces_of(shown: &Shown) -> Vec<Trace> {
             peak,
         })
         .collect()
+}
+
+/// A number with so many significant digits, as far as it has them.
+fn digits(value: f64, count: i32) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&size) {
+        let after = (count - 1) as usize;
+        format!("{value:.after$e}")
+    } else {
+        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.after$}")
+    }
+}
+
+/// Below this many columns the time of a peak stands at its curve.
+const TIMED: u16 = 22;
+
+/// The name of a curve, its peak and the time of that, which together fit. Where room is short the
+/// space before the unit gives way, then digits of the value, then letters of the name.
+fn caption(trace: &Trace, room: u16) -> (&'static str, String, String) {
+    let peak = trace.peak;
+    let (value, ms) = (peak.value * trace.factor, peak.time * 1e3);
+    let time = match room {
+        26.. => format!("at {ms:.3} ms"),
+        TIMED.. if ms < 10.0 => format!("{ms:.3}ms"),
+        TIMED.. => format!("{}ms", digits(ms, 4)),
+        _ => String::new(),
+    };
+    let brief = match trace.which {
+        PRESSURE => "press.",
+        _ => trace.label,
+    };
+    let candidates = [
+        (trace.label, 4, " "),
+        (brief, 4, " "),
+        (brief, 4, ""),
+        (brief, 3, ""),
+        (brief, 2, ""),
+    ];
+    let written = candidates.map(|(label, count, gap)| {
+        let value = format!("{}{gap}{}", digits(value, count), trace.unit);
+        (label, value, time.clone())
+    });
+    let wide = |(label, value, time): &(&str, String, String)| {
+        let after = if time.is_empty() { 0 } else { width(time) + 1 };
+        width(label) + 1 + width(value) + after
+    };
+    let [.., last] = &written;
+    let last = last.clone();
+    let mut fitting = written.into_iter().filter(|parts| wide(parts) <= room);
+    fitting.next().unwrap_or(last)
 }
 
 /// The curves, each with its peak and when it came.
@@ -171,20 +222,12 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         }
         let row = Rect::new(area.x, top, area.width, 1);
         let peak = trace.peak;
-        put(buffer, row, (0, 0), trace.label, theme.heading());
-        let value = format!("{} {}", significant(peak.value * trace.factor), trace.unit);
-        let time = format!("at {:.3} ms", peak.time * 1e3);
-        if area.width >= 26 {
-            put_right(buffer, row, (area.width - 12, 0), &value, theme.strong());
-            put_right(buffer, row, (area.width, 0), &time, theme.quiet());
-        } else if area.width >= 22 && trace.label.len() + value.len() < usize::from(area.width) - 8
-        {
-            let time = format!("{:.3}ms", peak.time * 1e3);
-            put_right(buffer, row, (area.width - 8, 0), &value, theme.strong());
-            put_right(buffer, row, (area.width, 0), &time, theme.quiet());
-        } else {
-            put_right(buffer, row, (area.width, 0), &value, theme.strong());
-        }
+        let (label, value, time) = caption(trace, area.width);
+        put(buffer, row, (0, 0), label, theme.heading());
+        let left = area.width - width(&time);
+        put(buffer, row, (left, 0), &time, theme.quiet());
+        let right = if time.is_empty() { left } else { left - 1 };
+        put_right(buffer, row, (right, 0), &value, theme.strong());
         if each < 2 {
             continue;
         }
@@ -201,7 +244,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let field = Rect::new(area.x, top + 1, area.width, each - 1);
         let window = shown.answer.case.window;
         spark(curve, window, model.time(), model.look, field, buffer);
-        if area.width < 22 {
+        if area.width < TIMED {
             // The peaks come early, so the end of the curve has room for a word.
             let time = format!(" {:.3} ms", peak.time * 1e3);
             put_right(buffer, field, (area.width, 0), &time, theme.quiet());

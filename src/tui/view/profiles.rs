@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::chart::{Chart, Curve, value_at};
 use super::raster::Ink;
-use super::text::{put, put_right};
+use super::text::{put, put_right, width};
 use super::theme::Theme;
 use crate::recording::Traces;
 use crate::report::text::significant;
@@ -45,7 +45,7 @@ pub static CURVES: &[Profile] = &[
     profile("front", "N", 1.0, |t| &t.force[1]),
     profile("right", "N", 1.0, |t| &t.force[2]),
     profile("top", "N", 1.0, |t| &t.force[3]),
-    profile("load", "N", 1.0, |t| &t.load),
+    profile("load", "N", 1.0, drive),
     profile("apex", "mm", 1e3, |t| &t.apex),
     profile("shell growth S", "%", 1e2, |t| &t.shell_growth),
     profile("meridian growth M", "%", 1e2, |t| &t.meridian_growth),
@@ -54,12 +54,31 @@ pub static CURVES: &[Profile] = &[
     profile("elastic", "J", 1.0, |t| &t.elastic),
     profile("dissipated", "J", 1.0, |t| &t.dissipated),
     profile("pressure", "MPa", 1e-6, |t| &t.pressure),
-    profile("contact force", "N", 1.0, |t| &t.contact_force),
     profile("vitreous area", "%", 1e2, |t| &t.area_ratio),
 ];
 
-/// The pressure and the force of contact among the [`CURVES`].
-pub const COUPLED: [usize; 2] = [12, 13];
+/// What drives the eye among the [`CURVES`].
+pub const DRIVE: usize = 4;
+/// The pressure in the eye among them.
+pub const PRESSURE: usize = 12;
+
+/// The force that acts on the eye: of a projectile that of its contact, else the load.
+pub fn drive(traces: &Traces) -> &[f64] {
+    if traces.contact_force.is_empty() {
+        &traces.load
+    } else {
+        &traces.contact_force
+    }
+}
+
+/// What [`drive`] is called.
+pub fn drive_label(traces: &Traces) -> &'static str {
+    if traces.contact_force.is_empty() {
+        "load"
+    } else {
+        "contact"
+    }
+}
 
 /// What the force screen can show: charts, each with the curves in it.
 static VIEWS: &[View] = &[
@@ -70,8 +89,7 @@ static VIEWS: &[View] = &[
     &[&[3]],
     &[&[4], &[5], &[6], &[7]],
     &[&[8, 9, 10, 11]],
-    &[&[12], &[14]],
-    &[&[13]],
+    &[&[12], &[13]],
 ];
 
 /// Charts, each with the curves in it.
@@ -120,14 +138,14 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         2 => (1, 2),
         _ => (2, 2),
     };
-    let (width, height) = (charts.width / columns, charts.height / rows);
+    let (wide, high) = (charts.width / columns, charts.height / rows);
     for (i, curves) in view.iter().enumerate() {
         let (column, row) = (i as u16 % columns, i as u16 / columns);
         let place = Rect::new(
-            charts.x + column * width,
-            charts.y + row * height,
-            width - 1,
-            height,
+            charts.x + column * wide,
+            charts.y + row * high,
+            wide - 1,
+            high,
         );
         chart(model, shown, curves, place, buffer);
     }
@@ -160,9 +178,35 @@ fn chart(model: &Model, shown: &Shown, which: &[usize], area: Rect, buffer: &mut
     };
     let (title, now) = if let [only] = profiles[..] {
         let now = reading(only).map_or(String::new(), |v| format!("{v} {}", only.unit));
-        (format!("{}, {}", only.label, only.unit), now)
+        let label = if which[0] == DRIVE {
+            drive_label(traces)
+        } else {
+            only.label
+        };
+        (format!("{label}, {}", only.unit), now)
     } else {
         (String::new(), String::new())
+    };
+    let entries: Vec<String> = profiles
+        .iter()
+        .enumerate()
+        .map(|(i, profile)| {
+            let now = reading(profile).unwrap_or_default();
+            format!("{} {} {now} {}", mark(i), profile.label, profile.unit)
+        })
+        .collect();
+    // What does not fit into one line of the legend takes two.
+    let room = area.width.saturating_sub(LEGEND);
+    let long: u16 = entries.iter().map(|text| width(text) + 2).sum();
+    let lines = if profiles.len() > 1 && long > room + 2 {
+        2
+    } else {
+        1
+    };
+    let field = Rect {
+        y: area.y + lines - 1,
+        height: area.height.saturating_sub(lines - 1),
+        ..area
     };
     Chart {
         title: &title,
@@ -172,16 +216,22 @@ fn chart(model: &Model, shown: &Shown, which: &[usize], area: Rect, buffer: &mut
         cursor: time,
         look: model.look,
     }
-    .draw(area, buffer);
+    .draw(field, buffer);
     if profiles.len() > 1 {
-        let mut x = 8;
-        for (i, profile) in profiles.iter().enumerate() {
-            let now = reading(profile).unwrap_or_default();
-            let text = format!("{} {} {now} {}  ", mark(i), profile.label, profile.unit);
-            x = put(buffer, area, (x, 0), &text, theme.curve(i));
+        let each = entries.len().div_ceil(usize::from(lines));
+        let mut x = LEGEND;
+        for (i, text) in entries.iter().enumerate() {
+            if i % each == 0 {
+                x = LEGEND;
+            }
+            let y = (i / each) as u16;
+            x = put(buffer, area, (x, y), text, theme.curve(i)) + 2;
         }
     }
 }
+
+/// Where the legend of several curves begins.
+const LEGEND: u16 = 8;
 
 /// Tells curves apart in ASCII and in legends without colour.
 pub fn mark(index: usize) -> char {

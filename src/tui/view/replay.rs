@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::chart::{Curve, value_at};
 use super::eye::Scene;
 use super::heat::{heat_glyph, thresholds};
+use super::profiles::{drive, drive_label};
 use super::raster::{Ink, Raster};
 use super::text::{put, put_right, wrapped};
 use super::theme::Theme;
@@ -40,6 +41,10 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         look: model.look,
     }
     .draw(picture, buffer);
+    // What reaches the edge does not touch the legend.
+    for y in 0..picture.height {
+        buffer[(side.x - 1, picture.y + y)].reset();
+    }
     if model.clock.zoom() > 1 {
         let text = format!(" displacement ×{} ", model.clock.zoom());
         put(buffer, picture, (0, 0), &text, theme.warning());
@@ -67,7 +72,7 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let ascii = model.look.symbols == Symbols::Ascii;
     legend(shown, (theme, ascii), area, &mut y, buffer);
     let traces = shown.answer.recording.traces.as_ref();
-    let now = |values: Option<&Vec<f64>>| {
+    let now = |values: Option<&[f64]>| {
         let traces = traces?;
         value_at(&traces.time, values?, time)
     };
@@ -75,15 +80,16 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     y += 1;
     let mut reading = |label: &str, value: Option<f64>, unit: &str| {
         put(buffer, area, (0, y), label, theme.text());
-        let text = value.map_or("-".to_owned(), |v| format!("{} {unit}", significant(v)));
+        let text = value.map_or("-".to_owned(), |v| format!("{} {unit}", reading_of(v)));
         put_right(buffer, area, (20, y), &text, theme.strong());
         y += 1;
     };
-    reading("load", now(traces.map(|t| &t.load)), "N");
+    let label = traces.map_or("load", drive_label);
+    reading(label, now(traces.map(drive)), "N");
     for (i, monitor) in Monitor::ALL.iter().enumerate() {
-        reading(monitor.name(), now(traces.map(|t| &t.force[i])), "N");
+        reading(monitor.name(), now(traces.map(|t| &t.force[i][..])), "N");
     }
-    let apex = now(traces.map(|t| &t.apex)).map(|v| v * 1e3);
+    let apex = now(traces.map(|t| &t.apex[..])).map(|v| v * 1e3);
     reading("apex", apex, "mm");
     if let Some(peak) = peak_at(&shown.answer, time) {
         for line in wrapped(&format!("peak {peak}"), usize::from(area.width - 1)) {
@@ -93,6 +99,15 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     }
     let material = super::form::material(model);
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
+}
+
+/// Below this a force in N or a way in mm is rounding.
+const NEGLIGIBLE: f64 = 5e-4;
+
+/// A reading of the moment; what means nothing is 0.
+fn reading_of(value: f64) -> String {
+    let value = if value.abs() < NEGLIGIBLE { 0.0 } else { value };
+    significant(value)
 }
 
 /// Steps of force with their colours, and the parts of the eye with theirs.
@@ -173,7 +188,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(field, model.look.symbols);
         let curve = Curve {
             time: &traces.time,
-            values: &traces.load,
+            values: drive(traces),
             factor: 1.0,
             ink: Ink::solid(theme.load(), 1, '#'),
         };

@@ -66,27 +66,24 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         buffer,
     );
 
-    part(
+    let parts = [
         ("S shell", "%", index.shell_growth, SHELL),
-        theme,
-        line(2),
-        buffer,
-    );
-    part(
         ("M meridian", "%", index.meridian_growth, MERIDIAN),
-        theme,
-        line(3),
-        buffer,
-    );
-    part(
         ("E energy", "J", index.energy, ENERGY),
-        theme,
-        line(4),
-        buffer,
-    );
+    ];
+    let points = parts.map(|(_, _, value, term)| points(value, term, area.width));
+    // The bars end where the longest of them begins.
+    let beside = points.iter().map(|text| width(text)).max().unwrap_or(0) + 1;
+    for (y, (of, points)) in (2..).zip(parts.into_iter().zip(&points)) {
+        part(of, (points, beside.max(8)), theme, line(y), buffer);
+    }
+    errors(shown, theme, line(5), buffer);
+    flags(shown, theme, area, buffer);
+}
 
+/// The errors of the index that the gauge shows, and how far the apex moved where there is room.
+fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let errors = &shown.answer.errors;
-    // Of the index that the gauge shows; the peaks have their own on the screen of forces.
     let mesh = errors
         .mesh
         .map_or_else(|| "…".to_owned(), |mesh| percent(mesh[0]));
@@ -94,15 +91,22 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let apex = shown.answer.recording.extremes.apex;
     let apex = format!("apex {} mm", significant(apex.value * 1e3));
     let beside = width(&apex) + 2;
-    let mut text = format!("Its error: step {step}, mesh {mesh}");
-    if width(&text) + beside > area.width {
-        text = format!("Error: step {step}, mesh {mesh}");
+    let full = format!("Index error: step {step}, mesh {mesh}");
+    let tight = full.replace(" %", "%").replace("< ", "<");
+    let brief = tight.replace(" error", "");
+    let candidates = [
+        (&full, beside),
+        (&tight, beside),
+        (&full, 0),
+        (&tight, 0),
+        (&brief, 0),
+    ];
+    let fits = |(text, beside): &(&String, u16)| width(text) + beside <= area.width;
+    let (text, beside) = candidates.into_iter().find(fits).unwrap_or((&brief, 0));
+    put(buffer, area, (0, 0), text, theme.text());
+    if beside > 0 {
+        put_right(buffer, area, (area.width, 0), &apex, theme.text());
     }
-    let end = put(buffer, line(5), (0, 0), &text, theme.text());
-    if end + beside <= area.width {
-        put_right(buffer, line(5), (area.width, 0), &apex, theme.text());
-    }
-    flags(shown, theme, area, buffer);
 }
 
 /// Where nine in ten samples of the inputs lie, once that is known.
@@ -118,9 +122,27 @@ fn band(model: &Model, shown: &Shown, room: u16) -> String {
     }
 }
 
+/// Below so many columns units and weights give way.
+const ROOMY: u16 = 40;
+
+/// What a part adds to the index, and the points of its threshold where there is room.
+fn points(value: f64, term: Term, room: u16) -> String {
+    let points = match term.points(value) {
+        points if points.abs() >= 1e5 => format!("{points:.1e}"),
+        points if points.abs() >= 1e3 => format!("{points:.0}"),
+        points => format!("{points:.1}"),
+    };
+    if room < ROOMY {
+        points
+    } else {
+        format!("{points}/{:.0}", term.weight)
+    }
+}
+
 /// One part of the index: its value, its threshold, and how near it comes.
 fn part(
     (label, unit, value, term): (&str, &str, f64, Term),
+    (points, beside): (&str, u16),
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
@@ -128,15 +150,14 @@ fn part(
     put(buffer, area, (0, 0), label, theme.text());
     let number = format!("{} {unit}", significant(value));
     put_right(buffer, area, (20, 0), &number, theme.strong());
-    let limit = if area.width < 40 {
+    let limit = if area.width < ROOMY {
         format!("of {}", term.threshold)
     } else {
         format!("of {} {unit}", term.threshold)
     };
     put(buffer, area, (21, 0), &limit, theme.quiet());
-    let points = format!("{:.1}/{:.0}", term.points(value), term.weight);
-    put_right(buffer, area, (area.width, 0), &points, theme.quiet());
-    let (left, right) = (31, area.width.saturating_sub(8));
+    put_right(buffer, area, (area.width, 0), points, theme.quiet());
+    let (left, right) = (31, area.width.saturating_sub(beside));
     if right > left + 3 {
         let share = value / term.threshold;
         let field = Rect::new(area.x + left, area.y, right - left, 1);
@@ -144,7 +165,8 @@ fn part(
     }
 }
 
-fn name(kind: FlagKind) -> String {
+/// A flag's name in words.
+pub fn name(kind: FlagKind) -> String {
     kind.name().replace('_', " ")
 }
 

@@ -214,7 +214,8 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
         &significant(x.to),
         theme.quiet(),
     );
-    put(buffer, area, (1, row), y.field.unit, theme.quiet());
+    // Below the number at the top of its axis.
+    put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
 /// What is known under the cursor.

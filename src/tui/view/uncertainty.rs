@@ -19,6 +19,8 @@ use crate::tui::model::Model;
 /// Columns of a result's name, and of each of its three numbers.
 const LABEL: u16 = 19;
 const NUMBER: u16 = 9;
+/// Rows of what drives a result, at least: its name and the strongest three.
+const DRIVERS: u16 = 4;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
 
@@ -43,26 +45,32 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let outputs = ensemble.outputs();
-    let notes = notes(ensemble, usize::from(area.width - 2));
     let chosen = model.ensemble.output.min(outputs.len().saturating_sub(1));
     heading(area, theme, buffer);
-    let free = area.height.saturating_sub(2);
+    // The results scroll where what drives the chosen one would find no room.
+    let free = area.height.saturating_sub(3 + DRIVERS);
     let shown = outputs.len().min(usize::from(free));
-    for (row, index) in outputs.iter().take(shown).enumerate() {
+    let first = (chosen + 1).saturating_sub(shown);
+    for (row, index) in outputs.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        result(ensemble, *index, row == chosen, theme, line, buffer);
+        result(ensemble, *index, first + row == chosen, theme, line, buffer);
+    }
+    if shown < outputs.len() {
+        let text = format!("{} to {} of {}", first + 1, first + shown, outputs.len());
+        put(buffer, area, (1, 1), &text, theme.quiet());
     }
     let top = 3 + shown as u16;
     let below = area.height.saturating_sub(top);
-    // At least the name of what drives and its first bars are worth more than all the notes.
-    let spare = below.saturating_sub(4);
-    let kept = (notes.len() as u16).min(spare);
+    // What drives is worth more than all the notes.
+    let spare = below.saturating_sub(DRIVERS);
+    let notes = notes(ensemble, usize::from(area.width - 2), spare);
+    let kept = notes.len() as u16;
     if let Some(output) = outputs.get(chosen) {
         let field = Rect::new(area.x, area.y + top, area.width, below - kept);
         drivers(ensemble, *output, theme, field, buffer);
     }
     let first = area.height - kept;
-    for (i, line) in notes.iter().take(usize::from(kept)).enumerate() {
+    for (i, line) in notes.iter().enumerate() {
         put(buffer, area, (1, first + i as u16), line, theme.quiet());
     }
 }
@@ -211,8 +219,8 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
     }
 }
 
-/// How samples were counted and how exact they are.
-fn notes(ensemble: &Ensemble, room: usize) -> Vec<String> {
+/// How samples were counted and how exact they are: as many sentences as fit whole.
+fn notes(ensemble: &Ensemble, room: usize, rows: u16) -> Vec<String> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     let mut said = vec![format!(
         "Bands of {valid} of {done} samples, {}",
@@ -229,5 +237,8 @@ fn notes(ensemble: &Ensemble, room: usize) -> Vec<String> {
     let checks = ensemble.checks();
     let (error, count) = (percent(checks.last), checks.count);
     said.push(format!("Step error up to {error} in {count} compared."));
-    wrapped(&said.join(" "), room)
+    let written = |count: usize| wrapped(&said[..count].join(" "), room);
+    let fits = |lines: &Vec<String>| lines.len() <= usize::from(rows);
+    let counts = (0..=said.len()).rev();
+    counts.map(written).find(fits).unwrap_or_default()
 }
