@@ -4,7 +4,7 @@
 //! it needs no simulation, and means something only while the object can enter the orbit. Peak
 //! pressure comes from the simulation. Where the two disagree, the reader sees both.
 
-use super::curve::{Curve, Injury, Measure, Range};
+use super::curve::{Curve, Injury, Measure, Range, Standing};
 use super::published::CURVES;
 use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
@@ -114,6 +114,30 @@ pub struct Risk {
     pub extrapolated: bool,
     /// Whether the measure itself is doubtful here.
     pub caution: Option<Caution>,
+}
+
+/// What the letters of [`Risk::marks`] mean.
+pub const MARKS: &str =
+    "s slope assumed  r reconstructed  u unverified  x extrapolated  ! invalid here";
+
+impl Risk {
+    /// A letter for everything that a reader must know before believing it, see [`MARKS`].
+    pub fn marks(&self) -> String {
+        let mut marks = match self.curve.standing {
+            Standing::Published => "",
+            Standing::SlopeAssumed => "s",
+            Standing::Reconstructed => "r",
+            Standing::Unverified => "us",
+        }
+        .to_owned();
+        if self.extrapolated {
+            marks.push('x');
+        }
+        if self.caution == Some(Caution::LargerThanOrbit) {
+            marks.push('!');
+        }
+        marks
+    }
 }
 
 /// What every curve that applies says of a blow and of the peak pressure, in Pa, that it made.

@@ -136,12 +136,19 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{count:>7}  {name}")?;
     }
     let checks = ensemble.checks();
-    writeln!(
-        out,
-        "Step error: {} samples set beside twice as many steps; worst at the common step {}",
-        checks.count,
-        percent(checks.first)
-    )?;
+    if checks.count == 0 {
+        writeln!(
+            out,
+            "Step error: not checked, as no sample kept its mesh whole"
+        )?;
+    } else {
+        writeln!(
+            out,
+            "Step error: {} samples set beside twice as many steps; worst at the common step {}",
+            checks.count,
+            percent(checks.first)
+        )?;
+    }
     if checks.refined > 0 {
         writeln!(
             out,
@@ -237,8 +244,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "checked": checks.count,
             "refined": checks.refined,
             "above_promise_after_pilot": checks.missed,
-            "worst_at_the_common_step_percent": checks.first,
-            "worst_percent": checks.last,
+            "worst_at_the_common_step_percent": (checks.count > 0).then_some(checks.first),
+            "worst_percent": (checks.count > 0).then_some(checks.last),
             "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },
         "timing": {

@@ -1,6 +1,6 @@
 //! What the published injury curves say, in text and as JSON.
 
-use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
+use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -46,19 +46,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             } else {
                 format!("{low:.0}-{high:.0} %")
             };
-            let mut marks = String::new();
-            marks.push_str(match risk.curve.standing {
-                Standing::Published => "",
-                Standing::SlopeAssumed => "s",
-                Standing::Reconstructed => "r",
-                Standing::Unverified => "us",
-            });
-            if risk.extrapolated {
-                marks.push('x');
-            }
-            if risk.caution == Some(Caution::LargerThanOrbit) {
-                marks.push('!');
-            }
+            let marks = risk.marks();
             let line = format!(
                 "  {name:<17}{:>7}{band:>11}  {:<17}{:>9} {unit:<5} [{}] {marks}",
                 share(risk.risk),
@@ -79,10 +67,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             )?;
         }
     }
-    writeln!(
-        out,
-        "  s slope assumed  r reconstructed  u unverified  x extrapolated  ! invalid here"
-    )?;
+    writeln!(out, "  {MARKS}")?;
     for (i, source) in sources.iter().enumerate() {
         writeln!(out, "  [{}] {source}", i + 1)?;
         for risk in risks.iter().filter(|r| r.curve.source == *source) {

@@ -7,7 +7,8 @@ use crate::study::validate::Row;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-const REMARKS: &str = "Where a source gives one value without a spread, 30 % on both sides counts as \
+const REMARKS: &str = "Finer: on the next finer mesh, ! where that is not inside; the fit is one of \
+    mesh level 1. Where a source gives one value without a spread, 30 % on both sides counts as \
     inside. Pig pressures stand as they are (species factor 1); bursting is compared with the species' \
     own limit. A disc in the plane is a rod in space: small balls engage more of the eye here than in \
     life, and fluid cannot make way sideways, so that their pressure is too high and the globe's change \
@@ -35,8 +36,8 @@ fn measured(experiment: &Experiment) -> String {
 fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "{:<42}{:>14}{:>11}{:>7}  in",
-        "", "measured", "model", "ratio"
+        "{:<42}{:>13}{:>8}{:>6} {:<4}{:>6}",
+        "", "measured", "model", "ratio", "in", "finer"
     )?;
     for row in rows {
         let experiment = row.experiment;
@@ -46,12 +47,21 @@ fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
             _ => ("none".to_owned(), String::new()),
         };
         let measured = format!("{} {unit}", measured(experiment));
-        writeln!(
-            out,
-            "{:<42}{measured:>14}{model:>11}{ratio:>7}  {}",
+        let finer = row.finer.map_or_else(String::new, |value| {
+            let mark = if row.finer_inside() == Some(true) {
+                ' '
+            } else {
+                '!'
+            };
+            format!("{}{mark}", significant(value / scale))
+        });
+        let line = format!(
+            "{:<42}{measured:>13}{model:>8}{ratio:>6} {:<4}{finer:>6}",
             experiment.what,
             if row.inside() { "yes" } else { "NO" }
-        )?;
+        );
+
+        writeln!(out, "{}", line.trim_end())?;
         writeln!(
             out,
             "    {}; {}; {}",
@@ -110,6 +120,8 @@ fn row(row: &Row) -> Value {
         "refusal": row.predicted.as_ref().err(),
         "ratio": row.ratio(),
         "inside": row.inside(),
+        "finer_mesh": row.finer.map(|value| value / scale),
+        "finer_mesh_inside": row.finer_inside(),
         "fitted": experiment.fitted,
         "mark": experiment.mark.name(),
         "species": experiment.species,

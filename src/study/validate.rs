@@ -21,6 +21,8 @@ pub struct Row {
     pub experiment: &'static Experiment,
     /// What the model gives, SI, or why it gives nothing.
     pub predicted: Result<f64, String>,
+    /// What the next finer mesh gives, SI.
+    pub finer: Option<f64>,
     /// Step error of the leading results, in %.
     pub step_error: Option<f64>,
     /// What limits the result.
@@ -32,6 +34,11 @@ impl Row {
     pub fn ratio(&self) -> Option<f64> {
         let predicted = self.predicted.as_ref().ok()?;
         Some(predicted / self.experiment.measured.typical())
+    }
+
+    /// Whether that of the next finer mesh does.
+    pub fn finer_inside(&self) -> Option<bool> {
+        Some(self.experiment.measured.holds(self.finer?))
     }
 
     /// Whether the prediction lies where the measurement says.
@@ -81,18 +88,23 @@ pub(super) fn rows_of(
             let scenario = change(scenario);
             let asked: Vec<_> = members.iter().map(|m| m.1).collect();
             let answer = solve(&scenario, keep(&asked), &mut unwatched);
+            let finer = finer(&scenario, keep(&asked));
             members.into_iter().map(move |(place, experiment)| {
                 let row = match &answer {
                     Ok(answer) => Row {
                         experiment,
                         predicted: read(experiment.reading, &answer.case.eye, &answer.recording)
                             .ok_or_else(|| "the run does not reach it".to_owned()),
+                        finer: finer
+                            .as_ref()
+                            .and_then(|(eye, recording)| read(experiment.reading, eye, recording)),
                         step_error: Some(answer.errors.time_step_percent()),
                         flags: answer.flags.iter().map(|f| f.kind).collect(),
                     },
                     Err(refusal) => Row {
                         experiment,
                         predicted: Err(refusal.to_string()),
+                        finer: None,
                         step_error: None,
                         flags: Vec::new(),
                     },
@@ -123,6 +135,13 @@ pub(super) fn readings(
         }
     }
     found
+}
+
+/// The same on the next finer mesh, if that runs.
+fn finer(scenario: &Scenario, keep: Keep) -> Option<(Eye, Recording)> {
+    let mut finer = scenario.clone();
+    finer.eye.level += 1;
+    single(&finer, keep).ok()
 }
 
 fn single(scenario: &Scenario, keep: Keep) -> Result<(Eye, Recording), Refusal> {

@@ -6,13 +6,13 @@ use ratatui::layout::Rect;
 use super::score::name;
 use super::text::{fitted, put, put_right, width, wrapped};
 use super::theme::Theme;
-use crate::injury::{Caution, Injury, Risk, Standing, disagreement};
+use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
 use crate::report::text::significant;
 use crate::tui::model::{Model, Shown};
 
 /// Columns of the injury's name and of the figures behind the bar.
 const NAME: u16 = 18;
-const FIGURES: u16 = 21;
+const FIGURES: u16 = 23;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
@@ -61,6 +61,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         area.height,
     );
     put(buffer, area, (1, 1), "published curves", theme.heading());
+    let last = area.height.saturating_sub(1);
+    let marks = fitted(MARKS, usize::from(area.width.saturating_sub(2)));
+    put(buffer, area, (1, last), &marks, theme.quiet());
+    let area = Rect {
+        height: last,
+        ..area
+    };
     put(buffer, bar, (0, 1), "0", theme.quiet());
     put_right(buffer, bar, (bar.width / 2 + 2, 1), "50 %", theme.quiet());
     put_right(buffer, bar, (bar.width, 1), "100 %", theme.quiet());
@@ -144,12 +151,6 @@ fn line(
     );
     let (unit, scale) = risk.curve.measure.unit();
     let value = format!("{} {unit}", significant(risk.value / scale));
-    let doubtful = risk.extrapolated
-        || risk.caution.is_some()
-        || matches!(
-            risk.curve.standing,
-            Standing::Unverified | Standing::Reconstructed
-        );
     put(
         buffer,
         area,
@@ -157,9 +158,13 @@ fn line(
         &value,
         theme.text(),
     );
-    if doubtful {
-        put_right(buffer, area, (area.width, y), "!", theme.warning());
-    }
+    put_right(
+        buffer,
+        area,
+        (area.width, y),
+        &risk.marks(),
+        theme.warning(),
+    );
 }
 
 /// What stands behind one curve, and whether others of the same injury disagree.
@@ -168,12 +173,17 @@ fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut B
         put(buffer, area, (x, 0), "─", theme.line());
     }
     let curve = risk.curve;
+    let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);
+    let range = if high - low < 1.0 {
+        String::new()
+    } else {
+        format!(": {low:.0} to {high:.0} % over the range of its slope")
+    };
     let mut words = format!(
-        "{} by {}: {:.0} to {:.0} % over the range of its slope. {}; {}; {}; {}.",
+        "{} by {}{}. {}; {}; {}; {}.",
         curve.injury.name(),
         curve.measure.name(),
-        100.0 * risk.band.0,
-        100.0 * risk.band.1,
+        range,
         curve.source,
         curve.species,
         curve.data,
