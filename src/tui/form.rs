@@ -148,8 +148,13 @@ impl Form {
 pub fn allowed(field: &Field) -> String {
     match field.kind {
         Kind::Toggle(_) => "yes or no".to_owned(),
-        _ => field.allowed(),
+        _ => as_typed(&field.allowed()),
     }
+}
+
+/// A file says `None` where a person says `auto`.
+fn as_typed(text: &str) -> String {
+    text.replace("None (auto)", "auto")
 }
 
 /// Whether the scenario says that no source of a field's figure was checked.
@@ -198,7 +203,7 @@ pub fn admitted(field: &Field, c: char) -> Option<char> {
 /// The whole complaint without the path, which the form shows by its place.
 pub fn words(error: &ScenarioError) -> String {
     let messages: Vec<&str> = error.problems.iter().map(|p| p.message.as_str()).collect();
-    messages.join("; ")
+    as_typed(&messages.join("; "))
 }
 
 /// The scenario with `text` in a field, if it may be there.

@@ -200,6 +200,10 @@ fn what_the_form_shows_can_be_typed() {
     assert_eq!(model.work.scenario.numerics.step_us, None);
     press(&mut model, "\r");
     assert_eq!(model.form.typing.as_ref().unwrap().input.value(), "auto");
+    press(&mut model, "\x150");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed auto, or"));
+    press(&mut model, "\x15auto");
     press(&mut model, "\r");
     model.form.selected = field("eye.lens");
     press(&mut model, "\r\x15no\r");
