@@ -16,7 +16,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     let mut term = Term::start(command);
     term.wait_for("26.42 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
-    term.wait_for("(edited)");
+    term.wait_for("paper-300n *");
     // Unsaved work is not lost without a question.
     term.keys("q");
     term.wait_for("not saved");
@@ -73,7 +73,7 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
     let term = Term::start(command);
     term.wait_for("26.42 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
-    term.wait_for("(edited)");
+    term.wait_for("mine *");
     term.keys("s");
     term.wait_for("Name");
     term.keys("\r");
@@ -103,7 +103,7 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     let mut term = Term::start(shell);
     term.wait_for("26.42 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
-    term.wait_for("(edited)");
+    term.wait_for("paper-300n *");
     term.keys("s");
     term.wait_for("Name");
     term.keys("\x15mine\r");
@@ -130,9 +130,9 @@ fn a_folder_that_cannot_be_made_is_explained() {
     term.wait_for("Name");
     let long = "n".repeat(60);
     term.keys(&format!("\x15{long}\r"));
-    term.wait_for("1 to 40 letters");
+    term.wait_for("1 to 40 ASCII letters");
     term.keys("\x15../mine\r");
-    term.wait_for("1 to 40 letters");
+    term.wait_for("no / in a name");
     term.keys("\x15mine\r");
     term.wait_for("not saved: ");
     term.keys("\x1b");

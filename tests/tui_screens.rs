@@ -288,11 +288,52 @@ fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
 }
 
 #[test]
+fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
+    pictures("main_unverified", &["fist"], "jjj");
+    pictures("replay_unverified", &["fist"], "\x1b2");
+    let mut model = model(&["golf-ball"], Depth::Mono);
+    let speed = fields::find("impact.speed_m_s").unwrap();
+    for size in SIZES {
+        model.form.selected = Row::Preset;
+        let text = picture(&model, size);
+        assert!(line_from(&text, " Speed").starts_with(" Speed "));
+        assert!(line_from(&text, " Speed").contains(" ? "));
+        assert!(
+            !line_from(&text, " Mass")
+                .split('│')
+                .next()
+                .unwrap()
+                .contains('?')
+        );
+        model.form.selected = Row::Field(speed);
+        assert!(picture(&model, size).contains("? unverified figure"));
+    }
+    press(&mut model, "50\r");
+    assert!(!picture(&model, (80, 24)).contains("? unverified"));
+}
+
+#[test]
+fn a_small_terminal_still_asks_what_it_waits_for() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "lq");
+    for size in [(60, 5), (20, 5), (59, 19)] {
+        let text = picture(&model, size).replace('\n', " ");
+        let words: Vec<&str> = text.split_whitespace().collect();
+        assert!(
+            words.join(" ").contains("unsaved: y quits, n stays"),
+            "{text}"
+        );
+    }
+}
+
+#[test]
 fn overlays() {
     for (name, keys) in [
         ("help", "?"),
         ("picker", "p"),
         ("save", "s"),
+        ("save_hidden", "ls\x15paper-300n\r"),
+        ("letter_in_a_number", "7u"),
         ("quit", "lq"),
     ] {
         let mut model = model(&[], Depth::Mono);
@@ -423,6 +464,24 @@ fn curves_that_no_answer_has_are_not_offered() {
     for _ in 0..20 {
         press(&mut model, "v");
         assert!(!picture(&model, (80, 24)).contains("pressure, MPa"));
+    }
+}
+
+#[test]
+fn spread_of_many_results_scrolls_above_what_drives_them() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    open_sampled(&mut model);
+    for keys in ["", "jjjjjjjjjjjjjjjjjjjjjj"] {
+        press(&mut model, keys);
+        for size in SIZES {
+            let text = picture(&model, size);
+            let lines: Vec<&str> = text.lines().collect();
+            let at = lines.iter().position(|line| line.contains("What drives"));
+            let drivers = &lines[at.unwrap() + 1..at.unwrap() + 4];
+            let is_bar = |line: &&str| line.contains("0.") || line.contains("1.00");
+            assert!(drivers.iter().all(is_bar), "{text}");
+            assert_eq!(text.matches('▸').count(), 1);
+        }
     }
 }
 

@@ -331,7 +331,7 @@ impl Field {
                 format!("{} to {}{unit}", plain(*min), plain(*max))
             }
             OptionalNumber(Bounds { min, max, .. }, _) => {
-                format!("None, or {} to {}{unit}", plain(*min), plain(*max))
+                format!("None (auto), or {} to {}{unit}", plain(*min), plain(*max))
             }
             Integer(min, max, _) => format!("whole numbers {min} to {max}"),
             Toggle(_) => "true or false".to_owned(),

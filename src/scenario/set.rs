@@ -136,7 +136,20 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     if done {
         return Ok(());
     }
-    let complaint = not_a(&field.kind);
+    if text.is_empty() {
+        let allowed = field.allowed();
+        let problem = Problem {
+            allowed: Some(allowed.clone()),
+            ..Problem::new(field.path, format!("nothing is there: allowed {allowed}"))
+        };
+        return Err(problem.into());
+    }
+    let is_number = matches!(field.kind, Kind::Number(..) | Kind::OptionalNumber(..));
+    let complaint = if is_number && text.contains(',') {
+        "is not a number (decimals follow a point, not a comma)"
+    } else {
+        not_a(&field.kind)
+    };
     Err(Problem::refused(field.path, text, complaint, field.allowed()).into())
 }
 
@@ -156,7 +169,12 @@ fn number(text: &str) -> Option<f64> {
 
 fn optional(text: &str) -> Result<Option<f64>, ScenarioError> {
     match number(text) {
-        _ if text.eq_ignore_ascii_case("none") => Ok(None),
+        _ if ["none", "auto"]
+            .iter()
+            .any(|word| text.eq_ignore_ascii_case(word)) =>
+        {
+            Ok(None)
+        }
         Some(number) => Ok(Some(number)),
         None => read(text, ""),
     }
@@ -314,7 +332,11 @@ mod tests {
             after("numerics.step_us", "Some(2)").numerics.step_us,
             Some(2.0)
         );
-        assert_eq!(after("numerics.step_us", "None").numerics.step_us, None);
+        for text in ["None", "auto", "AUTO"] {
+            let mut scenario = after("numerics.step_us", "2");
+            set(&mut scenario, "numerics.step_us", text).unwrap();
+            assert_eq!(scenario.numerics.step_us, None);
+        }
         assert_eq!(
             after("name", "any text, even (this)").name,
             "any text, even (this)"
@@ -377,6 +399,15 @@ mod tests {
             refusal("impact.force_n", "abc"),
             "impact.force_n: abc is not a number: allowed 0 to 100000 N"
         );
+        for path in [
+            "impact.force_n",
+            "eye.lens",
+            "eye.level",
+            "numerics.step_us",
+        ] {
+            assert!(refusal(path, " ").contains("nothing is there: allowed "));
+        }
+        assert!(refusal("impact.force_n", "1,5").contains("a point, not a comma"));
         assert!(refusal("impact.force_n", "1e6").contains("1000000 is out of range"));
         assert!(refusal("impact.force_n", "nan").contains("is not a finite number"));
         assert!(refusal("eye", "(level: 9)").starts_with("eye.level: 9 is out of range"));

@@ -35,6 +35,8 @@ pub enum Action {
     Up,
     /// One row down.
     Down,
+    /// Many rows up, or down.
+    Page(bool),
     /// A step of the value, or of the cursor, down or up.
     Step(Step),
     /// Begin to type, or accept.
@@ -51,7 +53,7 @@ pub enum Action {
     Widen(Step),
     /// Play or pause.
     Play,
-    /// To the first frame.
+    /// To the first frame, or row.
     First,
     /// To the last.
     Last,

@@ -6,12 +6,12 @@
 use tui_input::Input;
 
 use super::action::Step;
-use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::doubt;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::set;
+use crate::scenario::{Impact, Scenario};
 
 /// A row of the form.
 #[derive(Clone, Copy)]
@@ -144,10 +144,66 @@ impl Form {
     }
 }
 
+/// What a field accepts, in the words of the form.
+pub fn allowed(field: &Field) -> String {
+    match field.kind {
+        Kind::Toggle(_) => "yes or no".to_owned(),
+        _ => as_typed(&field.allowed()),
+    }
+}
+
+/// A file says `None` where a person says `auto`.
+fn as_typed(text: &str) -> String {
+    text.replace("None (auto)", "auto")
+}
+
+/// Whether the scenario says that no source of a field's figure was checked.
+pub fn is_unverified(scenario: &Scenario, field: &Field) -> bool {
+    let name = field.path.strip_prefix("impact.");
+    let name = name.and_then(|path| path.split('.').next());
+    unverified(scenario)
+        .iter()
+        .any(|figure| Some(figure.as_str()) == name)
+}
+
+/// The names of such fields.
+pub fn unverified(scenario: &Scenario) -> &[String] {
+    match &scenario.impact {
+        Impact::Projectile(shot) => &shot.unverified,
+        Impact::ForcePulse(_) => &[],
+    }
+}
+
+/// The present value as a person types it.
+pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
+    let text = field.text(scenario)?;
+    Some(match (&field.kind, text.as_str()) {
+        (Kind::Toggle(_), "true") => "yes".to_owned(),
+        (Kind::Toggle(_), _) => "no".to_owned(),
+        (Kind::OptionalNumber(..), "None") => "auto".to_owned(),
+        _ => text,
+    })
+}
+
+/// The character that a key press puts into a field: a point for a decimal comma, and none where it can
+/// be no part of the value.
+pub fn admitted(field: &Field, c: char) -> Option<char> {
+    let numeral =
+        c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '/' | '_' | 'e' | 'E' | '±' | ' ');
+    let word = "noneauto".contains(c.to_ascii_lowercase());
+    match field.kind {
+        Kind::Number(..) | Kind::OptionalNumber(..) if c == ',' => Some('.'),
+        Kind::Number(..) | Kind::Integer(..) => numeral.then_some(c),
+        Kind::OptionalNumber(..) => (numeral || word).then_some(c),
+        Kind::Integers(..) => (numeral || matches!(c, ',' | '[' | ']')).then_some(c),
+        Kind::Toggle(_) | Kind::Choice(_) | Kind::Text(..) => Some(c),
+    }
+}
+
 /// The whole complaint without the path, which the form shows by its place.
 pub fn words(error: &ScenarioError) -> String {
     let messages: Vec<&str> = error.problems.iter().map(|p| p.message.as_str()).collect();
-    messages.join("; ")
+    as_typed(&messages.join("; "))
 }
 
 /// The scenario with `text` in a field, if it may be there.
@@ -156,7 +212,10 @@ pub fn words(error: &ScenarioError) -> String {
 /// Says why it may not.
 pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
     let mut changed = scenario.clone();
-    set(&mut changed, field.path, text).map_err(|error| words(&error))?;
+    set(&mut changed, field.path, text).map_err(|error| match field.kind {
+        Kind::Toggle(_) => format!("allowed {}", allowed(field)),
+        _ => words(&error),
+    })?;
     check(&changed).map_err(|error| words(&error))?;
     Ok(changed)
 }
@@ -242,7 +301,7 @@ fn stepped(value: f64, size: f64, up: bool) -> f64 {
 mod tests {
     use super::*;
     use crate::scenario::fields::tests::every_variant;
-    use crate::scenario::{EyeInput, Impact, PulseShape, fields};
+    use crate::scenario::{EyeInput, PulseShape, fields};
 
     fn field(path: &str) -> &'static Field {
         fields::find(path).unwrap()

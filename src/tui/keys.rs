@@ -78,6 +78,11 @@ impl Context {
         }
     }
 
+    /// Whether it is a list of presets.
+    pub fn is_list(self) -> bool {
+        matches!(self, Self::Picker | Self::Marks)
+    }
+
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{

@@ -114,6 +114,8 @@ pub enum Overlay {
 pub enum Question {
     /// Replace the preset of this name?
     Replace(String),
+    /// Save under the name of a preset that the program brings along?
+    Hide(String),
     /// Quit without saving?
     Quit,
 }
@@ -229,7 +231,7 @@ impl Model {
         match &self.run {
             Run::Refused(_) => Some("last good result"),
             Run::Running(_, Some(_)) => Some("previous result"),
-            _ if typing_fails || self.form.complaint.is_some() => Some("last good result"),
+            _ if typing_fails => Some("last good result"),
             Run::Running(_, None) => None,
             Run::Settled => self
                 .shown

@@ -133,11 +133,18 @@ pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
     }
     let mut model = Model::new(works[0].clone(), choices, look);
     if works.len() > 1 {
-        for work in works.iter().take(MOST) {
-            if !model.compare.is_marked(&work.source) {
-                // There is room for so many.
-                let _ = model.compare.mark(&work.source, &work.scenario);
+        let mut left_out = 0;
+        for work in &works {
+            if !model.compare.is_marked(&work.source)
+                && model.compare.mark(&work.source, &work.scenario).is_err()
+            {
+                left_out += 1;
             }
+        }
+        if left_out > 0 {
+            let text =
+                format!("only the first {MOST} are marked for comparison, {left_out} are not");
+            model.notice = Some(text);
         }
         model.screen = Screen::Compare;
         model.change_pane(true);

@@ -10,13 +10,17 @@ use std::path::Path;
 use tempfile::NamedTempFile;
 
 use crate::scenario::library::is_plain;
+use crate::scenario::problem::is_unprintable;
 
 /// Why nothing was saved.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SaveError {
     /// Not a name that a file can have everywhere.
-    #[error("a name has 1 to 40 letters, digits, dashes, dots or underscores")]
+    #[error("a name has 1 to 40 ASCII letters, digits, dashes, dots or underscores, no dot first")]
     Name,
+    /// It has a character that a file name cannot have everywhere.
+    #[error("no {0} in a name: it has 1 to 40 ASCII letters, digits, dashes, dots or underscores")]
+    Letter(String),
     /// There is a preset of that name.
     #[error("{0} exists")]
     Exists(String),
@@ -30,12 +34,37 @@ pub enum SaveError {
 /// # Errors
 /// Where it may not.
 pub fn check_name(name: &str) -> Result<(), SaveError> {
-    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
-    if is_plain(name) && name.chars().all(allowed) && name.chars().count() <= 40 {
+    if let Some(c) = name.chars().find(|c| !is_allowed(*c)) {
+        return Err(match c {
+            ' ' => SaveError::Letter("space".to_owned()),
+            c if is_unprintable(c) => SaveError::Name,
+            c => SaveError::Letter(c.to_string()),
+        });
+    }
+    if is_plain(name) && name.len() <= LONGEST {
         Ok(())
     } else {
         Err(SaveError::Name)
     }
+}
+
+/// Characters of a name, at most.
+const LONGEST: usize = 40;
+
+fn is_allowed(c: char) -> bool {
+    c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.')
+}
+
+/// A name like `stem` with a number behind it that none of the others has, from 2 on.
+pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    // Room for a dash and three digits.
+    let letters = stem.trim_start_matches('.').chars().take(LONGEST - 4);
+    let stem: String = letters
+        .map(|c| if is_allowed(c) { c } else { '-' })
+        .collect();
+    let stem = if stem.is_empty() { "blow" } else { &stem };
+    let mut names = (2..1000).map(|i| format!("{stem}-{i}"));
+    names.find(|name| !is_taken(name)).unwrap_or_default()
 }
 
 /// Writes `text` as the preset `name` into `folder`, which is made if need be.
@@ -130,10 +159,31 @@ mod tests {
 
     #[test]
     fn names_that_leave_the_folder_or_hide_are_refused() {
-        for name in ["", "..", "a/b", "a\\b", ".x", "a b", "a\u{1b}", "c:x"] {
+        for name in ["", "..", ".x", "a\u{1b}"] {
             assert_eq!(check_name(name), Err(SaveError::Name), "{name:?}");
         }
+        for name in ["a/b", "a\\b", "a b", "c:x", "blöw"] {
+            assert!(
+                matches!(check_name(name), Err(SaveError::Letter(_))),
+                "{name:?}"
+            );
+        }
+        assert!(
+            check_name("a b")
+                .unwrap_err()
+                .to_string()
+                .starts_with("no space in a name")
+        );
         assert_eq!(check_name(&"x".repeat(41)), Err(SaveError::Name));
         assert_eq!(check_name("my-blow_2.1"), Ok(()));
+    }
+
+    #[test]
+    fn the_name_that_is_offered_is_free_and_allowed() {
+        let taken = |name: &str| name == "paper-300n-2";
+        assert_eq!(free_name("paper-300n", taken), "paper-300n-3");
+        for stem in ["", "..", "a b/c", &"é".repeat(60)] {
+            assert_eq!(check_name(&free_name(stem, |_| false)), Ok(()), "{stem}");
+        }
     }
 }

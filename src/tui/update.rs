@@ -5,16 +5,15 @@
 
 use std::time::Duration;
 
-use crossterm::event::{Event, KeyEvent, MouseEvent};
+use crossterm::event::{KeyEvent, MouseEvent};
 use tui_input::Input;
-use tui_input::backend::crossterm::EventHandler;
 
 use super::action::{Action, Step};
 use super::clock::Moment;
 use super::comparison::COLUMNS;
 use super::ensemble::{MANY, Sampling};
-use super::form::{Row, nudged};
-use super::keys::{self, Context};
+use super::form::{Row, allowed, nudged};
+use super::keys::{self, BINDINGS, Context};
 use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
 use super::save::SaveError;
 use super::screens::Screen;
@@ -22,7 +21,7 @@ use super::sweep::Drawing;
 use super::view::profiles;
 use super::worker::{Report, Ticket};
 use crate::scenario::Scenario;
-use crate::scenario::fields;
+use crate::scenario::fields::{self, Field};
 use crate::study::MeshError;
 use crate::study::accuracy::Accuracy;
 use crate::study::ensemble::Ensemble;
@@ -200,9 +199,7 @@ fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
     if let Some(action) = action.filter(|action| *action != Action::Type) {
         act(model, action, effects);
     } else if model.context() == Context::Typing {
-        typing::type_into(model, effects, |input| {
-            input.handle_event(&Event::Key(event));
-        });
+        typing::key(model, event, effects);
     }
 }
 
@@ -244,7 +241,8 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Undo | Action::Redo => travel(model, action == Action::Undo, effects),
         Action::Save => presets::ask_for_name(model),
         Action::Presets => presets::open_picker(model),
-        Action::Up | Action::Down => go(model, action == Action::Down),
+        Action::Up | Action::Down => go(model, if action == Action::Down { 1 } else { -1 }),
+        Action::Page(down) => go(model, if down { PAGE } else { -PAGE }),
         Action::Step(step) => step_here(model, step, effects),
         Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
         Action::Enter if model.context() == Context::Sweep => sweep::adopt(model, effects),
@@ -272,6 +270,16 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
             model.clock.moment = Moment::At(time);
             model.clock.playing = !model.clock.playing;
         }
+        Action::First | Action::Last if model.context().is_list() => {
+            go(
+                model,
+                if action == Action::Last {
+                    i16::MAX
+                } else {
+                    -i16::MAX
+                },
+            );
+        }
         Action::First => stay_at(model, 0.0),
         Action::Last => stay_at(model, model.window().unwrap_or(0.0)),
         Action::Slower => model.clock.change_speed(false),
@@ -285,23 +293,24 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         }
         Action::Exaggerate => model.clock.change_zoom(),
         Action::Detail => model.clock.change_detail(),
-        Action::Curves if model.screen == Screen::Compare => {
-            compare::next_curve(model);
-        }
-        Action::Curves => {
-            let traces = model
-                .shown
-                .as_ref()
-                .and_then(|s| s.answer.recording.traces.as_ref());
-            let count = traces.map_or(1, |t| profiles::views(t).len());
-            model.curves = (model.curves % count + 1) % count;
-        }
+        Action::Curves if model.screen == Screen::Compare => compare::next_curve(model),
+        Action::Curves => next_view(model),
         Action::Mark => compare::mark(model, effects),
         Action::Sort => model.compare.sort_here(),
         // What is typed goes into the field, see `key`.
         Action::Type => {}
         Action::Yes | Action::No => answer_question(model, action == Action::Yes, effects),
     }
+}
+
+/// The next set of curves on the screen of forces.
+fn next_view(model: &mut Model) {
+    let traces = model
+        .shown
+        .as_ref()
+        .and_then(|s| s.answer.recording.traces.as_ref());
+    let count = traces.map_or(1, |t| profiles::views(t).len());
+    model.curves = (model.curves % count + 1) % count;
 }
 
 fn travel(model: &mut Model, back: bool, effects: &mut Vec<Effect>) {
@@ -324,18 +333,23 @@ fn stay_at(model: &mut Model, time: f64) {
     model.clock.playing = false;
 }
 
-fn go(model: &mut Model, down: bool) {
-    let by = if down { 1 } else { -1 };
+/// Rows of a page.
+const PAGE: i16 = 10;
+
+fn go(model: &mut Model, by: i16) {
     let last = model.choices.len();
     match &mut model.overlay {
-        Some(Overlay::Help(line)) => *line = line.saturating_add_signed(by),
+        Some(Overlay::Help(line)) => {
+            // No page is so short that there is more to scroll to.
+            *line = line.saturating_add_signed(by).min(BINDINGS.len() as u16);
+        }
         Some(Overlay::Picker(row)) => {
             *row = row
                 .saturating_add_signed(isize::from(by))
                 .min(last.saturating_sub(1));
         }
         Some(_) => {}
-        None if model.screen == Screen::Uncertainty => ensemble::go(model, down),
+        None if model.screen == Screen::Uncertainty => ensemble::go(model, by > 0),
         None if model.screen == Screen::Injury => {
             let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
             let row = model.injury.saturating_add_signed(isize::from(by));
@@ -383,9 +397,9 @@ fn nudge(model: &mut Model, path: &'static str, step: Step, effects: &mut Vec<Ef
         return;
     };
     let present = model.shown.as_ref().map(|s| s.answer.plan.step * 1e6);
-    match nudged(&model.work.scenario, field, step, present) {
+    match furthest(&model.work.scenario, field, step, present) {
         Ok(scenario) if scenario == model.work.scenario => {
-            model.notice = Some(format!("{}: {}", field.label, field.allowed()));
+            model.notice = Some(format!("{}: {}", field.label, allowed(field)));
         }
         Ok(scenario) => {
             let work = model.work.with(scenario);
@@ -394,6 +408,34 @@ fn nudge(model: &mut Model, path: &'static str, step: Step, effects: &mut Vec<Ef
         Err(why) => model.form.complaint = Some(why),
     }
 }
+
+/// The scenario one step further; where a rule forbids a large step, as many small ones as it allows.
+fn furthest(
+    scenario: &Scenario,
+    field: &Field,
+    step: Step,
+    present: Option<f64>,
+) -> Result<Scenario, String> {
+    let whole = nudged(scenario, field, step, present);
+    if whole.is_ok() || !step.coarse {
+        return whole;
+    }
+    let small = Step {
+        coarse: false,
+        ..step
+    };
+    let mut reached: Option<Scenario> = None;
+    for _ in 0..MOST_SMALL {
+        match nudged(reached.as_ref().unwrap_or(scenario), field, small, present) {
+            Ok(next) => reached = Some(next),
+            Err(_) => break,
+        }
+    }
+    reached.map_or(whole, Ok)
+}
+
+/// Small steps in place of a large one, at most.
+const MOST_SMALL: usize = 20;
 
 fn enter(model: &mut Model, effects: &mut Vec<Effect>) {
     match &model.overlay {
@@ -431,7 +473,7 @@ fn cancel(model: &mut Model, effects: &mut Vec<Effect>) {
 fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
     match model.overlay.take() {
         Some(Overlay::Question(Question::Quit)) if yes => effects.push(Effect::Quit(0)),
-        Some(Overlay::Question(Question::Replace(name))) => {
+        Some(Overlay::Question(Question::Replace(name) | Question::Hide(name))) => {
             if yes {
                 presets::save(model, name, true, effects);
             } else {

@@ -35,6 +35,8 @@ const TAB: Press = plain(KeyCode::Tab);
 const BACK_TAB: Press = plain(KeyCode::BackTab);
 const HOME: Press = plain(KeyCode::Home);
 const END: Press = plain(KeyCode::End);
+const PAGE_UP: Press = plain(KeyCode::PageUp);
+const PAGE_DOWN: Press = plain(KeyCode::PageDown);
 const SHIFT_UP: Press = shift(KeyCode::Up);
 const SHIFT_DOWN: Press = shift(KeyCode::Down);
 const SHIFT_LEFT: Press = shift(KeyCode::Left);
@@ -103,6 +105,10 @@ pub static BINDINGS: &[Binding] = &[
 
     bind(Marks, &[UP, c('k')], Action::Up, "preset", "the preset above"),
     bind(Marks, &[DOWN, c('j')], Action::Down, "&", "the preset below"),
+    bind(Marks, &[PAGE_UP], Action::Page(false), "", "ten presets up"),
+    bind(Marks, &[PAGE_DOWN], Action::Page(true), "", "ten presets down"),
+    bind(Marks, &[HOME], Action::First, "", "the first preset"),
+    bind(Marks, &[END], Action::Last, "", "the last preset"),
     bind(Marks, &[c(' '), ENTER], Action::Mark, "mark", "mark or unmark, two to six in all"),
 
     bind(Table, &[LEFT, c('h')], Action::Step(Step::LESS), "column", "the column to the left"),
@@ -183,6 +189,10 @@ pub static BINDINGS: &[Binding] = &[
 
     bind(Picker, &[UP, c('k')], Action::Up, "preset", "the preset above"),
     bind(Picker, &[DOWN, c('j')], Action::Down, "&", "the preset below"),
+    bind(Picker, &[PAGE_UP], Action::Page(false), "", "ten presets up"),
+    bind(Picker, &[PAGE_DOWN], Action::Page(true), "", "ten presets down"),
+    bind(Picker, &[HOME], Action::First, "", "the first preset"),
+    bind(Picker, &[END], Action::Last, "", "the last preset"),
     bind(Picker, &[ENTER], Action::Enter, "open", "open it"),
     bind(Picker, &[ESC, c('p'), c('q')], Action::Cancel, "close", "close the list"),
     bind(Picker, &[ctrl('c')], Action::Interrupt, "", "leave at once"),
@@ -195,6 +205,8 @@ pub static BINDINGS: &[Binding] = &[
 
     bind(Help, &[UP, c('k')], Action::Up, "scroll", "up"),
     bind(Help, &[DOWN, c('j'), c(' ')], Action::Down, "&", "down"),
+    bind(Help, &[PAGE_UP], Action::Page(false), "", "ten lines up"),
+    bind(Help, &[PAGE_DOWN], Action::Page(true), "", "ten lines down"),
     bind(Help, &[c('?'), ESC, c('q')], Action::Help, "close", "close the help"),
     bind(Help, &[ctrl('c')], Action::Interrupt, "", "leave at once"),
     bind(Help, &[ctrl('z')], Action::Suspend, "", "stop; fg in the shell goes on"),

@@ -92,8 +92,9 @@ fn aim(model: &mut Model, at: (u16, u16), size: (u16, u16), effects: &mut Vec<Ef
 /// Up is more of a value and backwards in a list and in time.
 fn wheel(model: &mut Model, (down, coarse): (bool, bool), spot: Spot, effects: &mut Vec<Effect>) {
     let step = |up| Step { up, coarse };
+    let by = if down { 1 } else { -1 };
     match &model.overlay {
-        Some(Overlay::Help(_) | Overlay::Picker(_)) => return go(model, down),
+        Some(Overlay::Help(_) | Overlay::Picker(_)) => return go(model, by),
         Some(_) => return,
         None if model.form.typing.is_some() => return,
         None => {}
@@ -107,10 +108,9 @@ fn wheel(model: &mut Model, (down, coarse): (bool, bool), spot: Spot, effects: &
             }
         }
         (Spot::Row(_) | Spot::Form, _) => {
-            let by = if down { 1 } else { -1 };
-            model.form.go(&model.work.scenario, by);
+            model.form.go(&model.work.scenario, isize::from(by));
         }
-        (_, Context::Marks) => go(model, down),
+        (_, Context::Marks) => go(model, by),
         _ if model.screen == Screen::Main => step_time(model, step(down)),
         _ => act(model, Action::Step(step(down)), effects),
     }

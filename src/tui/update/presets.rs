@@ -5,7 +5,7 @@ use tui_input::Input;
 use super::{Effect, change};
 use crate::scenario::load::to_ron;
 use crate::tui::model::{Choice, Model, Overlay, Question, Work};
-use crate::tui::save::{SaveError, check_name};
+use crate::tui::save::{SaveError, check_name, free_name};
 
 pub(super) fn next_preset(model: &mut Model, forward: bool, effects: &mut Vec<Effect>) {
     let count = model.choices.len();
@@ -55,8 +55,8 @@ pub(super) fn ask_for_name(model: &mut Model) {
     let name = if is_own {
         model.work.source.clone()
     } else {
-        let stem = model.work.name();
-        format!("my-{}", stem.trim_end_matches(".ron"))
+        let stem = model.work.name().trim_end_matches(".ron");
+        free_name(stem, |name| model.choices.iter().any(|c| c.name == name))
     };
     model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
 }
@@ -68,8 +68,13 @@ pub(super) fn save(model: &mut Model, name: String, replace: bool, effects: &mut
         }
         return;
     }
-    if !replace && model.choices.iter().any(|choice| choice.name == name) {
-        model.overlay = Some(Overlay::Question(Question::Replace(name)));
+    let other = model.choices.iter().find(|choice| choice.name == name);
+    if let Some(other) = other.filter(|_| !replace) {
+        let question = match other.origin {
+            "" => Question::Hide(name),
+            _ => Question::Replace(name),
+        };
+        model.overlay = Some(Overlay::Question(question));
         return;
     }
     let mut scenario = model.work.scenario.clone();

@@ -6,6 +6,7 @@ use crate::recording::Keep;
 use crate::scenario::Impact;
 use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::form::Row;
+use crate::tui::prepare;
 use crate::tui::terminal::input::{Input as Typed, Parser};
 
 fn model() -> Model {
@@ -122,7 +123,7 @@ fn typing_simulates_what_makes_sense_and_escape_restores() {
     let effects = press(&mut model, "\r\x1545");
     assert_eq!(effects.len(), 2, "4 and 45 are both forces");
     assert_eq!(force(&model), 45.0);
-    assert!(press(&mut model, "x").is_empty());
+    press(&mut model, "-");
     let error = model.form.typing.as_ref().unwrap().error.clone();
     assert!(error.unwrap().contains("allowed"));
     assert_eq!(model.stale(), Some("last good result"));
@@ -144,12 +145,137 @@ fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
 }
 
 #[test]
-fn letters_and_digits_are_text_while_a_value_is_typed() {
+fn a_value_out_of_range_leaves_the_result_from_before_not_that_of_its_first_digits() {
     let mut model = model();
-    assert_eq!(press(&mut model, "\rq2?"), []);
-    assert_eq!(model.screen, Screen::Main);
-    let typing = model.form.typing.as_ref().unwrap();
-    assert_eq!(typing.input.value(), "300q2?");
+    answer(&mut model, 1);
+    let effects = press(&mut model, "9999999");
+    let Some(Effect::Solve(ticket, asked)) = effects.last() else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(force(&model), 300.0);
+    assert_eq!(*asked, model.work.scenario);
+    answer(&mut model, *ticket);
+    assert_eq!(model.shown.as_ref().unwrap().scenario, *asked);
+    assert_eq!(model.stale(), Some("last good result"));
+    // Nor does Enter take any of it.
+    press(&mut model, "\r");
+    assert!(model.form.typing.is_some() && force(&model) == 300.0);
+}
+
+#[test]
+fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
+    let mut model = model();
+    press(&mut model, "7");
+    assert_eq!(press(&mut model, "us?q"), []);
+    let value = |model: &Model| {
+        let typing = model.form.typing.as_ref().unwrap();
+        typing.input.value().to_owned()
+    };
+    assert_eq!(
+        (value(&model), model.screen),
+        ("7".to_owned(), Screen::Main)
+    );
+    assert!(model.notice.as_ref().unwrap().contains("Enter accepts"));
+    press(&mut model, ",5 ± 2e-1");
+    assert_eq!(value(&model), "7.5 ± 2e-1");
+    assert!(model.notice.is_none() && force(&model) == 7.5);
+    // A pasted comma may stand for thousands: it is explained.
+    press(&mut model, "\x15\x1b[200~1,000\x1b[201~");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("not a comma"));
+    press(&mut model, "\x15");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert_eq!(error.unwrap(), "nothing is there: allowed 0 to 100000 N");
+}
+
+#[test]
+fn what_the_form_shows_can_be_typed() {
+    let mut model = model();
+    let field = |path| Row::Field(fields::find(path).unwrap());
+    press(&mut model, "a");
+    model.form.selected = field("numerics.step_us");
+    press(&mut model, "2\r");
+    assert_eq!(model.work.scenario.numerics.step_us, Some(2.0));
+    press(&mut model, "\r\x15Auto\r");
+    assert_eq!(model.work.scenario.numerics.step_us, None);
+    press(&mut model, "\r");
+    assert_eq!(model.form.typing.as_ref().unwrap().input.value(), "auto");
+    press(&mut model, "\x150");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed auto, or"));
+    press(&mut model, "\x15auto");
+    press(&mut model, "\r");
+    model.form.selected = field("eye.lens");
+    press(&mut model, "\r\x15no\r");
+    assert!(!model.work.scenario.eye.lens);
+    press(&mut model, "\r\x15perhaps\r");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert_eq!(error.unwrap(), "allowed yes or no");
+}
+
+#[test]
+fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current() {
+    let mut model = model();
+    press(&mut model, "\tKKKKKKKKKK");
+    let angle = |model: &Model| match &model.work.scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.angle_deg,
+        Impact::Projectile(_) => panic!(),
+    };
+    let limit = angle(&model);
+    let ticket = model.ticket;
+    answer(&mut model, ticket);
+    press(&mut model, "k");
+    assert_eq!(angle(&model), limit);
+    assert!(
+        model
+            .form
+            .complaint
+            .as_ref()
+            .unwrap()
+            .contains("bone shields")
+    );
+    assert_eq!(model.stale(), None);
+}
+
+#[test]
+fn lists_of_presets_have_a_first_and_a_last() {
+    let mut model = model();
+    let last = model.choices.len() - 1;
+    press(&mut model, "p\x1b[F");
+    assert!(matches!(model.overlay, Some(Overlay::Picker(row)) if row == last));
+    press(&mut model, "\x1b[5~");
+    assert!(matches!(model.overlay, Some(Overlay::Picker(row)) if row == last - 10));
+    press(&mut model, "\x1b[H\x1b[6~");
+    assert!(matches!(model.overlay, Some(Overlay::Picker(10))));
+    press(&mut model, "q\x1b4\x1b[F");
+    assert_eq!(model.compare.row, last + 1);
+    press(&mut model, "\x1b[H");
+    assert_eq!(model.compare.row, 0);
+}
+
+#[test]
+fn more_scenarios_than_can_be_marked_are_counted() {
+    let names = [
+        "paper-300n",
+        "paper-100n",
+        "paper-600n",
+        "wide-area",
+        "small-area",
+        "bb-56",
+        "bb-62",
+        "bb-92",
+    ]
+    .map(str::to_owned);
+    let look = model().look;
+    let model = prepare(&names, look).unwrap();
+    assert_eq!(model.compare.entries.len(), 6);
+    assert!(
+        model
+            .notice
+            .unwrap()
+            .contains("first 6 are marked for comparison, 2 are not")
+    );
+    assert!(prepare(&names[..6], look).unwrap().notice.is_none());
 }
 
 #[test]
@@ -169,9 +295,16 @@ fn quitting_asks_only_when_work_would_be_lost() {
 #[test]
 fn saving_asks_for_a_name_and_before_it_replaces() {
     let mut model = model();
-    press(&mut model, "ls\x15paper-300n");
+    let offered = |model: &Model| match &model.overlay {
+        Some(Overlay::SaveAs(input, _)) => input.value().to_owned(),
+        _ => String::new(),
+    };
+    press(&mut model, "ls");
+    assert_eq!(offered(&model), "paper-300n-2");
+    // That of the built-in one would hide it.
+    press(&mut model, "\x15paper-300n");
     assert_eq!(press(&mut model, "\r"), []);
-    let replace = Question::Replace("paper-300n".to_owned());
+    let replace = Question::Hide("paper-300n".to_owned());
     assert!(matches!(&model.overlay, Some(Overlay::Question(q)) if *q == replace));
     press(&mut model, "n");
     press(&mut model, "\x15a b\r");

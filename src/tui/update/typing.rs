@@ -1,9 +1,11 @@
 //! What is typed or pasted into a field of the form or into a name.
 
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
 
 use super::{Effect, put};
-use crate::tui::form::{Row, Typing, with_text};
+use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
@@ -14,12 +16,40 @@ pub(super) fn begin(model: &mut Model, empty: bool) {
         return;
     };
     model.form.complaint = None;
-    let text = field.text(&model.work.scenario).unwrap_or_default();
+    let text = typed_text(field, &model.work.scenario).unwrap_or_default();
     model.form.typing = Some(Typing {
         field,
         input: Input::new(if empty { String::new() } else { text }),
         before: model.work.scenario.clone(),
         error: None,
+    });
+}
+
+/// A key that is no binding. A letter that can be no part of a number is refused, as whoever presses it
+/// takes it for a key.
+pub(super) fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
+    let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
+    let field = match (&model.overlay, &model.form.typing) {
+        (None, Some(typing)) => Some(typing.field),
+        _ => None,
+    };
+    let request = match (event.code, field) {
+        (KeyCode::Char(c), Some(field)) if !event.modifiers.intersects(held) => {
+            let Some(c) = admitted(field, c) else {
+                model.notice =
+                    Some("A number is being typed: Enter accepts, Esc restores".to_owned());
+                return;
+            };
+            Some(InputRequest::InsertChar(c))
+        }
+        _ => None,
+    };
+    type_into(model, effects, |input| {
+        if let Some(request) = request {
+            input.handle(request);
+        } else {
+            input.handle_event(&Event::Key(event));
+        }
     });
 }
 
@@ -36,7 +66,8 @@ pub(super) fn paste(model: &mut Model, text: &str, effects: &mut Vec<Effect>) {
     }
 }
 
-/// Changes the text that is being typed. A value that makes sense is simulated while it is typed.
+/// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
+/// makes none leaves the value from before, not a part of what was typed.
 pub(super) fn type_into(
     model: &mut Model,
     effects: &mut Vec<Effect>,
@@ -53,10 +84,9 @@ pub(super) fn type_into(
     change(&mut typing.input);
     let outcome = with_text(&typing.before, typing.field, typing.input.value());
     typing.error = outcome.as_ref().err().cloned();
-    if let Ok(scenario) = outcome {
-        let work = model.work.with(scenario);
-        put(model, work, effects);
-    }
+    let scenario = outcome.unwrap_or_else(|_| typing.before.clone());
+    let work = model.work.with(scenario);
+    put(model, work, effects);
 }
 
 /// Ends typing with what was typed, unless it makes no sense.

@@ -25,6 +25,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         let text = match question {
             Question::Quit => "Quit without saving the changes?".to_owned(),
             Question::Replace(name) => format!("Replace the preset {name}?"),
+            Question::Hide(name) => format!("Hide the preset {name}?"),
         };
         x = put(buffer, area, (x, 0), &text, theme.bar_strong()) + 2;
     }

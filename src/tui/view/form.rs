@@ -7,7 +7,7 @@ use super::text::{fitted, put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::scenario::Model as Material;
 use crate::scenario::fields::{FIELDS, Field, Kind};
-use crate::tui::form::{Row, Typing, rows};
+use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run};
 
@@ -33,7 +33,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         Context::Number | Context::Form | Context::Typing
     );
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
-    let foot = purpose.len() as u16 + 1;
+    let bottom = area.height - foot(model, area);
     let note = note(model);
     let said = wrapped(&note.0, usize::from(area.width - 2));
     let shown = visible(model, area);
@@ -51,24 +51,32 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     for (i, line) in said.iter().take(MOST_SAID).enumerate() {
         put(buffer, area, (1, used + 1 + i as u16), line, style);
     }
-    let bottom = area.height - foot;
-    put(buffer, area, (1, bottom), material(model), theme.text());
-    for (i, line) in purpose.iter().enumerate() {
-        put(
-            buffer,
-            area,
-            (1, bottom + 1 + i as u16),
-            line,
-            theme.quiet(),
-        );
+    let after = area.height - purpose.len() as u16;
+    if after - bottom > 1 {
+        put(buffer, area, (1, bottom), UNVERIFIED, theme.warning());
     }
+    put(buffer, area, (1, after - 1), material(model), theme.text());
+    for (y, line) in (after..).zip(&purpose) {
+        put(buffer, area, (1, y), line, theme.quiet());
+    }
+}
+
+/// What the mark beside a value means.
+pub const UNVERIFIED: &str = "? unverified figure";
+/// From so many rows on there is room to say it always, not only of the chosen value.
+const TALL: u16 = 20;
+
+/// Rows at the foot of the form.
+fn foot(model: &Model, area: Rect) -> u16 {
+    let purpose = wrapped(PURPOSE, usize::from(area.width - 1)).len() as u16;
+    let marked = !unverified(&model.work.scenario).is_empty() && area.height >= TALL;
+    purpose + 1 + u16::from(marked)
 }
 
 /// The rows that there is room for, from the top; the one with the cursor is among them.
 pub fn visible(model: &Model, area: Rect) -> Vec<Row> {
-    let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
     let said = wrapped(&note(model).0, usize::from(area.width - 2));
-    let taken = purpose.len() + said.len().min(MOST_SAID) + 2;
+    let taken = usize::from(foot(model, area)) + said.len().min(MOST_SAID) + 1;
     let room = usize::from(area.height).saturating_sub(taken);
     let rows = rows(&model.work.scenario, model.form.advanced);
     let here = rows.iter().position(|row| *row == model.form.selected);
@@ -107,12 +115,19 @@ fn help(model: &Model) -> String {
     match model.form.selected {
         Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
         Row::Fold => "mesh, materials, numerics".to_owned(),
-        Row::Field(field) => match field.path {
-            "impact.half_width_deg" => {
-                format!("half of the impact area; {}", field.allowed())
+        Row::Field(field) => {
+            let said = match field.path {
+                "impact.half_width_deg" => {
+                    format!("half of the impact area; {}", allowed(field))
+                }
+                _ => allowed(field),
+            };
+            if is_unverified(&model.work.scenario, field) {
+                format!("{UNVERIFIED}; {said}")
+            } else {
+                said
             }
-            _ => field.allowed(),
-        },
+        }
     }
 }
 
@@ -160,8 +175,15 @@ fn draw_row(
                 _ => {
                     let text = shown_value(model, field);
                     let label = width(field.label) + 2;
+                    let doubtful = is_unverified(&model.work.scenario, field);
+                    let label = label + if doubtful { 2 } else { 0 };
                     let room = usize::from(area.width.saturating_sub(label));
-                    value(model, &fitted(&text, room), chosen && focused, area, buffer);
+                    let text = fitted(&text, room);
+                    if doubtful {
+                        let right = area.width.saturating_sub(width(&text) + 1);
+                        put_right(buffer, area, (right, 0), "?", theme.warning());
+                    }
+                    value(model, &text, chosen && focused, area, buffer);
                 }
             }
         }
@@ -176,15 +198,13 @@ fn value(model: &Model, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) 
 
 /// A value with its unit, in a person's words.
 fn shown_value(model: &Model, field: &Field) -> String {
-    let text = field.text(&model.work.scenario).unwrap_or_default();
+    let text = typed_text(field, &model.work.scenario).unwrap_or_default();
     let text = match (&field.kind, text.as_str()) {
-        (Kind::Toggle(_), "true") => "yes".to_owned(),
-        (Kind::Toggle(_), _) => "no".to_owned(),
-        (Kind::OptionalNumber(..), "None") => match &model.shown {
+        (Kind::OptionalNumber(..), "auto") => match &model.shown {
             Some(shown) if field.path == "numerics.step_us" => {
                 format!("auto, {:.3}", shown.answer.plan.step * 1e6)
             }
-            _ => "auto".to_owned(),
+            _ => text,
         },
         (Kind::Choice(_), name) => spaced(name),
         _ => text,

@@ -27,7 +27,7 @@ pub mod uncertainty;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::model::Model;
+use super::model::{Model, Overlay, Question};
 use super::screens::{Listed, SCREENS, Screen};
 use super::terminal::caps::Symbols;
 use text::put;
@@ -49,7 +49,7 @@ pub fn draw(model: &Model, buffer: &mut Buffer) {
     let area = buffer.area;
     buffer.reset();
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        too_small(area, buffer);
+        too_small(model, area, buffer);
     } else {
         let body = body(area);
         title(model, area, buffer);
@@ -67,15 +67,23 @@ pub fn body(area: Rect) -> Rect {
     Rect::new(0, 1, area.width, area.height - 2)
 }
 
-fn too_small(area: Rect, buffer: &mut Buffer) {
-    let lines = [
+fn too_small(model: &Model, area: Rect, buffer: &mut Buffer) {
+    // A question takes every key, so it is asked here too.
+    let question = match &model.overlay {
+        Some(Overlay::Question(Question::Quit)) => "unsaved: y quits, n stays".to_owned(),
+        Some(Overlay::Question(Question::Replace(name))) => format!("replace {name}? y or n"),
+        Some(Overlay::Question(Question::Hide(name))) => format!("hide {name}? y or n"),
+        _ => String::new(),
+    };
+    let mut lines = text::wrapped(&question, usize::from(area.width));
+    lines.extend([
         "terminal too small".to_owned(),
         format!("need {}x{}", SMALLEST.0, SMALLEST.1),
         format!("have {}x{}", area.width, area.height),
-    ];
-    let top = area.height.saturating_sub(3) / 2;
+    ]);
+    let top = area.height.saturating_sub(lines.len() as u16) / 2;
     for (i, line) in lines.iter().enumerate() {
-        let left = area.width.saturating_sub(line.len() as u16) / 2;
+        let left = area.width.saturating_sub(text::width(line)) / 2;
         let style = ratatui::style::Style::new();
         put(buffer, area, (left, top + i as u16), line, style);
     }
@@ -100,14 +108,14 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
             .sum::<u16>()
     };
     let tight = length(Form::Tight) + full.min(SHORTENED_NAME) + 2;
-    let form = if length(Form::Wide) + name <= columns {
+    let form = if length(Form::Wide) + name < columns {
         Form::Wide
     } else if tight <= columns {
         Form::Tight
     } else {
         Form::Brief
     };
-    let named = columns.saturating_sub(length(Form::Wide) + name) >= text::width(PROGRAM);
+    let named = columns.saturating_sub(length(Form::Wide) + name) > text::width(PROGRAM);
     let mut x = match (form, named) {
         (_, true) => 1 + text::width(PROGRAM),
         (Form::Tight, _) => 0,
@@ -151,7 +159,12 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         x = put(buffer, row, (at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 2));
-    let name = text::fitted(&name, room);
+    // The mark of an edit is worth more than letters of the name.
+    let name = if usize::from(text::width(&name)) > room && model.is_edited() {
+        text::fitted(model.work.name(), room.saturating_sub(2)) + " *"
+    } else {
+        text::fitted(&name, room)
+    };
     let left = area.width.saturating_sub(text::width(&name) + 1);
     put(buffer, row, (left, 0), &name, theme.bar());
 }

@@ -160,6 +160,11 @@ fn ask(model: &Model, question: &Question, area: Rect, buffer: &mut Buffer) {
         Question::Replace(name) => {
             format!("There is a preset {name} already. Put this one in its place?")
         }
+        Question::Hide(name) => {
+            format!(
+                "{name} comes with the program. A preset of your own of that name hides it. Save it?"
+            )
+        }
         Question::Quit => "The changes are not saved. Quit and lose them?".to_owned(),
     };
     let inside = frame("Sure?", (50, 6), theme, area, buffer);

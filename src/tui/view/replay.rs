@@ -8,11 +8,12 @@ use super::eye::Scene;
 use super::heat::{heat_glyph, thresholds};
 use super::profiles::{drive, drive_label};
 use super::raster::{Ink, Raster};
-use super::text::{put, put_right, wrapped};
+use super::text::{put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::eye::{Monitor, Region};
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
+use crate::tui::form::unverified;
 use crate::tui::model::{Model, Shown};
 use crate::tui::terminal::caps::Symbols;
 
@@ -97,6 +98,11 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
             y += 1;
         }
     }
+    let unverified = !unverified(&shown.scenario).is_empty();
+    if unverified && y + 1 < area.height {
+        let at = (0, area.height - 2);
+        put(buffer, area, at, "? unverified figures", theme.warning());
+    }
     let material = super::form::material(model);
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
 }
@@ -135,6 +141,14 @@ fn legend(
         };
         x = put(buffer, area, (x, *y), &sign, style);
         x = put(buffer, area, (x, *y), &text, theme.text());
+    }
+    if let Some(least) = steps.first() {
+        // What is colder has the colour of its part.
+        let texts = [format!("<{least}N: by part"), format!("<{least}N")];
+        let fits = |text: &&String| x + width(text) <= area.width;
+        if let Some(text) = texts.iter().find(fits) {
+            put(buffer, area, (x, *y), text, theme.quiet());
+        }
     }
     *y += 1;
     let parts = [

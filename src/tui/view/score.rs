@@ -198,7 +198,12 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
         whole.iter().map(|text| fitted(text, room)).collect()
     } else {
         let names: Vec<String> = flags.iter().map(|flag| name(flag.kind)).collect();
-        wrapped(&format!("FLAGS {}", names.join(", ")), room)
+        let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
+        if lines.len() > rows {
+            let rest = lines.split_off(rows.saturating_sub(1)).join(" ");
+            lines.push(fitted(&rest, room));
+        }
+        lines
     };
     for (i, line) in lines.iter().take(rows).enumerate() {
         put(buffer, area, (0, 6 + i as u16), line, theme.warning());
