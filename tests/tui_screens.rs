@@ -280,7 +280,8 @@ fn map_screens() {
 #[test]
 fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
     pictures("main_projectile", &["bb-56"], "");
-    pictures("replay_projectile", &["golf-ball"], "\x1b2");
+    // Slow enough not to fold: a folded mesh magnifies round-off, which differs between machines.
+    pictures("replay_projectile", &["golf-ball"], "jjjjj3\r\x1b2");
     pictures("forces_pressure", &["bb-56"], "\x1b3vvvvvvv");
     pictures("injury", &["bb-56"], "\x1b8jjjjj");
     pictures("injury_large", &["soccer-ball"], "\x1b8");
@@ -289,8 +290,8 @@ fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
 
 #[test]
 fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
-    pictures("main_unverified", &["fist"], "jjj");
-    pictures("replay_unverified", &["fist"], "\x1b2");
+    pictures("main_unverified", &["fist"], "jjjjj.3\rkk");
+    pictures("replay_unverified", &["fist"], "jjjjj.3\r\x1b2");
     let mut model = model(&["golf-ball"], Depth::Mono);
     let speed = fields::find("impact.speed_m_s").unwrap();
     for size in SIZES {

@@ -79,10 +79,14 @@ impl Projection {
         }
     }
 
+    /// In whole parts of a dot: what lies on the axis, between two rows of dots, stays in one of
+    /// them whatever the round-off of its place, from frame to frame and from machine to machine.
     fn dot(&self, x: f64, y: f64) -> (f64, f64) {
+        const PARTS: f64 = 256.0;
+        let whole = |dots: f64| (dots * PARTS).round() / PARTS;
         (
-            self.centre.0 + x * self.scale.0,
-            self.centre.1 - y * self.scale.1,
+            whole(self.centre.0 + x * self.scale.0),
+            whole(self.centre.1 - y * self.scale.1),
         )
     }
 
