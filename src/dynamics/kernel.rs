@@ -227,38 +227,14 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
     };
     sweep::<S, QUICK, true, false>(simd, system, state, &mut sums, &mut update);
     let strain_squared = sums.strain_squared.as_slice().iter().copied();
+    let quad_ratio = sums.quad_ratio.as_slice().iter().copied();
     Survey {
         elastic: total::<S>(sums.elastic),
         kinetic: total::<S>(update.kinetic),
         strain: strain_squared.fold(0.0, f64::max).sqrt(),
-        quad_ratio: smallest_quad(simd, system, state),
-        shell_length: shell_length(simd, system, state),
+        quad_ratio: quad_ratio.fold(f64::INFINITY, f64::min),
+        shell_length: shell_length::<S, QUICK>(simd, system, state),
     }
-}
-
-/// Smallest ratio of a quad's signed area, half the cross product of its diagonals, to its area
-/// at rest.
-#[inline(always)]
-fn smallest_quad<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
-    let stride = system.stride;
-    let mut least = splat(simd, f64::INFINITY);
-    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
-    let (first, last) = (system.first_row * stride, (system.side - 1) * stride);
-    for o in (first..last).step_by(V::<S>::LEN) {
-        let (survey, lane) = (&system.survey[o / LANES], o % LANES);
-        let p = load_pair(simd, x, y, o);
-        let r = load_pair(simd, x, y, o + 1);
-        let u = load_pair(simd, x, y, o + stride);
-        let q = load_pair(simd, x, y, o + stride + 1);
-        let cross = (q.0 - p.0) * (u.1 - r.1) - (q.1 - p.1) * (u.0 - r.0);
-        let inverse = load(simd, &survey.inverse_area, lane);
-        least = least.min(cross * inverse + load(simd, &survey.no_quad, lane));
-    }
-    least
-        .as_slice()
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min)
 }
 
 /// Force, kick and drift in one sweep; returns the energy that drag took, in J.

@@ -73,16 +73,16 @@ impl<S: Simd> Springs<S> {
         Self { dx, dy, square }
     }
 
-    /// Force on end a.
+    /// Tension over length, and the force on end a.
     #[inline(always)]
     pub fn force<const QUICK: bool>(
         &self,
         inverse_length: V<S>,
         stiffness: V<S>,
         tension: V<S>,
-    ) -> Pair<S> {
-        let g = fused::<S, QUICK>(-tension, inverse_length, stiffness);
-        (g * self.dx, g * self.dy)
+    ) -> (V<S>, Pair<S>) {
+        let pull = fused::<S, QUICK>(-tension, inverse_length, stiffness);
+        (pull, (pull * self.dx, pull * self.dy))
     }
 }
 
@@ -141,6 +141,8 @@ fn polished<S: Simd>(simd: S, square: V<S>, seed: V<S>) -> V<S> {
 pub(super) struct Sums<S: Simd> {
     pub elastic: V<S>,
     pub strain_squared: V<S>,
+    /// Smallest ratio of a quad's signed area to its area at rest.
+    pub quad_ratio: V<S>,
 }
 
 impl<S: Simd> Sums<S> {
@@ -149,20 +151,19 @@ impl<S: Simd> Sums<S> {
         Self {
             elastic: splat(simd, 0.0),
             strain_squared: splat(simd, 0.0),
+            quad_ratio: splat(simd, f64::INFINITY),
         }
     }
 
     #[inline(always)]
     pub fn add<const QUICK: bool>(
         &mut self,
-        length: V<S>,
-        half_stiffness: V<S>,
-        rest: V<S>,
-        inverse_rest: V<S>,
+        tension: V<S>,
+        half_compliance: V<S>,
+        inverse_tension: V<S>,
     ) {
-        let stretch = length - rest;
-        let strain = stretch * inverse_rest;
-        self.elastic = fused::<S, QUICK>(stretch * stretch, half_stiffness, self.elastic);
+        let strain = tension * inverse_tension;
+        self.elastic = fused::<S, QUICK>(tension * tension, half_compliance, self.elastic);
         self.strain_squared = self.strain_squared.max(strain * strain);
     }
 }

@@ -8,11 +8,13 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use super::lanes::{Springs, Sums, V, inverse_root, load, load_pair, splat, store, total, zeros};
+use super::lanes::{
+    Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store, total, zeros,
+};
 use super::state::{Scratch, State};
 use super::system::{LANES, Rows, System};
 use crate::eye::{Eye, SpringKind};
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 use std::collections::HashMap;
 
 /// Eight filaments of one hop count whose first ends lie side by side.
@@ -32,9 +34,8 @@ pub(super) struct Filaments {
     strips: Vec<Strip>,
     stiffness: Vec<f64>,
     tension: Vec<f64>,
-    half_stiffness: Vec<f64>,
-    rest: Vec<f64>,
-    inverse_rest: Vec<f64>,
+    half_compliance: Vec<f64>,
+    inverse_tension: Vec<f64>,
 }
 
 impl Filaments {
@@ -44,9 +45,8 @@ impl Filaments {
         for run in [
             &mut self.stiffness,
             &mut self.tension,
-            &mut self.half_stiffness,
-            &mut self.rest,
-            &mut self.inverse_rest,
+            &mut self.half_compliance,
+            &mut self.inverse_tension,
         ] {
             run.resize(len, 0.0);
         }
@@ -159,9 +159,11 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
             let (k, l) = (spring.stiffness, spring.rest_length);
             f.stiffness[place + o] = k;
             f.tension[place + o] = k * l;
-            f.half_stiffness[place + o] = 0.5 * k * share;
-            f.rest[place + o] = l;
-            f.inverse_rest[place + o] = 1.0 / l;
+            // Filaments may be switched off by a factor of 0; then they have neither energy nor strain.
+            if k > 0.0 {
+                f.half_compliance[place + o] = 0.5 * share / k;
+                f.inverse_tension[place + o] = 1.0 / (k * l);
+            }
         }
     }
     // An eye without a shell has no pairs.
@@ -181,15 +183,21 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
 
 /// Length of the closed shell as it was last gathered, in m.
 #[inline(always)]
-pub(super) fn shell_length<S: Simd>(simd: S, system: &System, state: &State) -> f64 {
+pub(super) fn shell_length<S: Simd, const QUICK: bool>(
+    simd: S,
+    system: &System,
+    state: &State,
+) -> f64 {
     let ring = &system.ring;
     let (x, y): (&[f64], &[f64]) = (&state.scratch.ring_x, &state.scratch.ring_y);
     let mut sum = splat(simd, 0.0);
+    let shortest = splat(simd, system.shortest_squared);
     for o in (0..ring.neighbours.len()).step_by(V::<S>::LEN) {
         let g = ring.ghosts - 1 + o;
         let (a, b) = (load_pair(simd, x, y, g), load_pair(simd, x, y, g + 1));
-        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        sum += (dx * dx + dy * dy).sqrt() * load(simd, &ring.neighbours, o);
+        let square = Springs::<S>::new::<QUICK>(a, b, shortest).square;
+        let length = square * inverse_root::<S, QUICK>(simd, square);
+        sum = fused::<S, QUICK>(length, load(simd, &ring.neighbours, o), sum);
     }
     total::<S>(sum)
 }
@@ -264,13 +272,12 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
         );
         let inverse = inverse_root::<S, QUICK>(simd, springs.square);
         let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
-        let (fx, fy) = springs.force::<QUICK>(inverse, stiffness, tension);
+        let (pull, (fx, fy)) = springs.force::<QUICK>(inverse, stiffness, tension);
         if SURVEY {
             sums.add::<QUICK>(
-                springs.square * inverse,
-                load(simd, &f.half_stiffness, o),
-                load(simd, &f.rest, o),
-                load(simd, &f.inverse_rest, o),
+                pull * (springs.square * inverse),
+                load(simd, &f.half_compliance, o),
+                load(simd, &f.inverse_tension, o),
             );
         }
         let into = strip.into + o % LANES;

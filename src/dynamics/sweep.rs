@@ -10,10 +10,10 @@
 )]
 
 use super::lanes::{
-    Pair, Springs, Sums, V, inverse_root, load, load_pair, shifted, splat, store, zeros,
+    Pair, Springs, Sums, V, fused, inverse_root, load, load_pair, shifted, splat, store, zeros,
 };
 use super::state::State;
-use super::system::{DIRECTIONS, Group, LANES, System};
+use super::system::{DIRECTIONS, Group, LANES, SurveyGroup, System};
 use fearless_simd::{Simd, SimdBase};
 
 /// What an update may read and write of the nodes that start at `slot`.
@@ -93,20 +93,16 @@ pub(super) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         after_last = o + width;
         let (group, lane) = (&system.groups[o / LANES], o & (LANES - width));
         let mut forces = [zeros(simd); DIRECTIONS];
+        let mut pulls = [shortest; DIRECTIONS];
         #[allow(clippy::needless_range_loop, reason = "five arrays share the index")]
         for d in 0..DIRECTIONS {
             let stiffness = load(simd, &group.stiffness[d], lane);
             let tension = load(simd, &group.tension[d], lane);
-            forces[d] = now.springs[d].force::<QUICK>(now.inverse[d], stiffness, tension);
-            if SURVEY {
-                let survey = &system.survey[o / LANES];
-                sums.add::<QUICK>(
-                    now.springs[d].square * now.inverse[d],
-                    load(simd, &survey.half_stiffness[d], lane),
-                    load(simd, &survey.rest[d], lane),
-                    load(simd, &survey.inverse_rest[d], lane),
-                );
-            }
+            (pulls[d], forces[d]) =
+                now.springs[d].force::<QUICK>(now.inverse[d], stiffness, tension);
+        }
+        if SURVEY {
+            now.survey::<QUICK>(simd, (&system.survey[o / LANES], lane), pulls, sums);
         }
         let [to_right, to_above, to_corner, from_above] = forces;
         // Springs whose far end is one node to the right of here, and of above.
@@ -192,5 +188,28 @@ impl<S: Simd> Quartet<S> {
             inverse_root::<S, QUICK>(simd, springs[3].square),
         ];
         Self { springs, inverse }
+    }
+    /// Adds the springs, whose tensions over their lengths are `pulls`, and the quads to `sums`.
+    #[inline(always)]
+    fn survey<const QUICK: bool>(
+        &self,
+        simd: S,
+        (group, lane): (&SurveyGroup, usize),
+        pulls: [V<S>; DIRECTIONS],
+        sums: &mut Sums<S>,
+    ) {
+        for (d, pull) in pulls.into_iter().enumerate() {
+            sums.add::<QUICK>(
+                pull * (self.springs[d].square * self.inverse[d]),
+                load(simd, &group.half_compliance[d], lane),
+                load(simd, &group.inverse_tension[d], lane),
+            );
+        }
+        // The signed area of a quad is half the cross product of its diagonals.
+        let [.., rising, falling] = &self.springs;
+        let cross = fused::<S, QUICK>(rising.dy, falling.dx, -(rising.dx * falling.dy));
+        let inverse = load(simd, &group.inverse_area, lane);
+        let ratio = fused::<S, QUICK>(cross, inverse, load(simd, &group.no_quad, lane));
+        sums.quad_ratio = sums.quad_ratio.min(ratio);
     }
 }

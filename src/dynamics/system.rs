@@ -55,12 +55,10 @@ pub(super) struct Group {
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct SurveyGroup {
-    /// Half the stiffness times the number of springs it stands for.
-    pub half_stiffness: [Lane; DIRECTIONS],
-    /// Rest length, m.
-    pub rest: [Lane; DIRECTIONS],
-    /// 1/rest length, 0 where there is no spring.
-    pub inverse_rest: [Lane; DIRECTIONS],
+    /// The number of springs it stands for over twice the stiffness, 0 where there is no spring.
+    pub half_compliance: [Lane; DIRECTIONS],
+    /// 1/(stiffness times rest length), 0 where there is no spring.
+    pub inverse_tension: [Lane; DIRECTIONS],
     /// 1/(twice the rest area) of the quad at the upper right, 0 where there is none.
     pub inverse_area: Lane,
     /// 1 where there is no quad, else 0.
@@ -229,9 +227,8 @@ impl System {
             let (g, lane) = (slot / LANES, slot % LANES);
             self.groups[g].stiffness[direction][lane] = k;
             self.groups[g].tension[direction][lane] = k * l;
-            self.survey[g].half_stiffness[direction][lane] = 0.5 * k * weight;
-            self.survey[g].rest[direction][lane] = l;
-            self.survey[g].inverse_rest[direction][lane] = 1.0 / l;
+            self.survey[g].half_compliance[direction][lane] = 0.5 * weight / k;
+            self.survey[g].inverse_tension[direction][lane] = 1.0 / (k * l);
             self.springs_per_evaluation += 1;
         }
     }
@@ -322,9 +319,8 @@ const EMPTY_GROUP: Group = Group {
 };
 
 const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
-    half_stiffness: [[0.0; LANES]; DIRECTIONS],
-    rest: [[0.0; LANES]; DIRECTIONS],
-    inverse_rest: [[0.0; LANES]; DIRECTIONS],
+    half_compliance: [[0.0; LANES]; DIRECTIONS],
+    inverse_tension: [[0.0; LANES]; DIRECTIONS],
     inverse_area: [0.0; LANES],
     no_quad: [1.0; LANES],
 };

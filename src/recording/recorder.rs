@@ -216,7 +216,7 @@ impl Recorder {
                     0.0
                 },
                 could_rise: open && scale > ROUNDING_J,
-                still_rising: late,
+                still_rising: late && scale > ROUNDING_J,
                 fluid,
                 shot,
             },
