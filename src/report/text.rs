@@ -38,16 +38,18 @@ pub fn percent(value: f64) -> String {
 /// Columns of a line.
 pub(super) const WIDTH: usize = 80;
 
-/// `text` in lines of at most `width` characters, broken between words.
+/// `text` in lines of at most `width` characters, broken between words but not before a percent sign.
 pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    let held = text.replace(" %", "\u{a0}%");
+    for word in held.split_ascii_whitespace() {
+        let word = word.replace('\u{a0}', " ");
         match lines.last_mut() {
             Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(&word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(word),
         }
     }
     lines

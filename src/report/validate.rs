@@ -36,7 +36,7 @@ fn measured(experiment: &Experiment) -> String {
 fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "{:<42}{:>12}{:>8}{:>6} {:<3}{:>7}",
+        "{:<42}{:>12}{:>7}{:>6} {:<3}{:>8}",
         "", "measured", "model", "ratio", "in", "finer"
     )?;
     for row in rows {
@@ -56,7 +56,7 @@ fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
             format!("{}{mark}", significant(value / scale))
         });
         let line = format!(
-            "{:<42}{measured:>12}{model:>8}{ratio:>6} {:<3}{finer:>7}",
+            "{:<42}{measured:>12}{model:>7}{ratio:>6} {:<3}{finer:>8}",
             experiment.what,
             if row.inside() { "yes" } else { "NO" }
         );
