@@ -3,10 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::chart::{Chart, Curve};
-use super::eye::Scene;
-use super::profiles::{CURVES, DRIVE, drive_label, mark};
-use super::raster::Ink;
+use super::profiles::mark;
 use super::score::name as flag_name;
 use super::text::{fitted, put, put_right, width};
 use super::theme::Theme;
@@ -16,6 +13,12 @@ use crate::study::{Flag, Quantity};
 use crate::tui::comparison::{COLUMNS, Column, Entry, Found};
 use crate::tui::keys::Context;
 use crate::tui::model::{FORM, Model};
+
+mod overlaid;
+mod replays;
+
+use overlaid::overlaid;
+use replays::replays;
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -311,120 +314,6 @@ fn difference(value: f64, first: f64) -> String {
         s if s >= 1000.0 => format!("×{:.0}", value / first),
         s if s >= 10.0 => format!("{share:+.0}%"),
         _ => format!("{share:+.1}%"),
-    }
-}
-
-/// One curve of every entry in one chart.
-fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    let profile = &CURVES[curve % CURVES.len()];
-    let entries = model.compare.entries.iter().enumerate();
-    let curves: Vec<Curve> = entries
-        .filter_map(|(i, entry)| {
-            let traces = entry.answer()?.recording.traces.as_ref()?;
-            let values = (profile.values)(traces);
-            if values.is_empty() {
-                return None;
-            }
-            let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
-            // Without colours, dots of different spacing tell the curves apart.
-            let ink = if theme.is_mono() {
-                ink.dotted(1 + (i % 4) as u8)
-            } else {
-                ink
-            };
-            Some(Curve {
-                time: &traces.time,
-                values,
-                factor: profile.factor,
-                ink,
-            })
-        })
-        .collect();
-    let Some(window) = model.compare.window() else {
-        return;
-    };
-    let reading = format!("{:.3} ms", model.time() * 1e3);
-    let label = if curve % CURVES.len() == DRIVE {
-        let entries = model.compare.entries.iter();
-        let mut labels: Vec<&str> = entries
-            .filter_map(|entry| Some(drive_label(entry.answer()?.recording.traces.as_ref()?)))
-            .collect();
-        labels.sort_unstable_by(|a, b| b.cmp(a));
-        labels.dedup();
-        labels.join(" or ")
-    } else {
-        profile.label.to_owned()
-    };
-    Chart {
-        title: &format!("{label}, {}", profile.unit),
-        reading: &reading,
-        curves,
-        window,
-        cursor: model.time(),
-        look: model.look,
-    }
-    .draw(area, buffer);
-}
-
-/// Side by side, all at the same time and on the same scale of force.
-fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    heading(model, area, buffer);
-    let entries = &model.compare.entries;
-    if entries.is_empty() {
-        return;
-    }
-    let largest = entries
-        .iter()
-        .filter_map(|entry| match &entry.found {
-            Found::Answer(_, hottest) => Some(*hottest),
-            _ => None,
-        })
-        .fold(0.0, f64::max);
-    let zoom = match model.clock.zoom() {
-        1 => String::new(),
-        zoom => format!("  displacement ×{zoom}"),
-    };
-    let text = format!("{:.3} ms{zoom}", model.time() * 1e3);
-    put(buffer, area, (34, 0), &text, theme.strong());
-    let count = entries.len() as u16;
-    let rows = if count > 3 { 2 } else { 1 };
-    let columns = count.div_ceil(rows);
-    let (width, height) = (area.width / columns, (area.height - 1) / rows);
-    for (i, entry) in entries.iter().enumerate() {
-        let (column, row) = (i as u16 % columns, i as u16 / columns);
-        let place = Rect::new(
-            area.x + column * width,
-            area.y + 1 + row * height,
-            width,
-            height,
-        );
-        let name = fitted(&entry.name, usize::from(width) - 4);
-        put(buffer, place, (1, 0), &mark(i).to_string(), theme.curve(i));
-        put(buffer, place, (3, 0), &name, theme.strong());
-        let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
-        match &entry.found {
-            Found::Answer(answer, _) => Scene {
-                answer,
-                time: model.time().min(answer.case.window),
-                largest,
-                zoom: model.clock.zoom(),
-                detail: model.clock.detail,
-                blow: Some(&entry.scenario),
-                aiming: false,
-                lean: model.is_lean(),
-                look: model.look,
-            }
-            .draw(picture, buffer),
-            Found::Awaited => {
-                put(buffer, picture, (1, 1), "simulating", theme.quiet());
-            }
-            Found::Refused(why) => {
-                let why = fitted(why, usize::from(picture.width) - 1);
-                put(buffer, picture, (1, 1), &why, theme.error());
-            }
-        }
     }
 }
 

@@ -1,0 +1,146 @@
+//! What typing a value does.
+
+use super::*;
+
+#[test]
+fn typing_simulates_what_makes_sense_and_escape_restores() {
+    let mut model = model();
+    let effects = press(&mut model, "\r\x1545");
+    assert_eq!(effects.len(), 2, "4 and 45 are both forces");
+    assert_eq!(force(&model), 45.0);
+    press(&mut model, "-");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed"));
+    assert_eq!(model.stale(), Some("last good result"));
+    press(&mut model, "\x1b");
+    assert_eq!(force(&model), 300.0);
+    assert_eq!(model.history.depth(), (0, 0));
+}
+
+#[test]
+fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
+    let mut model = model();
+    press(&mut model, "\r\x15-1\r");
+    assert!(model.form.typing.is_some());
+    press(&mut model, "\x15450\r");
+    assert!(model.form.typing.is_none());
+    assert_eq!(model.history.depth(), (1, 0));
+    press(&mut model, "u");
+    assert_eq!(force(&model), 300.0);
+}
+
+#[test]
+fn a_value_out_of_range_leaves_the_result_from_before_not_that_of_its_first_digits() {
+    let mut model = model();
+    answer(&mut model, 1);
+    let effects = press(&mut model, "9999999");
+    let Some(Effect::Solve(ticket, asked)) = effects.last() else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(force(&model), 300.0);
+    assert_eq!(*asked, model.work.scenario);
+    answer(&mut model, *ticket);
+    assert_eq!(model.shown.as_ref().unwrap().scenario, *asked);
+    assert_eq!(model.stale(), Some("last good result"));
+    // Nor does Enter take any of it.
+    press(&mut model, "\r");
+    assert!(model.form.typing.is_some() && force(&model) == 300.0);
+}
+
+#[test]
+fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
+    let mut model = model();
+    press(&mut model, "7");
+    assert_eq!(press(&mut model, "us?q"), []);
+    let value = |model: &Model| {
+        let typing = model.form.typing.as_ref().unwrap();
+        typing.input.value().to_owned()
+    };
+    assert_eq!(
+        (value(&model), model.screen),
+        ("7".to_owned(), Screen::Main)
+    );
+    assert!(model.notice.as_ref().unwrap().contains("Enter accepts"));
+    press(&mut model, ",5 ± 2e-1");
+    assert_eq!(value(&model), "7.5 ± 2e-1");
+    assert!(model.notice.is_none() && force(&model) == 7.5);
+    // A pasted comma may stand for thousands: it is explained.
+    press(&mut model, "\x15\x1b[200~1,000\x1b[201~");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("not a comma"));
+    press(&mut model, "\x15");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert_eq!(error.unwrap(), "nothing is there: allowed 0 to 100000 N");
+}
+
+#[test]
+fn what_the_form_shows_can_be_typed() {
+    let mut model = model();
+    let field = |path| Row::Field(fields::find(path).unwrap());
+    press(&mut model, "a");
+    model.form.selected = field("numerics.step_us");
+    press(&mut model, "2\r");
+    assert_eq!(model.work.scenario.numerics.step_us, Some(2.0));
+    press(&mut model, "\r\x15Auto\r");
+    assert_eq!(model.work.scenario.numerics.step_us, None);
+    press(&mut model, "\r");
+    assert_eq!(model.form.typing.as_ref().unwrap().input.value(), "auto");
+    press(&mut model, "\x150");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed auto, or"));
+    press(&mut model, "\x15auto");
+    press(&mut model, "\r");
+    model.form.selected = field("eye.lens");
+    press(&mut model, "\r\x15no\r");
+    assert!(!model.work.scenario.eye.lens);
+    press(&mut model, "\r\x15perhaps\r");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert_eq!(error.unwrap(), "allowed yes or no");
+}
+
+#[test]
+fn a_digit_begins_a_value_where_a_number_is_wanted() {
+    let mut model = model();
+    press(&mut model, "450");
+    assert_eq!((force(&model), model.screen), (450.0, Screen::Main));
+    assert!(model.form.typing.is_some());
+    // Escape restores all of it.
+    press(&mut model, "\x1b");
+    assert_eq!((force(&model), model.history.depth()), (300.0, (0, 0)));
+    press(&mut model, "25\r");
+    assert_eq!((force(&model), model.history.depth()), (25.0, (1, 0)));
+    press(&mut model, "u.5\r");
+    assert_eq!(force(&model), 0.5);
+    // A force below nothing is explained, and the value before stays.
+    press(&mut model, "-7");
+    let typing = model.form.typing.as_ref().unwrap();
+    assert!(typing.error.as_ref().unwrap().contains("allowed"));
+    assert_eq!(
+        (force(&model), model.stale()),
+        (0.5, Some("last good result"))
+    );
+    press(&mut model, "\x1b\x1b[200~75\x1b[201~\r");
+    assert_eq!(force(&model), 75.0);
+}
+
+#[test]
+fn elsewhere_digits_switch_screens_and_with_alt_everywhere() {
+    let mut model = model();
+    press(&mut model, "\x1b3");
+    assert_eq!(model.screen, Screen::Forces);
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "1\t3");
+    assert_eq!(model.screen, Screen::Forces, "the dial takes no digits");
+    // Nor does a row that holds a name or a list to choose from.
+    press(&mut model, "1\t");
+    model.form.selected = Row::Preset;
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "1");
+    model.form.selected = Row::Field(fields::find("impact.shape").unwrap());
+    press(&mut model, "2");
+    assert_eq!(model.screen, Screen::Replay);
+    press(&mut model, "\x1b[11~");
+    assert_eq!(model.screen, Screen::Main);
+}

@@ -1,0 +1,73 @@
+//! Replays side by side.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::heading;
+use crate::tui::comparison::Found;
+use crate::tui::model::Model;
+use crate::tui::view::eye::Scene;
+use crate::tui::view::profiles::mark;
+use crate::tui::view::text::{fitted, put};
+use crate::tui::view::theme::Theme;
+
+/// Side by side, all at the same time and on the same scale of force.
+pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    heading(model, area, buffer);
+    let entries = &model.compare.entries;
+    if entries.is_empty() {
+        return;
+    }
+    let largest = entries
+        .iter()
+        .filter_map(|entry| match &entry.found {
+            Found::Answer(_, hottest) => Some(*hottest),
+            _ => None,
+        })
+        .fold(0.0, f64::max);
+    let zoom = match model.clock.zoom() {
+        1 => String::new(),
+        zoom => format!("  displacement ×{zoom}"),
+    };
+    let text = format!("{:.3} ms{zoom}", model.time() * 1e3);
+    put(buffer, area, (34, 0), &text, theme.strong());
+    let count = entries.len() as u16;
+    let rows = if count > 3 { 2 } else { 1 };
+    let columns = count.div_ceil(rows);
+    let (width, height) = (area.width / columns, (area.height - 1) / rows);
+    for (i, entry) in entries.iter().enumerate() {
+        let (column, row) = (i as u16 % columns, i as u16 / columns);
+        let place = Rect::new(
+            area.x + column * width,
+            area.y + 1 + row * height,
+            width,
+            height,
+        );
+        let name = fitted(&entry.name, usize::from(width) - 4);
+        put(buffer, place, (1, 0), &mark(i).to_string(), theme.curve(i));
+        put(buffer, place, (3, 0), &name, theme.strong());
+        let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
+        match &entry.found {
+            Found::Answer(answer, _) => Scene {
+                answer,
+                time: model.time().min(answer.case.window),
+                largest,
+                zoom: model.clock.zoom(),
+                detail: model.clock.detail,
+                blow: Some(&entry.scenario),
+                aiming: false,
+                lean: model.is_lean(),
+                look: model.look,
+            }
+            .draw(picture, buffer),
+            Found::Awaited => {
+                put(buffer, picture, (1, 1), "simulating", theme.quiet());
+            }
+            Found::Refused(why) => {
+                let why = fitted(why, usize::from(picture.width) - 1);
+                put(buffer, picture, (1, 1), &why, theme.error());
+            }
+        }
+    }
+}
