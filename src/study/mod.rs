@@ -21,6 +21,7 @@ mod quantity;
 mod solve;
 pub mod spreads;
 pub mod statistics;
+mod step_error;
 pub mod sweep;
 pub mod validate;
 

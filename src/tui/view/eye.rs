@@ -8,9 +8,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heat::{heat_glyph, step_of, thresholds};
+use super::projection::Projection;
 use super::raster::{Ink, Raster};
 use super::theme::Theme;
-use crate::eye::{Eye, GLOBE_RADIUS_M, ORBIT_RADIUS_M, Region, Spring, SpringKind};
+use crate::eye::{Eye, GLOBE_RADIUS_M, Region, Spring, SpringKind};
 use crate::recording::{Frame, nearest};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Kind};
@@ -19,8 +20,6 @@ use crate::tui::clock::Detail;
 use crate::tui::model::Look;
 use crate::tui::terminal::caps::Symbols;
 
-/// Half of the height that is shown, in m.
-const REACH_M: f64 = ORBIT_RADIUS_M * 1.03;
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
 const ARC_M: f64 = 13.0e-3;
@@ -59,46 +58,6 @@ pub struct Scene<'a> {
     pub lean: bool,
     /// How things are drawn.
     pub look: Look,
-}
-
-/// From metres to dots.
-struct Projection {
-    centre: (f64, f64),
-    scale: (f64, f64),
-}
-
-impl Projection {
-    fn new(raster: &Raster) -> Self {
-        let (width, height) = raster.size();
-        let (width, height) = (f64::from(width), f64::from(height));
-        let aspect = raster.aspect();
-        let across = ((width - 1.0) / 2.0 / REACH_M).min((height - 1.0) * aspect / 2.0 / REACH_M);
-        Self {
-            centre: (width / 2.0, height / 2.0),
-            scale: (across, across / aspect),
-        }
-    }
-
-    /// In whole parts of a dot: what lies on the axis, between two rows of dots, stays in one of
-    /// them whatever the round-off of its place, from frame to frame and from machine to machine.
-    fn dot(&self, x: f64, y: f64) -> (f64, f64) {
-        const PARTS: f64 = 256.0;
-        let whole = |dots: f64| (dots * PARTS).round() / PARTS;
-        (
-            whole(self.centre.0 + x * self.scale.0),
-            whole(self.centre.1 - y * self.scale.1),
-        )
-    }
-
-    /// Whether cold fat would only blur the picture.
-    fn is_small(&self) -> bool {
-        self.scale.0 * REACH_M < 32.0
-    }
-
-    /// A point given by its front angle and radius.
-    fn polar(&self, angle: f64, radius: f64) -> (f64, f64) {
-        self.dot(-radius * angle.cos(), radius * angle.sin())
-    }
 }
 
 impl Scene<'_> {

@@ -16,6 +16,7 @@ pub mod log_axis;
 pub mod main;
 pub mod overlay;
 pub mod profiles;
+mod projection;
 pub mod raster;
 pub mod replay;
 pub mod score;

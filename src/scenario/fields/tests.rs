@@ -1,0 +1,73 @@
+//! Tests of the parent module.
+
+use super::*;
+
+/// Scenarios that together hold every variant with fields.
+pub(crate) fn every_variant() -> [Scenario; 2] {
+    let shot = Projectile {
+        stiffness: ProjectileStiffness::LINEAR,
+        ..Projectile::default()
+    };
+    let other = Scenario {
+        model: Model::Physiological(Physiological::default()),
+        impact: Impact::Projectile(shot),
+        ..Scenario::default()
+    };
+    [Scenario::default(), other]
+}
+
+#[test]
+fn every_path_is_there_once_and_readable_in_some_scenario() {
+    for (index, field) in FIELDS.iter().enumerate() {
+        let readable = every_variant().iter().any(|s| field.text(s).is_some());
+        assert!(readable, "{}", field.path);
+        assert!(!FIELDS[..index].iter().any(|other| other.path == field.path));
+    }
+}
+
+#[test]
+fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default() {
+    let mut scenario = Scenario::default();
+    let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else {
+        panic!()
+    };
+    *edge_mut(&mut scenario).unwrap() = 0.3;
+    assert!(shape.set(&mut scenario, "SmoothRectangle"));
+    assert_eq!(edge(&scenario), Some(&0.3));
+    assert!(shape.set(&mut scenario, "Triangle"));
+    assert_eq!(shape.get(&scenario), Some("Triangle"));
+    assert_eq!(edge(&scenario), None);
+    assert!(!shape.set(&mut scenario, "Square"));
+}
+
+#[test]
+fn the_registry_names_every_field_of_the_types() {
+    let mut held = Vec::new();
+    for scenario in every_variant() {
+        let whole = serde_json::to_value(scenario).unwrap();
+        collect(&whole, "", &mut held);
+    }
+    held.retain(|path| path != "eye" && path != "numerics");
+    held.sort();
+    held.dedup();
+    let mut listed: Vec<_> = FIELDS.iter().map(|field| field.path.to_owned()).collect();
+    listed.sort();
+    assert_eq!(listed, held);
+}
+
+/// Dotted paths of all fields, passing through the names of variants.
+fn collect(value: &serde_json::Value, under: &str, paths: &mut Vec<String>) {
+    for (key, inner) in value.as_object().into_iter().flatten() {
+        if key.starts_with(char::is_uppercase) {
+            collect(inner, under, paths);
+        } else {
+            let path = if under.is_empty() {
+                key.clone()
+            } else {
+                format!("{under}.{key}")
+            };
+            collect(inner, &path, paths);
+            paths.push(path);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Tests of the parent module.
+
+use super::*;
+use crate::scenario::fields::tests::every_variant;
+use crate::scenario::{
+    EyeInput, ForcePulse, Impact, IntegratorChoice, Model, Physiological, ProjectileStiffness,
+    PulseShape,
+};
+
+fn after(path: &str, text: &str) -> Scenario {
+    let mut scenario = Scenario::default();
+    set(&mut scenario, path, text).unwrap_or_else(|error| panic!("{path}={text}: {error}"));
+    scenario
+}
+
+fn refusal(path: &str, text: &str) -> String {
+    let mut scenario = Scenario::default();
+    let error = set(&mut scenario, path, text).unwrap_err();
+    assert_eq!(scenario, Scenario::default());
+    error.to_string()
+}
+
+fn pulse(scenario: &Scenario) -> &ForcePulse {
+    let Impact::ForcePulse(pulse) = &scenario.impact else {
+        panic!("{:?}", scenario.impact)
+    };
+    pulse
+}
+
+#[test]
+fn every_field_takes_back_its_own_text() {
+    for scenario in every_variant() {
+        for field in FIELDS {
+            let Some(text) = field.text(&scenario) else {
+                continue;
+            };
+            let mut same = scenario.clone();
+            set(&mut same, field.path, &text).unwrap();
+            assert_eq!(same, scenario, "{}", field.path);
+        }
+    }
+}
+
+#[test]
+fn projectiles_and_models_are_set_whole_or_by_field() {
+    let mut scenario = after(
+        "impact",
+        "Projectile(mass_g: 0.345, diameter_mm: 4.5, speed_m_s: 62.5, stiffness: Linear(n_per_m: 2.4e5), \
+         unverified: [\"speed_m_s\"])",
+    );
+    set(&mut scenario, "impact.mass_g", "0.35").unwrap();
+    let Impact::Projectile(shot) = &scenario.impact else {
+        panic!()
+    };
+    assert_eq!((shot.mass_g, shot.unverified.len()), (0.35, 1));
+    set(&mut scenario, "impact.speed_m_s", "60").unwrap();
+    set(&mut scenario, "impact.stiffness", "rigid").unwrap();
+    let Impact::Projectile(shot) = &scenario.impact else {
+        panic!()
+    };
+    assert_eq!(shot.stiffness, ProjectileStiffness::Rigid);
+    assert!(shot.unverified.is_empty());
+    assert!(set(&mut scenario, "impact.force_n", "1").is_err());
+
+    let parts = |scenario: &Scenario| match scenario.model {
+        Model::Physiological(parts) => parts,
+        Model::Paper => panic!(),
+    };
+    assert_eq!(
+        parts(&after("model", "physiological")),
+        Physiological::default()
+    );
+    assert!(!parts(&after("model", "Physiological(slab: false)")).slab);
+    assert!(refusal("model.slab", "false").contains("model is Paper, which has no slab"));
+}
+
+#[test]
+fn scalars_are_set_by_their_path() {
+    assert_eq!(pulse(&after("impact.force_n", " 4.5e2 ")).force_n, 450.0);
+    assert_eq!(pulse(&after("impact.force_n", "1_000")).force_n, 1000.0);
+    assert!(!after("eye.lens", "false").eye.lens);
+    assert_eq!(after("numerics.step_us", "1.5").numerics.step_us, Some(1.5));
+    assert_eq!(
+        after("numerics.step_us", "Some(2)").numerics.step_us,
+        Some(2.0)
+    );
+    for text in ["None", "auto", "AUTO"] {
+        let mut scenario = after("numerics.step_us", "2");
+        set(&mut scenario, "numerics.step_us", text).unwrap();
+        assert_eq!(scenario.numerics.step_us, None);
+    }
+    assert_eq!(
+        after("name", "any text, even (this)").name,
+        "any text, even (this)"
+    );
+    assert_eq!(after("name", "\"in \\\"quotes\\\"\"").name, "in \"quotes\"");
+    for text in ["[2,3]", "2, 3"] {
+        assert_eq!(after("eye.filament_hops", text).eye.filament_hops, [2, 3]);
+    }
+    assert!(
+        after("eye.filament_hops", "[]")
+            .eye
+            .filament_hops
+            .is_empty()
+    );
+}
+
+#[test]
+fn names_are_taken_in_any_spelling() {
+    for text in ["VelocityVerlet", "velocity-verlet", "VELOCITY_VERLET"] {
+        let scenario = after("numerics.integrator", text);
+        assert_eq!(
+            scenario.numerics.integrator,
+            IntegratorChoice::VelocityVerlet
+        );
+    }
+    assert_eq!(
+        pulse(&after("impact.shape", "half-sine")).shape,
+        PulseShape::HalfSine
+    );
+}
+
+#[test]
+fn groups_are_replaced_as_in_a_file() {
+    let eye = after("eye", "(level: 2)").eye;
+    assert_eq!(
+        eye,
+        EyeInput {
+            level: 2,
+            ..EyeInput::default()
+        }
+    );
+    let scenario = after("impact", "ForcePulse(force_n: 10, shape: Triangle)");
+    assert_eq!(pulse(&scenario).force_n, 10.0);
+    assert_eq!(pulse(&scenario).shape, PulseShape::Triangle);
+    let shape = pulse(&after(
+        "impact.shape",
+        "SmoothRectangle(edge_fraction: 0.2)",
+    ))
+    .shape;
+    assert_eq!(shape, PulseShape::SmoothRectangle { edge_fraction: 0.2 });
+    assert_eq!(
+        after("numerics", "(step_us: 1)").numerics.step_us,
+        Some(1.0)
+    );
+}
+
+#[test]
+fn refusals_name_the_value_and_what_is_allowed() {
+    assert_eq!(
+        refusal("impact.force_n", "abc"),
+        "impact.force_n: abc is not a number: allowed 0 to 100000 N"
+    );
+    for path in [
+        "impact.force_n",
+        "eye.lens",
+        "eye.level",
+        "numerics.step_us",
+    ] {
+        assert!(refusal(path, " ").contains("nothing is there: allowed "));
+    }
+    assert!(refusal("impact.force_n", "1,5").contains("a point, not a comma"));
+    assert!(refusal("impact.force_n", "1e6").contains("1000000 is out of range"));
+    assert!(refusal("impact.force_n", "nan").contains("is not a finite number"));
+    assert!(refusal("eye", "(level: 9)").starts_with("eye.level: 9 is out of range"));
+    assert!(refusal("eye", "(levle: 1)").contains("did you mean level?"));
+    assert!(refusal("impact.shape", "Square").contains("Triangle, HalfSine"));
+    assert!(refusal("eye.filament_hops", "2,2").contains("repeats"));
+    assert!(refusal("name", "  ").contains("is empty"));
+}
+
+#[test]
+fn refusals_of_a_path_lead_to_the_right_one() {
+    assert!(refusal("force_n", "1").contains("did you mean impact.force_n?"));
+    assert!(refusal("", "1").contains("there is no such field"));
+    let mut scenario = after("impact.shape", "Triangle");
+    let error = set(&mut scenario, "impact.shape.edge_fraction", "0.1").unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "impact.shape.edge_fraction: impact.shape is Triangle, which has no edge_fraction"
+    );
+}
