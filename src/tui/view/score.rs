@@ -90,13 +90,14 @@ fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let step = percent(errors.time_step[0]);
     let apex = shown.answer.recording.extremes.apex;
     let apex = format!("apex {} mm", significant(apex.value * 1e3));
-    let beside = width(&apex) + 2;
+    let beside = width(&apex) + 1;
     let full = format!("Index error: step {step}, mesh {mesh}");
     let tight = full.replace(" %", "%").replace("< ", "<");
-    let brief = tight.replace(" error", "");
+    let brief = tight.replace(" error:", " ±");
     let candidates = [
-        (&full, beside),
+        (&full, beside + 1),
         (&tight, beside),
+        (&brief, beside),
         (&full, 0),
         (&tight, 0),
         (&brief, 0),
