@@ -13,10 +13,16 @@ use crate::study::accuracy::measure;
 /// Where the scenario is refused or the output cannot be written.
 pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
+    let asked = &args.scenario;
+    if asked.integrator.is_some() || asked.step_us.is_some() {
+        return Err(CliError::Input(
+            "accuracy measures every integrator over its steps: leave out --integrator and --step-us"
+                .to_owned(),
+        ));
+    }
     let mut progress = Progress::new();
-    let report = measure(&scenario, args.finest_level, &mut |share| {
-        progress.measured(share)
-    })?;
+    let finest = args.finest_level.max(scenario.eye.level);
+    let report = measure(&scenario, finest, &mut |share| progress.measured(share))?;
     progress.clear();
     if args.json {
         serde_json::to_writer_pretty(&mut *out, &accuracy::json(&scenario, &report))

@@ -61,7 +61,8 @@ impl FromStr for Assignment {
 }
 
 impl ScenarioArgs {
-    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags.
+    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its name
+    /// says what was set.
     ///
     /// # Errors
     /// Says which file or argument is wrong, and what would be accepted.
@@ -82,6 +83,12 @@ impl ScenarioArgs {
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
         check(&scenario).map_err(|error| complaint("with these flags", "", &error))?;
+        // The name tells of the values as they were, so what was changed stands beside it.
+        if self.assignments.iter().all(|a| a.path != "name") {
+            for Assignment { path, text } in &self.assignments {
+                scenario.name += &format!("; {path}={}", text.trim());
+            }
+        }
         Ok(scenario)
     }
 }

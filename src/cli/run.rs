@@ -19,6 +19,14 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut reasons = Vec::new();
     let mut progress = Progress::new();
     let mut watch = |share| progress.simulated(share);
+    let chosen = |path: &str| path == "eye.level" || path.starts_with("numerics");
+    let set = args.scenario.assignments.iter().find(|a| chosen(&a.path));
+    if let (Some(_), Some(set)) = (args.tolerance, set) {
+        return Err(CliError::Input(format!(
+            "--set {}: --tolerance chooses mesh level, integrator and step itself",
+            set.path
+        )));
+    }
     let mut answer = if let Some(percent) = args.tolerance {
         let chosen = choose::within(&scenario, percent, Keep::default(), &mut watch)?;
         (scenario, reasons) = (chosen.scenario, chosen.reasons);

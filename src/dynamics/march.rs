@@ -103,6 +103,16 @@ impl Plan {
             .sum()
     }
 
+    /// Number of steps while the load acts.
+    pub fn steps_under_load(&self, pulse: &Pulse) -> usize {
+        pulse
+            .segments(self.window)
+            .iter()
+            .filter(|s| s.piece != Piece::Nothing)
+            .map(|s| self.steps_in(s))
+            .sum()
+    }
+
     /// The longest step it really takes, in s.
     pub fn longest_step(&self, pulse: &Pulse) -> f64 {
         pulse

@@ -13,6 +13,8 @@ use std::f64::consts::FRAC_PI_4;
 pub const ORBIT: (f64, f64) = (0.040, 0.035);
 /// Diameter of the eye across, in m.
 const EYE: f64 = 0.0242;
+/// Normalized energy of a BB at 122 m/s, the fastest object of the pooled tests, in J/m^2.
+const MOST: f64 = 161e3;
 /// Two risks of one injury that differ by more than this disagree.
 const DISAGREEMENT: f64 = 0.25;
 
@@ -155,7 +157,10 @@ pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
         let extrapolated = match curve.range {
             Range::Measure(low, high) => !(low..=high).contains(&inside),
             Range::Speed(low, high) => {
-                !(low..=high).contains(&blow?.speed) || curve.says_little(value)
+                !(low..=high).contains(&blow?.speed)
+                    || curve.says_little(value)
+                    || value > MOST
+                    || caution.is_some()
             }
             Range::Unknown => true,
         };

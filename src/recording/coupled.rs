@@ -27,7 +27,9 @@ pub struct FluidExtremes {
 /// What a projectile did.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShotExtremes {
-    /// Force of the shell on it, mean over 100 us, in N.
+    /// Diameter, in m.
+    pub diameter: f64,
+    /// Force of the shell on it, mean over the 100 us before, in N.
     pub force: Peak,
     /// First and last instant in touch with the shell, in s.
     pub contact: Option<(f64, f64)>,
@@ -87,6 +89,7 @@ impl CoupledWatch {
         let shot = coupled.and_then(|c| c.contact).map(|contact| Shot {
             contact,
             results: ShotExtremes {
+                diameter: 2.0 * contact.radius,
                 force: Peak::floor(0.0),
                 contact: None,
                 velocity: contact.direction * contact.speed,
@@ -125,7 +128,7 @@ impl CoupledWatch {
         }
     }
 
-    /// Mean force of contact at the last step end, in N.
+    /// Force of contact at the last step end, mean over the time before, in N.
     pub fn contact_force(&self) -> Option<f64> {
         self.shot.as_ref().map(|s| s.mean)
     }
@@ -174,7 +177,7 @@ impl Shot {
         };
         let earlier = j0 + (j1 - j0) * share;
         self.mean = (readings.impulse - earlier).norm() / MEAN_S;
-        r.force.offer(self.mean, (time - 0.5 * MEAN_S).max(0.0));
+        r.force.offer(self.mean, time);
     }
 }
 

@@ -50,6 +50,27 @@ pub struct Extremes {
     pub shot: Option<ShotExtremes>,
 }
 
+impl Extremes {
+    /// Whether a projectile never touched the eye.
+    pub fn missed(&self) -> bool {
+        self.shot.is_some_and(|shot| shot.contact.is_none())
+    }
+
+    /// Nothing acted on the eye: what it seems to have done is rounding. The rim gives back all that it
+    /// takes of a projectile, so what is missing is an error.
+    fn forget_rounding(&mut self) {
+        let nothing = Peak::floor(0.0);
+        self.force = [nothing; 4];
+        self.apex = nothing;
+        self.shell_growth = nothing;
+        self.meridian_growth = nothing;
+        self.strain = nothing;
+        self.work = 0.0;
+        let missing = |shot: ShotExtremes| (shot.energy / shot.energy_before).abs();
+        self.energy_residual = self.shot.map_or(0.0, missing);
+    }
+}
+
 /// Values at step ends, each of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Traces {

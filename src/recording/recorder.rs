@@ -200,26 +200,31 @@ impl Recorder {
         let scale = state.work.abs().max(self.most_energy);
         let open = self.provable && (self.loaded || !self.forces_are_final());
         let (fluid, shot) = self.coupled.finish();
-        Recording {
-            extremes: Extremes {
-                force: self.forces,
-                apex: self.apex.peak,
-                shell_growth: relative(&self.shell),
-                meridian_growth: relative(&self.meridian),
-                work: state.work,
-                strain: self.strain,
-                least_quad_ratio: self.least_quad,
-                folded_at: self.folded_at,
-                energy_residual: if scale > ROUNDING_J {
-                    self.residual / scale
-                } else {
-                    0.0
-                },
-                could_rise: open && scale > ROUNDING_J,
-                still_rising: late && scale > ROUNDING_J,
-                fluid,
-                shot,
+        let mut extremes = Extremes {
+            force: self.forces,
+            apex: self.apex.peak,
+            shell_growth: relative(&self.shell),
+            meridian_growth: relative(&self.meridian),
+            work: state.work,
+            strain: self.strain,
+            least_quad_ratio: self.least_quad,
+            folded_at: self.folded_at,
+            energy_residual: if scale > ROUNDING_J {
+                self.residual / scale
+            } else {
+                0.0
             },
+            could_rise: open && scale > ROUNDING_J,
+            still_rising: late && scale > ROUNDING_J,
+            fluid,
+            shot,
+        };
+        let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;
+        if extremes.missed() || untouched {
+            extremes.forget_rounding();
+        }
+        Recording {
+            extremes,
             traces: self.rows,
             frames: self.frames.map_or_else(Vec::new, |f| f.frames),
         }

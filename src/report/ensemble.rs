@@ -1,11 +1,12 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
 use super::text::{percent, significant};
+use crate::injury::Caution;
 use crate::scenario::Scenario;
 use crate::scenario::problem::printable;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
-use crate::study::outputs::OUTPUTS;
+use crate::study::outputs::{OUTPUTS, caution};
 use crate::study::point::PROMISE_PERCENT;
 use crate::study::spreads::{Input, Shape};
 use serde_json::{Map, Value, json};
@@ -93,6 +94,9 @@ pub fn text(
             significant(high),
             significant(nominal)
         )?;
+    }
+    if let Some(caution) = caution(scenario) {
+        writeln!(out, "! rupture and retina, energy: {}", caution.text())?;
     }
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
@@ -233,10 +237,10 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
         "seed": ensemble.seed,
         "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
         "results": results,
+        "energy_caution": caution(scenario).map(Caution::key),
         "counted": {
             "in_the_bands": ensemble.valid().count(),
             "folded": ensemble.folded(),
-            "folded_in_the_bands": ensemble.holds_folded(),
             "by_name": ensemble.counts().into_iter().map(|(name, n)| (name, json!(n))).collect::<Map<_, _>>(),
         },
         "step_error": {

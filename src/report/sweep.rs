@@ -1,5 +1,6 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
+use crate::injury::Caution;
 use crate::scenario::fields;
 use crate::study::outputs::OUTPUTS;
 use crate::study::sweep::{Row, Sweep};
@@ -51,8 +52,9 @@ impl Form {
     /// One line.
     pub fn row(self, sweep: &Sweep, row: &Row) -> String {
         let point = row.outcome.as_ref().ok();
-        let flags: Vec<&str> =
+        let mut flags: Vec<&str> =
             point.map_or(Vec::new(), |p| p.flags.iter().map(|f| f.name()).collect());
+        flags.extend(row.caution.map(Caution::key));
         let error = point.and_then(|p| p.check).map(|check| check.last);
         let value = |i: usize| point.map(|p| p.values[i]).filter(|v| v.is_finite());
         let refused = row.outcome.as_ref().err();

@@ -159,7 +159,7 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
     if let Some((first, last)) = shot.contact {
         writeln!(
             out,
-            "Contact force      {:>9} N  at {:.4} ms, mean over {:.0} us",
+            "Contact force      {:>9} N  at {:.4} ms, mean over the {:.0} us before",
             significant(shot.force.value),
             shot.force.time * 1e3,
             MEAN_S * 1e6
@@ -172,14 +172,22 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
             last * 1e3
         )?;
     }
-    let (way, speed) = if shot.rebound_speed < 0.0 {
-        ("Goes on at ", -shot.rebound_speed)
+    let (way, back) = if shot.rebound_speed < 0.0 {
+        ("Goes on at", "on along")
     } else {
-        ("Rebound speed", shot.rebound_speed)
+        ("Rebound speed", "back along")
+    };
+    let speed = shot.velocity.norm();
+    // A blow aslant or beside the middle turns the object.
+    let along = if shot.rebound_speed.abs() < 0.99 * speed {
+        let part = significant(shot.rebound_speed.abs());
+        format!(", {part} of it {back} its path")
+    } else {
+        String::new()
     };
     writeln!(
         out,
-        "{way:<18} {:>9} m/s of {} m/s",
+        "{way:<18} {:>9} m/s of {} m/s{along}",
         significant(speed),
         input.speed_m_s
     )?;

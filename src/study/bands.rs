@@ -1,8 +1,7 @@
 //! What the samples of an ensemble say together: bands, what drives them, and how they are counted.
 //!
-//! The bands hold the samples whose mesh did not fold. Folded ones are counted apart, as their numbers
-//! are beyond the model's validity, and so are refused ones, which have no numbers. Where samples folded
-//! the bands are those of the gentler eyes; the folded ones' share says how much is missing.
+//! The bands hold every sample that ran. Those whose mesh folded are beyond the model's validity and
+//! are counted, but they stay: they are the hardest hit, so that bands without them would be too low.
 //!
 //! Left out: how sure the quantiles themselves are.
 
@@ -43,28 +42,21 @@ impl Ensemble {
         self.samples.len() < self.asked as usize
     }
 
-    /// The samples that the bands hold: those whose mesh did not fold, or, where most fold, as
-    /// under most objects, all that ran.
+    /// The samples that the bands hold: all that ran.
     pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
-        let all = self.holds_folded();
         self.samples
             .iter()
             .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
-            .filter(move |(_, point)| all || !point.folded())
     }
 
     /// Which samples the bands hold, in words.
-    pub fn which(&self) -> &'static str {
-        if self.holds_folded() {
-            "those that ran. Most of their meshes fold, beyond the model's validity."
-        } else {
-            "those that ran and whose mesh did not fold."
+    pub fn which(&self) -> String {
+        match self.folded() {
+            0 => "those that ran.".to_owned(),
+            folded => {
+                format!("those that ran. The mesh of {folded} folded, beyond the model's validity.")
+            }
         }
-    }
-
-    /// Whether the bands hold samples whose mesh folded, because most did.
-    pub fn holds_folded(&self) -> bool {
-        2 * self.folded() > self.samples.len()
     }
 
     /// Samples whose mesh folded.
@@ -128,7 +120,7 @@ impl Ensemble {
         found
     }
 
-    /// What the checks found.
+    /// What the checks of unfolded samples found.
     pub fn checks(&self) -> Checks {
         let mut checks = Checks::default();
         for (index, sample) in self.samples.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! What a reader must know before trusting a result, each by name.
 
 use crate::dynamics::ArcLoad;
+use crate::eye::GLOBE_RADIUS_M;
 use crate::recording::{Extremes, ShotExtremes};
 
 /// Something that limits a result.
@@ -43,6 +44,8 @@ pub enum FlagKind {
     ObjectFlattened,
     /// The projectile went through the wall of the orbit.
     ThroughBone,
+    /// The projectile is narrower than the distance between two nodes of the shell.
+    ObjectUnresolved,
     /// The projectile is lighter than a node that it hits.
     ObjectLight,
     /// The orbit's rim met the projectile.
@@ -71,6 +74,7 @@ impl FlagKind {
             Self::ObjectFlattened => "object_flattened",
             Self::ThroughBone => "through_bone",
             Self::ObjectLight => "object_light",
+            Self::ObjectUnresolved => "object_unresolved",
             Self::RimStops => "rim_stops",
             Self::EyeMissed => "eye_missed",
             Self::ContactCut => "contact_cut",
@@ -158,9 +162,7 @@ pub(super) fn raise(
     if predictable && !converged {
         raise(
             FlagKind::Unconverged,
-            format!(
-                "the largest step error of the results is {step_error_percent:.1} %: take a smaller step"
-            ),
+            format!("the largest step error of any result is {step_error_percent:.1} %"),
             None,
         );
     }
@@ -188,7 +190,7 @@ pub(super) fn raise(
     }
     of_load(load, spacing, &mut raise);
     if let Some(shot) = &extremes.shot {
-        of_shot(shot, window, &mut raise);
+        of_shot(shot, window, spacing, &mut raise);
     }
     flags
 }
@@ -223,13 +225,14 @@ fn of_load(load: &ArcLoad, spacing: f64, raise: &mut impl FnMut(FlagKind, String
 fn of_shot(
     shot: &ShotExtremes,
     window: f64,
+    spacing: f64,
     raise: &mut impl FnMut(FlagKind, String, Option<f64>),
 ) {
     if shot.penetration_share > DEEP {
         raise(
             FlagKind::DeepPenetration,
             format!(
-                "the projectile went {:.1} % of its diameter into what it hit: take a smaller step",
+                "the projectile went {:.1} % of its diameter into what it hit",
                 100.0 * shot.penetration_share
             ),
             None,
@@ -253,6 +256,17 @@ fn of_shot(
                 time * 1e3
             ),
             Some(time),
+        );
+    }
+    let between_nodes = spacing * GLOBE_RADIUS_M;
+    if shot.diameter < between_nodes && shot.contact.is_some() {
+        raise(
+            FlagKind::ObjectUnresolved,
+            format!(
+                "the projectile is narrower than the {:.2} mm between two nodes of the shell",
+                between_nodes * 1e3
+            ),
+            None,
         );
     }
     if shot.light && shot.contact.is_some() {

@@ -6,7 +6,7 @@
 use super::case::Case;
 use super::quantity::Quantity;
 use crate::eye::Monitor;
-use crate::injury::{Blow, Injury, Measure, assess};
+use crate::injury::{Blow, Caution, Injury, Measure, assess};
 use crate::recording::Extremes;
 use crate::scenario::Scenario;
 
@@ -108,20 +108,21 @@ pub static OUTPUTS: &[Output] = &[
         unit: "%",
         of: |ran| {
             let pressure = ran.extremes.fluid?.pressure.value;
-            risk(None, Some(pressure), RUPTURE_BY_PRESSURE, None)
+            let risk = risk(None, Some(pressure), RUPTURE_BY_PRESSURE, None);
+            risk.map(|risk| if ran.extremes.missed() { 0.0 } else { risk })
         },
     },
     Output {
         key: RUPTURE_KEY,
         label: "rupture, energy",
         unit: "%",
-        of: |ran| risk(Blow::of(ran.scenario), None, RUPTURE_BY_ENERGY, None),
+        of: |ran| by_energy(ran, RUPTURE_BY_ENERGY),
     },
     Output {
         key: RETINA_KEY,
         label: "retina, energy",
         unit: "%",
-        of: |ran| risk(Blow::of(ran.scenario), None, RETINA_BY_ENERGY, None),
+        of: |ran| by_energy(ran, RETINA_BY_ENERGY),
     },
 ];
 
@@ -146,6 +147,17 @@ fn risk(
     Some(100.0 * risk)
 }
 
+/// The same by the energy of an object, which does nothing to an eye that it missed.
+fn by_energy(ran: &Ran, of: (Injury, Measure)) -> Option<f64> {
+    let risk = risk(Blow::of(ran.scenario), None, of, None);
+    risk.map(|risk| if ran.extremes.missed() { 0.0 } else { risk })
+}
+
+/// What speaks against the risks by energy of this scenario's object.
+pub fn caution(scenario: &Scenario) -> Option<Caution> {
+    Blow::of(scenario)?.caution()
+}
+
 /// Puts the risks that rest on an assumed slope again, for the slope `slope`, into the values of a
 /// run of `scenario`.
 pub fn with_slope(values: &mut [f64], scenario: &Scenario, slope: f64) {
@@ -156,7 +168,10 @@ pub fn with_slope(values: &mut [f64], scenario: &Scenario, slope: f64) {
     ] {
         let place = OUTPUTS.iter().position(|o| o.key == key);
         if let (Some(place), Some(risk)) = (place, risk(blow, None, of, Some(slope))) {
-            values[place] = risk;
+            // Of an eye that was missed it is 0 and stays so.
+            if values[place] > 0.0 {
+                values[place] = risk;
+            }
         }
     }
 }

@@ -87,12 +87,14 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// What the published injury curves say, beside the paper's index. The energy of an object that
-    /// never touched the eye says nothing.
+    /// What the published injury curves say, beside the paper's index. An object that never
+    /// touched the eye has none.
     pub fn risks(&self) -> Vec<Risk> {
-        let fluid = self.recording.extremes.fluid;
-        let blow = self.case.blow.filter(|_| !missed(&self.recording));
-        assess(blow, fluid.map(|fluid| fluid.pressure.value))
+        let extremes = &self.recording.extremes;
+        if extremes.missed() {
+            return Vec::new();
+        }
+        assess(self.case.blow, extremes.fluid.map(|f| f.pressure.value))
     }
 }
 
@@ -187,12 +189,6 @@ pub(super) fn solve_by(
     Ok(finish(case, plan, solved))
 }
 
-/// Whether there was an object and it never touched the eye.
-fn missed(recording: &Recording) -> bool {
-    let shot = recording.extremes.shot;
-    shot.is_some_and(|shot| shot.contact.is_none())
-}
-
 /// A run and its step error.
 struct Measured {
     solution: Solution,
@@ -247,7 +243,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     } else {
         FLOOR_PERCENT
     };
-    let missed = missed(&solution.recording);
+    let missed = extremes.missed();
     let disagreement = if missed { 0.0 } else { disagreement };
     let stated = std::array::from_fn(|i| {
         // What a scene has not is exactly 0 and stays so; of an eye that is not hit, all is.

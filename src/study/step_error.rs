@@ -56,13 +56,18 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
         local_tolerance: plan.local_tolerance * 0.1,
         ..*plan
     };
-    // A coarser run is cheaper, but tells nothing if short segments take the same steps.
+    // A coarser run is cheaper, but tells nothing if the load or short segments take the same steps.
+    let telling = |steps: usize, fewer: usize| steps as f64 > 0.5 * (1.0 + ratio) * fewer as f64;
     let coarser_tells = coarser.step <= LONE_SHARE * limit * (1.0 + 1e-9)
         && !pulse
             .segments(plan.window)
             .iter()
             .any(|s| coarser.at_least_steps(s))
-        && plan.steps(pulse) as f64 > 0.5 * (1.0 + ratio) * coarser.steps(pulse) as f64;
+        && telling(
+            plan.steps_under_load(pulse),
+            coarser.steps_under_load(pulse),
+        )
+        && telling(plan.steps(pulse), coarser.steps(pulse));
     if plan.integrator.adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
         (finer, SAFETY)

@@ -7,8 +7,9 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use super::case::{Refusal, Watch};
-use super::outputs::OUTPUTS;
+use super::outputs::{OUTPUTS, caution};
 use super::point::{Point, checked};
+use crate::injury::Caution;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::fields;
@@ -95,6 +96,8 @@ pub struct Row {
     pub values: Vec<String>,
     /// What came of it, or why nothing did.
     pub outcome: Result<Point, String>,
+    /// What speaks against its risks by energy.
+    pub caution: Option<Caution>,
 }
 
 impl Sweep {
@@ -167,7 +170,9 @@ impl Sweep {
 
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
-        let outcome = match self.scenario(number) {
+        let scenario = self.scenario(number);
+        let caution = scenario.as_ref().ok().and_then(caution);
+        let outcome = match scenario {
             Err(error) => Err(error.to_string()),
             Ok(scenario) => match checked(&scenario, watch) {
                 Err(Refusal::Cancelled) => return None,
@@ -178,6 +183,7 @@ impl Sweep {
             number,
             values: self.values(number).into_iter().map(str::to_owned).collect(),
             outcome,
+            caution,
         })
     }
 
