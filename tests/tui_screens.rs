@@ -23,6 +23,8 @@ use ratatui::style::Style;
 
 #[path = "support/accuracy.rs"]
 mod accuracy;
+#[path = "screens/doubt.rs"]
+mod doubt;
 
 const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
 

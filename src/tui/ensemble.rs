@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::worker::{Ticket, overseen};
 use crate::scenario::Scenario;
-use crate::study::bands::Band;
 use crate::study::ensemble::{Ensemble, run};
 use crate::study::{Refusal, Watch};
 
@@ -55,8 +54,8 @@ pub struct Spread {
     pub done: Option<(Scenario, Arc<Ensemble>)>,
     /// The one under way.
     pub job: Option<Job>,
-    /// Why there is no newer one.
-    pub complaint: Option<String>,
+    /// Why there is no newer one, and for which scenario.
+    pub complaint: Option<(Scenario, String)>,
     /// The output looked at, counted among those that the ensemble has.
     pub output: usize,
 }
@@ -68,10 +67,16 @@ impl Spread {
         (*asked == key(scenario)).then_some(ensemble.as_ref())
     }
 
-    /// The band of the damage index of this scenario.
-    pub fn damage(&self, scenario: &Scenario) -> Option<Band> {
-        self.of(scenario)?.band(0)
+    /// Why this scenario has no newer one.
+    pub fn complaint(&self, scenario: &Scenario) -> Option<&str> {
+        let (asked, why) = self.complaint.as_ref()?;
+        (*asked == key(scenario)).then_some(why)
     }
+}
+
+/// Whether the bands hold every sample that was asked for and none whose mesh folded.
+pub fn is_whole(ensemble: &Ensemble) -> bool {
+    ensemble.valid().count() >= ensemble.asked as usize && !ensemble.holds_folded()
 }
 
 /// What of a scenario matters.

@@ -76,11 +76,10 @@ pub(super) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
 
 /// Moves to another result.
 pub(super) fn go(model: &mut Model, down: bool) {
-    let count = model
-        .ensemble
-        .done
-        .as_ref()
-        .map_or(0, |(_, e)| e.outputs().len());
+    let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
+        return;
+    };
+    let count = ensemble.outputs().len();
     let at = &mut model.ensemble.output;
     *at = if down {
         (*at + 1).min(count.saturating_sub(1))
@@ -101,7 +100,7 @@ pub(super) fn hear(model: &mut Model, report: Report<Ensemble>) {
             model.ensemble.job = None;
             match *outcome {
                 Ok(ensemble) => take(model, asked, ensemble),
-                Err(refusal) => model.ensemble.complaint = Some(refusal.to_string()),
+                Err(refusal) => model.ensemble.complaint = Some((asked, refusal.to_string())),
             }
         }
         _ => {}
@@ -114,7 +113,7 @@ fn take(model: &mut Model, asked: crate::scenario::Scenario, ensemble: Ensemble)
     if ensemble.stopped() {
         let done = ensemble.samples.len();
         let text = format!("stopped after {done} of {}", ensemble.asked);
-        model.ensemble.complaint = Some(text);
+        model.ensemble.complaint = Some((asked.clone(), text));
     }
     if ensemble.samples.len() > known {
         let last = ensemble.outputs().len().saturating_sub(1);
@@ -176,14 +175,14 @@ mod tests {
         let (mut model, ticket, question) = idle_model();
         assert_eq!(question.count, FEW);
         let scenario = model.work.scenario.clone();
-        assert!(model.ensemble.damage(&scenario).is_none());
+        assert!(model.ensemble.of(&scenario).is_none());
         tell(&mut model, ticket, &question, 16);
-        assert!(model.ensemble.damage(&scenario).is_some());
+        assert!(model.ensemble.of(&scenario).is_some());
         let renamed = Scenario {
             name: "other".to_owned(),
             ..scenario
         };
-        assert!(model.ensemble.damage(&renamed).is_some());
+        assert!(model.ensemble.of(&renamed).is_some());
 
         let (mut model, ticket, question) = idle_model();
         let effects = letter(&mut model, 'l');
@@ -221,7 +220,7 @@ mod tests {
         assert_eq!(effects, [Effect::StopSampling(ticket)]);
         assert!(letter(&mut model, '2').is_empty(), "once");
         tell(&mut model, ticket, &question, 8);
-        assert!(model.ensemble.damage(&model.work.scenario).is_some());
+        assert!(model.ensemble.of(&model.work.scenario).is_some());
         model.screen = Screen::Uncertainty;
         for _ in 0..20 {
             letter(&mut model, 'j');
@@ -229,5 +228,8 @@ mod tests {
         assert_eq!(model.ensemble.output, 8);
         letter(&mut model, 'k');
         assert_eq!(model.ensemble.output, 7);
+        model.work.scenario.window_ms = 0.3;
+        letter(&mut model, 'k');
+        assert_eq!(model.ensemble.output, 7, "nothing to walk through");
     }
 }

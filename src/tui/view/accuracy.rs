@@ -9,7 +9,7 @@ use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
 use super::raster::{Ink, Raster};
-use super::text::{fitted, put, put_both, put_right, width, wrapped};
+use super::text::{flowed, put, put_both, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::dynamics::Integrator;
 use crate::report::text::{percent, significant};
@@ -125,21 +125,6 @@ fn status(model: &Model, theme: Theme) -> (String, Style) {
     } else {
         ("median of seven runs".to_owned(), theme.quiet())
     }
-}
-
-/// Parts in as few lines as fit, none of them broken.
-fn flowed(parts: &[String], room: u16) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for part in parts {
-        match lines.last_mut() {
-            Some(line) if width(line) + 2 + width(part) <= room => {
-                line.push_str("  ");
-                line.push_str(part);
-            }
-            _ => lines.push(fitted(part, usize::from(room))),
-        }
-    }
-    lines
 }
 
 fn legend() -> Vec<String> {

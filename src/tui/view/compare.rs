@@ -5,10 +5,9 @@ use ratatui::layout::Rect;
 
 use super::profiles::mark;
 use super::score::name as flag_name;
-use super::text::{fitted, put, put_right, width};
+use super::text::{fitted, numeral, put, put_right, width};
 use super::theme::Theme;
 use crate::eye::Monitor;
-use crate::report::text::significant;
 use crate::study::{Flag, Quantity};
 use crate::tui::comparison::{COLUMNS, Column, Entry, Found};
 use crate::tui::keys::Context;
@@ -144,6 +143,8 @@ fn title(column: Column) -> (&'static str, &'static str) {
     }
 }
 
+/// Columns of a number: one fewer than from number to number.
+const CELLS: u16 = 5;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 18;
 
@@ -247,7 +248,13 @@ fn row(
     for (i, right) in columns(model, area) {
         let column = COLUMNS[i];
         let value = column.of(answer);
-        put_right(buffer, area, (right, 0), &short(value), theme.text());
+        put_right(
+            buffer,
+            area,
+            (right, 0),
+            &numeral(value, CELLS),
+            theme.text(),
+        );
         // An error that is larger by so many percent says little.
         let first = base.filter(|_| place > 0 && column != Column::Error);
         if let Some(first) = first.and_then(Entry::answer) {
@@ -287,22 +294,6 @@ fn remark(first: bool, flags: &[Flag], room: usize) -> String {
     candidates.into_iter().find(fits).unwrap_or(brief)
 }
 
-/// A number in five cells.
-fn short(value: f64) -> String {
-    let text = significant(value);
-    if text.len() <= 5 {
-        return text;
-    }
-    match value.abs() {
-        v if v >= 1e5 => format!("{value:.0e}"),
-        v if v >= 100.0 => format!("{value:.0}"),
-        v if v >= 10.0 => format!("{value:.1}"),
-        v if v >= 1.0 => format!("{value:.2}"),
-        v if v >= 1e-3 => format!("{value:.3}"),
-        _ => format!("{value:.0e}"),
-    }
-}
-
 /// How much larger than the first, in % of it.
 fn difference(value: f64, first: f64) -> String {
     if value == first {
@@ -323,8 +314,11 @@ mod tests {
 
     #[test]
     fn numbers_fit_their_columns() {
-        for value in [0.0, 1.234_56, 0.004_971, 72.931, 1234.5, 9.9e7, 3e-9, -0.5] {
-            assert!(short(value).len() <= 6, "{}", short(value));
+        for value in [
+            0.0, 1.234_56, 0.004_971, 72.931, 1234.5, 123_456.0, 9.9e7, 3e-9, -0.5, -0.0063,
+        ] {
+            let text = numeral(value, CELLS);
+            assert!(width(&text) <= CELLS, "{text}");
         }
         assert_eq!(difference(2.0, 1.0), "+100%");
         assert_eq!(difference(1.01, 1.0), "+1.0%");

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::score::name;
-use super::text::{fitted, put, put_right, width, wrapped};
+use super::text::{fitted, flowed, numeral, put, put_right, seen, width, wrapped};
 use super::theme::Theme;
 use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
 use crate::report::text::significant;
@@ -61,9 +61,12 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         area.height,
     );
     put(buffer, area, (1, 1), "published curves", theme.heading());
-    let last = area.height.saturating_sub(1);
-    let marks = fitted(MARKS, usize::from(area.width.saturating_sub(2)));
-    put(buffer, area, (1, last), &marks, theme.quiet());
+    let marks: Vec<String> = MARKS.split("  ").map(str::to_owned).collect();
+    let marks = flowed(&marks, area.width.saturating_sub(2));
+    let last = area.height.saturating_sub(marks.len() as u16);
+    for (y, line) in (last..).zip(&marks) {
+        put(buffer, area, (1, y), line, theme.quiet());
+    }
     let area = Rect {
         height: last,
         ..area
@@ -74,6 +77,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let chosen = model.injury % risks.len();
     let room = area.height.saturating_sub(2 + below(area)).max(1);
     let first = (chosen + 1).saturating_sub(usize::from(room));
+    let shown = usize::from(room).min(risks.len());
+    let text = seen(first, shown, risks.len());
+    put_right(buffer, area, (area.width - 1, 1), &text, theme.quiet());
     let mut before: Option<Injury> = first.checked_sub(1).map(|i| risks[i].curve.injury);
     for (i, risk) in risks.iter().enumerate().skip(first).take(room.into()) {
         let y = 2 + (i - first) as u16;
@@ -150,7 +156,9 @@ fn line(
         theme.strong(),
     );
     let (unit, scale) = risk.curve.measure.unit();
-    let value = format!("{} {unit}", significant(risk.value / scale));
+    let marks = risk.marks();
+    let room = FIGURES - 7 - (width(unit) + 1) - (width(&marks) + 1);
+    let value = format!("{} {unit}", numeral(risk.value / scale, room));
     put(
         buffer,
         area,
@@ -158,13 +166,7 @@ fn line(
         &value,
         theme.text(),
     );
-    put_right(
-        buffer,
-        area,
-        (area.width, y),
-        &risk.marks(),
-        theme.warning(),
-    );
+    put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
 /// What stands behind one curve, and whether others of the same injury disagree.

@@ -7,7 +7,7 @@ use super::chart::{Curve, spark};
 use super::eye::Scene;
 use super::profiles::{CURVES, DRIVE, PRESSURE};
 use super::raster::Ink;
-use super::text::{put, put_right, width};
+use super::text::{digits, put, put_right, width};
 use super::theme::Theme;
 use super::{form, score};
 use crate::recording::Peak;
@@ -154,56 +154,59 @@ fn traces_of(shown: &Shown) -> Vec<Trace> {
         .collect()
 }
 
-/// A number with so many significant digits, as far as it has them.
-fn digits(value: f64, count: i32) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e6).contains(&size) {
-        let after = (count - 1) as usize;
-        format!("{value:.after$e}")
-    } else {
-        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.after$}")
-    }
-}
-
 /// Below this many columns the time of a peak stands at its curve.
 const TIMED: u16 = 22;
 
-/// The name of a curve, its peak and the time of that, which together fit. Where room is short the
-/// space before the unit gives way, then digits of the value, then letters of the name.
+/// The name of a curve, its peak and the time of that, which together fit with a space between them.
+/// Where room is short the space before the unit gives way, then letters of the name, digits of the
+/// value and of the time, and at last the time.
 fn caption(trace: &Trace, room: u16) -> (&'static str, String, String) {
     let peak = trace.peak;
     let (value, ms) = (peak.value * trace.factor, peak.time * 1e3);
-    let time = match room {
-        26.. => format!("at {ms:.3} ms"),
-        TIMED.. if ms < 10.0 => format!("{ms:.3}ms"),
-        TIMED.. => format!("{}ms", digits(ms, 4)),
-        _ => String::new(),
+    let beside = |after: u8| {
+        if ms < 10.0 {
+            format!("{ms:.0$}ms", usize::from(after))
+        } else {
+            format!("{}ms", digits(ms, i32::from(after) + 1))
+        }
+    };
+    let times = match room {
+        26.. => vec![format!("at {ms:.3} ms"), beside(3), beside(2)],
+        TIMED.. => vec![beside(3), beside(2)],
+        _ => vec![String::new()],
     };
     let brief = match trace.which {
         PRESSURE => "press.",
         _ => trace.label,
     };
-    let candidates = [
-        (trace.label, 4, " "),
-        (brief, 4, " "),
-        (brief, 4, ""),
-        (brief, 3, ""),
-        (brief, 2, ""),
+    let clear = [
+        (trace.label, digits(value, 4), " "),
+        (brief, digits(value, 4), " "),
+        (brief, digits(value, 4), ""),
+        (brief, digits(value, 3), ""),
+        (brief, digits(value, 2), ""),
     ];
-    let written = candidates.map(|(label, count, gap)| {
-        let value = format!("{}{gap}{}", digits(value, count), trace.unit);
-        (label, value, time.clone())
-    });
+    let rough = [digits(value, 1), format!("{value:.0e}")];
+    let mut candidates = Vec::new();
+    for time in &times {
+        for (label, number, gap) in &clear {
+            let text = format!("{number}{gap}{}", trace.unit);
+            candidates.push((*label, text, time.clone()));
+        }
+    }
+    let none = String::new();
+    for time in times.iter().chain([&none]) {
+        for number in &rough {
+            let text = format!("{number}{}", trace.unit);
+            candidates.push((brief, text, time.clone()));
+        }
+    }
     let wide = |(label, value, time): &(&str, String, String)| {
         let after = if time.is_empty() { 0 } else { width(time) + 1 };
         width(label) + 1 + width(value) + after
     };
-    let [.., last] = &written;
-    let last = last.clone();
-    let mut fitting = written.into_iter().filter(|parts| wide(parts) <= room);
+    let last = candidates.pop().unwrap_or_default();
+    let mut fitting = candidates.into_iter().filter(|parts| wide(parts) <= room);
     fitting.next().unwrap_or(last)
 }
 
@@ -248,6 +251,44 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
             // The peaks come early, so the end of the curve has room for a word.
             let time = format!(" {:.3} ms", peak.time * 1e3);
             put_right(buffer, field, (area.width, 0), &time, theme.quiet());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_caption_keeps_its_parts_apart() {
+        let labels = [
+            ("centre", 0, "N"),
+            ("contact", DRIVE, "N"),
+            ("pressure", PRESSURE, "MPa"),
+        ];
+        for (label, which, unit) in labels {
+            for value in [12.4, 5199.0, 0.002, -0.0063, 1.016e-13] {
+                for ms in [0.362, 12.345] {
+                    let peak = Peak {
+                        value,
+                        time: ms * 1e-3,
+                    };
+                    let trace = Trace {
+                        label,
+                        unit,
+                        factor: 1.0,
+                        which,
+                        peak,
+                    };
+                    for room in 15..30 {
+                        let (label, value, time) = caption(&trace, room);
+                        let long = width(label) + 1 + width(&value);
+                        let after = if time.is_empty() { 0 } else { width(&time) + 1 };
+                        assert!(long + after <= room, "{label} {value} {time} in {room}");
+                        assert_eq!(time.is_empty(), room < TIMED, "{label} {value} in {room}");
+                    }
+                }
+            }
         }
     }
 }

@@ -4,11 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, put_right, width, wrapped};
+use super::text::{digits, fitted, numeral, put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::text::{percent, significant};
 use crate::study::{Flag, FlagKind};
+use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};
 
 /// How many rows it takes of so many.
@@ -22,6 +23,9 @@ pub fn height(of: u16) -> u16 {
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    if area.width == 0 {
+        return;
+    }
     let cells = f64::from(area.width);
     let filled = (share.clamp(0.0, 1.0) * cells).round() as u16;
     for x in 0..area.width {
@@ -35,6 +39,10 @@ fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) 
         put(buffer, area, (area.width - 1, 0), "▶", style);
     }
 }
+
+/// Where the gauge of the index begins, and its fewest columns.
+const GAUGE: u16 = 18;
+const SHORTEST: u16 = 4;
 
 /// Draws it.
 pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
@@ -52,12 +60,13 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
 
     let damage = index.damage();
     put(buffer, line(1), (0, 0), "Damage", theme.heading());
-    let number = format!("{} %", significant(damage));
+    let number = format!("{} %", numeral(damage, 8));
     put_right(buffer, line(1), (17, 0), &number, theme.strong());
     let band = band(model, shown, area.width);
     let beside = if band.is_empty() { 0 } else { width(&band) + 1 };
     put_right(buffer, line(1), (area.width, 0), &band, theme.text());
-    let gauge = Rect::new(area.x + 18, area.y + 1, area.width - 18 - beside, 1);
+    let wide = area.width.saturating_sub(GAUGE + beside);
+    let gauge = Rect::new(area.x + GAUGE, area.y + 1, wide, 1);
     bar(
         damage / 100.0,
         theme.gauge(damage / 100.0),
@@ -94,6 +103,7 @@ fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let full = format!("Index error: step {step}, mesh {mesh}");
     let tight = full.replace(" %", "%").replace("< ", "<");
     let brief = tight.replace(" error:", " ±");
+    let bare = brief.replace("Index ", "");
     let candidates = [
         (&full, beside + 1),
         (&tight, beside),
@@ -101,26 +111,42 @@ fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
         (&full, 0),
         (&tight, 0),
         (&brief, 0),
+        (&bare, 0),
     ];
     let fits = |(text, beside): &(&String, u16)| width(text) + beside <= area.width;
-    let (text, beside) = candidates.into_iter().find(fits).unwrap_or((&brief, 0));
+    let (text, beside) = candidates.into_iter().find(fits).unwrap_or((&bare, 0));
     put(buffer, area, (0, 0), text, theme.text());
     if beside > 0 {
         put_right(buffer, area, (area.width, 0), &apex, theme.text());
     }
 }
 
-/// Where nine in ten samples of the inputs lie, once that is known.
+/// Where nine in ten samples of the inputs lie, once that is known. Where it holds fewer than were asked
+/// for it says so, or bears a star that the screen of its own explains.
 fn band(model: &Model, shown: &Shown, room: u16) -> String {
-    let Some(band) = model.ensemble.damage(&shown.scenario) else {
+    let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         return String::new();
     };
-    if room >= 50 {
-        let (low, high) = (significant(band.low), significant(band.high));
+    let Some(band) = ensemble.band(0) else {
+        return String::new();
+    };
+    let span = |count| {
+        let (low, high) = (digits(band.low, count), digits(band.high, count));
         format!("5-95 %: {low} to {high}")
+    };
+    let held = ensemble.valid().count();
+    let (mark, reason) = if is_whole(ensemble) {
+        ("", String::new())
+    } else if held < ensemble.asked as usize {
+        ("*", format!(" ({held} of {})", ensemble.asked))
     } else {
-        format!("{:.0}-{:.0}", band.low, band.high)
-    }
+        ("*", " (most folded)".to_owned())
+    };
+    let marked = [4, 3, 2].map(|count| span(count) + mark);
+    let mut texts = std::iter::once(span(4) + &reason).chain(marked);
+    let free = room.saturating_sub(GAUGE + SHORTEST + 1);
+    let fitting = texts.find(|text| width(text) <= free);
+    fitting.unwrap_or_else(|| format!("{:.0}-{:.0}{mark}", band.low, band.high))
 }
 
 /// Below so many columns units and weights give way.
@@ -149,7 +175,8 @@ fn part(
     buffer: &mut Buffer,
 ) {
     put(buffer, area, (0, 0), label, theme.text());
-    let number = format!("{} {unit}", significant(value));
+    let room = 20 - width(label) - width(unit) - 2;
+    let number = format!("{} {unit}", numeral(value, room));
     put_right(buffer, area, (20, 0), &number, theme.strong());
     let limit = if area.width < ROOMY {
         format!("of {}", term.threshold)
@@ -208,5 +235,34 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     };
     for (i, line) in lines.iter().take(rows).enumerate() {
         put(buffer, area, (0, 6 + i as u16), line, theme.warning());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::model::Look;
+    use crate::tui::terminal::caps::{Depth, Symbols};
+
+    #[test]
+    fn a_long_number_leaves_the_name_of_its_part_whole() {
+        let look = Look {
+            depth: Depth::Mono,
+            symbols: Symbols::Braille,
+        };
+        for value in [1.016e-13, -0.0063, -1.016e-13, 0.2091, 1e9] {
+            for wide in [34, 50, 85] {
+                let area = Rect::new(0, 0, wide, 1);
+                let mut buffer = Buffer::empty(area);
+                let of = ("M meridian", "%", value, MERIDIAN);
+                part(of, ("0.0", 8), Theme::of(look), area, &mut buffer);
+                let cells = buffer.content.iter();
+                let text: String = cells.map(ratatui::buffer::Cell::symbol).collect();
+                let words: Vec<&str> = text.split_whitespace().collect();
+                assert_eq!((words[0], words[1], words[3]), ("M", "meridian", "%"));
+                let shown: f64 = words[2].parse().unwrap();
+                assert!((shown / value - 1.0).abs() < 0.05, "{text}");
+            }
+        }
     }
 }

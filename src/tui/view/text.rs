@@ -79,29 +79,87 @@ pub fn wrapped(text: &str, room: usize) -> Vec<String> {
     lines
 }
 
+/// Parts in as few lines as fit, none of them broken.
+pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if width(line) + 2 + width(part) <= room => {
+                line.push_str("  ");
+                line.push_str(part);
+            }
+            _ => lines.push(fitted(part, usize::from(room))),
+        }
+    }
+    lines
+}
+
+/// A number with so many significant digits, as far as it has them.
+pub fn digits(value: f64, count: i32) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&size) {
+        let after = (count - 1) as usize;
+        format!("{value:.after$e}")
+    } else {
+        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.after$}")
+    }
+}
+
+/// A number in so many cells: four digits, or as many as there is room for.
+pub fn numeral(value: f64, room: u16) -> String {
+    let shortest = format!("{value:.0e}");
+    let written = (1..=4).rev().map(|count| digits(value, count));
+    let mut fitting = written.filter(|text| width(text) <= room);
+    fitting.next().unwrap_or(shortest)
+}
+
+/// Which of the rows of a list are seen, with a mark at each end that goes on; nothing if all are.
+pub fn seen(first: usize, shown: usize, all: usize) -> String {
+    if shown >= all {
+        return String::new();
+    }
+    let above = if first > 0 { "▴ " } else { "" };
+    let below = if first + shown < all { " ▾" } else { "" };
+    format!("{above}{} to {} of {all}{below}", first + 1, first + shown)
+}
+
 /// Rewrites a finished screen with ASCII alone.
 pub fn to_ascii(buffer: &mut Buffer) {
+    let columns = usize::from(buffer.area.width.max(1));
+    for at in 0..buffer.content.len() {
+        // A plus alone would make a sum of a doubt: the space behind the sign takes the minus.
+        let spaced = (at + 1) % columns > 0 && buffer.content[at + 1].symbol() == " ";
+        if spaced && buffer.content[at].symbol() == "±" {
+            buffer.content[at].set_symbol("+");
+            buffer.content[at + 1].set_symbol("-");
+        }
+    }
     for cell in &mut buffer.content {
         let plain = match cell.symbol() {
             text if text.is_ascii() => continue,
             "─" | "━" | "╌" | "—" => "-",
             "│" | "┃" | "▏" | "▎" | "▌" | "▕" => "|",
-            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" | "±" => {
+            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" => {
                 "+"
             }
             "█" | "▓" | "▇" => "#",
-            "▒" | "▆" | "▅" => "=",
+            "▒" | "▆" | "▅" | "═" => "=",
             "░" | "▂" | "▁" | "·" => ".",
             "▸" | "▶" | "→" | "›" => ">",
             "◂" | "←" | "‹" => "<",
             "▾" | "↓" | "▼" => "v",
             "▴" | "↑" | "▲" => "^",
-            "●" | "•" | "◆" => "*",
+            "●" | "•" => "*",
+            // Apart from the star that marks a band.
+            "◆" => "@",
             "○" | "°" => "o",
             "×" => "x",
             "µ" | "μ" => "u",
             "Δ" => "d",
-            "…" => "~",
+            "…" | "±" => "~",
             _ => "?",
         };
         cell.set_symbol(plain);
@@ -119,6 +177,52 @@ mod tests {
         assert_eq!(fitted("paper", 0), "");
         assert_eq!(wrapped("one two three", 7), ["one two", "three"]);
         assert_eq!(wrapped("incomprehensible", 6), ["incom…"]);
+    }
+
+    #[test]
+    fn numbers_give_up_digits_for_room() {
+        for (value, text) in [
+            (26.418_437, "26.42"),
+            (-0.0063, "-0.00630"),
+            (1.016e-13, "1.02e-13"),
+            (-1.016e-13, "-1.0e-13"),
+            (123_456.0, "123456"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(numeral(value, 8), text);
+        }
+        assert_eq!(numeral(0.000_123_4, 5), "1e-4");
+    }
+
+    #[test]
+    fn a_list_says_which_of_its_rows_are_seen() {
+        assert_eq!(seen(0, 9, 9), "");
+        assert_eq!(seen(0, 8, 9), "1 to 8 of 9 ▾");
+        assert_eq!(seen(1, 7, 9), "▴ 2 to 8 of 9 ▾");
+        assert_eq!(seen(1, 8, 9), "▴ 2 to 9 of 9");
+    }
+
+    #[test]
+    fn a_doubt_in_ascii_is_no_sum() {
+        for (text, plain) in [
+            ("300 ± 30 N", "300 +-30 N"),
+            ("300±30 N  ", "300~30 N  "),
+            ("x   300 ± ", "x   300 +-"),
+            ("x    300 ±", "x    300 ~"),
+        ] {
+            let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
+            put(
+                &mut buffer,
+                Rect::new(0, 0, 10, 1),
+                (0, 0),
+                text,
+                Style::new(),
+            );
+            to_ascii(&mut buffer);
+            let row = &buffer.content[..10];
+            let written: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
+            assert_eq!(written, plain);
+        }
     }
 
     #[test]

@@ -7,13 +7,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, put_both, put_right, width, wrapped};
+use super::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
 use super::theme::Theme;
 use crate::report::ensemble::{distribution, hundredths};
-use crate::report::text::{percent, significant};
+use crate::report::text::percent;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
 use crate::study::outputs::OUTPUTS;
+use crate::tui::ensemble::is_whole;
 use crate::tui::model::Model;
 
 /// Columns of a result's name, and of each of its three numbers.
@@ -21,6 +22,8 @@ const LABEL: u16 = 19;
 const NUMBER: u16 = 9;
 /// Rows of what drives a result, at least: its name and the strongest three.
 const DRIVERS: u16 = 4;
+/// Rows that the notes may always take: what the bands hold fits into them at any width.
+const NOTES: u16 = 3;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
 
@@ -30,8 +33,10 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let (said, style) = status(model, theme);
     let title = ("5 to 95 % of samples", theme.heading());
     put_both(buffer, area, title, (&said, style));
-    let Some((_, ensemble)) = &model.ensemble.done else {
-        let text = match (&model.ensemble.job, &model.ensemble.complaint) {
+    // Bands of another scenario would be taken for those of this one.
+    let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
+        let complaint = model.ensemble.complaint(&model.work.scenario);
+        let text = match (&model.ensemble.job, complaint) {
             (Some(_), _) => {
                 "The blow is simulated over the published spreads of the eye's materials and over \
                  your own doubt in the inputs: type 300 +- 20 into a field to add some."
@@ -47,50 +52,53 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let outputs = ensemble.outputs();
     let chosen = model.ensemble.output.min(outputs.len().saturating_sub(1));
     heading(area, theme, buffer);
-    // The results scroll where what drives the chosen one would find no room.
-    let free = area.height.saturating_sub(3 + DRIVERS);
-    let shown = outputs.len().min(usize::from(free));
+    let notes = Notes::of(ensemble, usize::from(area.width - 2));
+    let least = notes
+        .brief
+        .len()
+        .min(usize::from(NOTES.max(area.height / 6)));
+    // The results scroll where the notes and what drives the chosen one would find no room.
+    let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
+    let shown = outputs.len().min(free);
     let first = (chosen + 1).saturating_sub(shown);
     for (row, index) in outputs.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
         result(ensemble, *index, first + row == chosen, theme, line, buffer);
     }
-    if shown < outputs.len() {
-        let text = format!("{} to {} of {}", first + 1, first + shown, outputs.len());
-        put(buffer, area, (1, 1), &text, theme.quiet());
-    }
-    let top = 3 + shown as u16;
+    let text = seen(first, shown, outputs.len());
+    put(buffer, area, (1, 1), &text, theme.quiet());
+    let gap = u16::from(shown < free);
+    let top = 2 + shown as u16 + gap;
     let below = area.height.saturating_sub(top);
-    // What drives is worth more than all the notes.
-    let spare = below.saturating_sub(DRIVERS);
-    let notes = notes(ensemble, usize::from(area.width - 2), spare);
+    let notes = notes.within(usize::from(below.saturating_sub(DRIVERS)).max(least));
     let kept = notes.len() as u16;
     if let Some(output) = outputs.get(chosen) {
-        let field = Rect::new(area.x, area.y + top, area.width, below - kept);
+        let height = below.saturating_sub(kept);
+        let field = Rect::new(area.x, area.y + top, area.width, height);
         drivers(ensemble, *output, theme, field, buffer);
     }
-    let first = area.height - kept;
+    let first = area.height.saturating_sub(kept);
     for (i, line) in notes.iter().enumerate() {
         put(buffer, area, (1, first + i as u16), line, theme.quiet());
     }
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let current = model.ensemble.of(&model.work.scenario);
-    match (&model.ensemble.job, &model.ensemble.complaint) {
+    let scenario = &model.work.scenario;
+    let complaint = model.ensemble.complaint(scenario);
+    match (&model.ensemble.job, complaint) {
         (Some(job), _) if job.stopping => ("stopping".to_owned(), theme.warning()),
         (Some(job), _) => {
             let text = format!("running {:.0} %  Esc stops", job.share * 100.0);
             (text, theme.warning())
         }
-        (None, _) if model.ensemble.done.is_some() && current.is_none() => {
-            let text = "of another scenario: m runs this one".to_owned();
-            (text, theme.warning())
-        }
         (None, Some(why)) => (format!("{why}: m runs all"), theme.warning()),
         (None, None) => {
-            let count = current.map_or(0, |ensemble| ensemble.samples.len());
-            (format!("{count} samples"), theme.quiet())
+            let known = model.ensemble.of(scenario);
+            let text = known.map_or("no samples yet".to_owned(), |ensemble| {
+                format!("{} samples", ensemble.samples.len())
+            });
+            (text, theme.quiet())
         }
     }
 }
@@ -136,7 +144,9 @@ fn result(
     );
     for (i, value) in [band.low, band.median, band.high].iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
-        put_right(buffer, area, (right, 0), &significant(*value), style);
+        // One column is kept free, so that numbers do not touch.
+        let text = numeral(*value, NUMBER - 1);
+        put_right(buffer, area, (right, 0), &text, style);
     }
     let left = LABEL + 4 + 3 * NUMBER;
     if left + 8 < area.width {
@@ -174,7 +184,19 @@ fn strip(band: Band, nominal: Option<f64>, theme: Theme, area: Rect, buffer: &mu
 
 fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let text = format!("What drives {}: rank correlation", OUTPUTS[output].label);
-    put(buffer, area, (1, 0), &text, theme.heading());
+    let end = put(buffer, area, (1, 0), &text, theme.heading());
+    let rows = usize::from(area.height.saturating_sub(1));
+    let all = ensemble.inputs.len();
+    if rows < all {
+        let texts = [
+            format!("the strongest {rows} of {all}"),
+            format!("{rows} of {all}"),
+        ];
+        let fits = |text: &&String| end + 2 + width(text) < area.width;
+        if let Some(text) = texts.iter().find(fits) {
+            put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
+        }
+    }
     if ensemble.inputs.is_empty() {
         let text = "nothing was drawn: every input is held to be known";
         put(buffer, area, (1, 1), text, theme.text());
@@ -184,7 +206,6 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
     let said = if wide >= 70 { 40 } else { 0 };
     let half = (wide - said) / 2;
     let middle = LABEL + 9 + half;
-    let rows = usize::from(area.height.saturating_sub(1));
     for (row, (input, correlation)) in (1..).zip(ensemble.drivers(output).into_iter().take(rows)) {
         let of = &ensemble.inputs[input];
         let style = if of.source.is_none() {
@@ -219,26 +240,58 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
     }
 }
 
-/// How samples were counted and how exact they are: as many sentences as fit whole.
-fn notes(ensemble: &Ensemble, room: usize, rows: u16) -> Vec<String> {
-    let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
-    let mut said = vec![format!(
-        "Bands of {valid} of {done} samples, {}",
-        ensemble.which()
-    )];
-    let counts: Vec<String> = ensemble
-        .counts()
-        .into_iter()
-        .map(|(name, count)| format!("{count} {}", name.replace('_', " ")))
-        .collect();
-    if !counts.is_empty() {
-        said.push(format!("Flags: {}.", counts.join(", ")));
+/// How samples were counted, and how exact they are.
+struct Notes {
+    /// What the bands hold, and the flags.
+    brief: Vec<String>,
+    /// The step error as well.
+    whole: Vec<String>,
+}
+
+impl Notes {
+    fn of(ensemble: &Ensemble, room: usize) -> Self {
+        let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
+        // The star is that of the band on the main screen.
+        let star = if is_whole(ensemble) { "" } else { "* " };
+        let asked = if ensemble.stopped() {
+            format!(" done ({} asked for)", ensemble.asked)
+        } else {
+            String::new()
+        };
+        let mut text = format!(
+            "{star}Bands of {valid} of {done} samples{asked}, {}",
+            ensemble.which()
+        );
+        let counts: Vec<String> = ensemble
+            .counts()
+            .into_iter()
+            .map(|(name, count)| format!("{count} {}", name.replace('_', " ")))
+            .collect();
+        if !counts.is_empty() {
+            text.extend([" Flags: ", &counts.join(", "), "."]);
+        }
+        let brief = wrapped(&text, room);
+        let checks = ensemble.checks();
+        let (error, count) = (percent(checks.last), checks.count);
+        let text = format!("{text} Step error up to {error} in {count} compared.");
+        Self {
+            brief,
+            whole: wrapped(&text, room),
+        }
     }
-    let checks = ensemble.checks();
-    let (error, count) = (percent(checks.last), checks.count);
-    said.push(format!("Step error up to {error} in {count} compared."));
-    let written = |count: usize| wrapped(&said[..count].join(" "), room);
-    let fits = |lines: &Vec<String>| lines.len() <= usize::from(rows);
-    let counts = (0..=said.len()).rev();
-    counts.map(written).find(fits).unwrap_or_default()
+
+    /// As much as so many rows hold, with a mark where something is left out.
+    fn within(self, rows: usize) -> Vec<String> {
+        if self.whole.len() <= rows {
+            return self.whole;
+        }
+        let mut lines = self.brief;
+        if lines.len() > rows {
+            lines.truncate(rows);
+            if let Some(line) = lines.last_mut() {
+                line.push('…');
+            }
+        }
+        lines
+    }
 }

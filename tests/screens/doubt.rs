@@ -1,0 +1,169 @@
+//! What the screens say of samples: which scenario they are of, how many, and their numbers apart.
+
+use super::{SIZES, line_from, model, open_sampled, picture, press};
+use contrecoup::study::ensemble::Ensemble;
+use contrecoup::study::unwatched;
+use contrecoup::tui::ensemble::{Sampling, ensemble};
+use contrecoup::tui::model::Model;
+use contrecoup::tui::terminal::caps::{Depth, Symbols};
+use contrecoup::tui::update::{Message, update};
+use contrecoup::tui::worker::Report;
+
+/// Opens the screen and lets so many samples be run, changed by `then`, of as many as were asked for.
+fn open_changed(model: &mut Model, count: u32, then: impl Fn(&mut Ensemble)) {
+    press(model, "\x1b6");
+    let job = model.ensemble.job.as_ref().unwrap();
+    let few = Sampling {
+        count,
+        ..job.question.clone()
+    };
+    let mut done = ensemble(&few, &mut unwatched).unwrap();
+    then(&mut done);
+    let report = Report::Done(job.ticket, Box::new(Ok(done)));
+    update(model, Message::Ensemble(report));
+}
+
+#[test]
+fn bands_of_the_scenario_before_are_not_shown() {
+    let mut model = model(&[], Depth::Mono);
+    open_sampled(&mut model);
+    assert!(picture(&model, (80, 24)).contains("as it stands"));
+    press(&mut model, "\x1b1\r\x15200\r\x1b6");
+    let ticket = model.ensemble.job.as_ref().unwrap().ticket;
+    update(
+        &mut model,
+        Message::Ensemble(Report::Progress(ticket, 0.01)),
+    );
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(text.contains("running 1 %"), "{text}");
+        for word in ["as it stands", "◆", "median", "What drives", "Bands of"] {
+            assert!(!text.contains(word), "{text}");
+        }
+    }
+    open_sampled(&mut model);
+    assert!(picture(&model, (80, 24)).contains("Bands of 24"));
+    // Undone on the screen itself: nothing runs, and nothing is shown as if it had.
+    press(&mut model, "u");
+    let text = picture(&model, (80, 24));
+    assert!(text.contains("m runs the samples"), "{text}");
+    assert!(!text.contains("Bands of"), "{text}");
+}
+
+#[test]
+fn what_the_bands_hold_is_said_beside_many_results() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    open_changed(&mut model, 24, |_| {});
+    let results = model.ensemble.of(&model.work.scenario).unwrap().outputs();
+    assert!(results.len() > 13);
+    for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjj"] {
+        press(&mut model, keys);
+        for size in SIZES {
+            let text = picture(&model, size);
+            assert!(text.contains("* Bands of 24 of 24 samples, those that ran."));
+            let words: Vec<&str> = text.split_whitespace().collect();
+            assert!(words.join(" ").contains("Flags: 20 mesh folded"), "{text}");
+            let named = |line: &&str| line.contains(['├', '┤']);
+            let shown = text.lines().filter(named).count();
+            let marked = text.contains(&format!(" of {} ", results.len()));
+            assert_eq!(marked, shown < results.len(), "{text}");
+            assert_eq!(
+                shown < results.len() && keys.is_empty(),
+                text.contains(" ▾")
+            );
+            assert_eq!(
+                shown < results.len() && !keys.is_empty(),
+                text.contains("▴ ")
+            );
+            let drivers = line_from(&text, "What drives");
+            assert_eq!(drivers.contains(" of "), size != (120, 40), "{text}");
+        }
+    }
+}
+
+#[test]
+fn numbers_of_any_length_stand_apart() {
+    let mut model = model(&[], Depth::Mono);
+    open_changed(&mut model, 8, |ensemble| {
+        for sample in &mut ensemble.samples {
+            let point = sample.outcome.as_mut().unwrap();
+            let long = [3.482e-16, -0.0063, -1.016e-13, 123_456.7];
+            for (value, long) in point.values.iter_mut().zip(long) {
+                *value = long;
+            }
+        }
+    });
+    for size in SIZES {
+        let text = picture(&model, size);
+        for (name, value) in [
+            ("damage index %", "3.48e-16"),
+            ("S shell growth %", "-0.00630"),
+            ("M meridian growth %", "-1.0e-13"),
+            ("E energy imparted J", "123457"),
+        ] {
+            let words: Vec<&str> = line_from(&text, name)[name.len()..]
+                .split_whitespace()
+                .collect();
+            assert_eq!(words[..3], [value; 3], "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
+    let mut model = model(&[], Depth::Mono);
+    open_sampled(&mut model);
+    // Stopped after a few: the rest was asked for and is not there.
+    let done = model.ensemble.done.take().unwrap();
+    let mut stopped = (*done.1).clone();
+    stopped.asked = 1000;
+    model.ensemble.done = Some((done.0.clone(), stopped.clone().into()));
+    let text = picture(&model, (80, 24));
+    let said = line_from(&text, "* Bands of 24 of 24 samples done (1000 asked for)");
+    assert!(!said.is_empty());
+    press(&mut model, "\x1b1");
+    for (size, word) in SIZES.into_iter().zip(["*", "*", "(24 of 1000)"]) {
+        let text = picture(&model, size);
+        let line = line_from(&text, "Damage");
+        assert!(line.ends_with(word), "{line}");
+        assert!(size.0 == 60 || line.contains(" 5-95 %: "), "{line}");
+    }
+    stopped.asked = 24;
+    model.ensemble.done = Some((done.0, stopped.into()));
+    for size in SIZES {
+        let text = picture(&model, size);
+        let line = line_from(&text, "Damage");
+        assert!(!line.contains(['*', '(']), "{line}");
+    }
+}
+
+#[test]
+fn a_doubt_is_no_sum_in_ascii() {
+    let mut model = model(&[], Depth::Mono);
+    model.look.symbols = Symbols::Ascii;
+    press(&mut model, "\r ± 30");
+    assert!(picture(&model, (80, 24)).contains("300 +-30"));
+    press(&mut model, "\r");
+    for size in SIZES {
+        assert!(picture(&model, size).contains("300 +-30 N"));
+    }
+    open_sampled(&mut model);
+    assert!(picture(&model, (120, 40)).contains("normal 300.0 +-30.00 N"));
+}
+
+#[test]
+fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
+    let mut model = model(&["soccer-ball"], Depth::Mono);
+    press(&mut model, "\x1b8");
+    for size in SIZES {
+        let text = picture(&model, size);
+        for mark in ["s slope assumed", "x extrapolated", "! invalid here"] {
+            assert!(text.contains(mark), "{text}");
+        }
+        let curves = text.lines().filter(|line| line.contains("··")).count();
+        assert_eq!(
+            text.contains(&format!("1 to {curves} of ")),
+            text.contains('▾')
+        );
+    }
+}
