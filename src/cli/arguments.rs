@@ -16,6 +16,9 @@ use crate::scenario::locate::locate;
 use crate::scenario::problem::{ScenarioError, printable, quoted};
 use crate::scenario::set::set;
 
+/// Characters that a name may have.
+const LONGEST_NAME: usize = 80;
+
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
 pub struct ScenarioArgs {
@@ -85,9 +88,7 @@ impl ScenarioArgs {
         check(&scenario).map_err(|error| complaint("with these flags", "", &error))?;
         // The name tells of the values as they were, so what was changed stands beside it.
         if self.assignments.iter().all(|a| a.path != "name") {
-            for Assignment { path, text } in &self.assignments {
-                scenario.name += &format!("; {path}={}", text.trim());
-            }
+            scenario.name = with_changes(&scenario.name, &self.assignments);
         }
         Ok(scenario)
     }
@@ -107,6 +108,20 @@ impl ScenarioArgs {
         let (line, column) = locate(&text, field);
         Some(format!("{}:{line}:{column}", printable(&self.source)))
     }
+}
+
+/// A name with what was set; only with how much, where that is too long for a name.
+fn with_changes(name: &str, changes: &[Assignment]) -> String {
+    let each = changes
+        .iter()
+        .map(|a| format!("; {}={}", a.path, a.text.trim()));
+    let all = name.to_owned() + &each.collect::<String>();
+    if all.chars().count() <= LONGEST_NAME {
+        return all;
+    }
+    let count = format!("; {} fields set", changes.len());
+    let room = LONGEST_NAME - count.chars().count();
+    name.chars().take(room).chain(count.chars()).collect()
 }
 
 fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result<(), CliError> {
@@ -183,6 +198,17 @@ mod tests {
         );
         assert_eq!(changed.numerics.step_us, Some(1.5));
         assert_eq!(changed.name, "a = b");
+    }
+
+    #[test]
+    fn a_name_says_what_was_set_beside_it_and_stays_a_name() {
+        let changed = scenario(&["--set", "impact.force_n=450"]).unwrap();
+        assert_eq!(changed.name, "300 N for 0.2 ms; impact.force_n=450");
+        let many: Vec<String> = (0..9).map(|i| format!("--set=eye.lens_kpa={i}1")).collect();
+        let many: Vec<&str> = many.iter().map(String::as_str).collect();
+        let changed = scenario(&many).unwrap();
+        assert_eq!(changed.name, "300 N for 0.2 ms; 9 fields set");
+        check(&changed).unwrap();
     }
 
     #[test]

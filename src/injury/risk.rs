@@ -160,7 +160,7 @@ pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
                 !(low..=high).contains(&blow?.speed)
                     || curve.says_little(value)
                     || value > MOST
-                    || caution.is_some()
+                    || caution == Some(Caution::LargerThanEye)
             }
             Range::Unknown => true,
         };

@@ -76,7 +76,7 @@ impl Spread {
 
 /// Whether the bands hold every sample that was asked for and none whose mesh folded.
 pub fn is_whole(ensemble: &Ensemble) -> bool {
-    ensemble.valid().count() >= ensemble.asked as usize && !ensemble.holds_folded()
+    ensemble.valid().count() >= ensemble.asked as usize && ensemble.folded() == 0
 }
 
 /// What of a scenario matters.

@@ -140,7 +140,7 @@ fn band(model: &Model, shown: &Shown, room: u16) -> String {
     } else if held < ensemble.asked as usize {
         ("*", format!(" ({held} of {})", ensemble.asked))
     } else {
-        ("*", " (most folded)".to_owned())
+        ("*", format!(" ({} folded)", ensemble.folded()))
     };
     let marked = [4, 3, 2].map(|count| span(count) + mark);
     let mut texts = std::iter::once(span(4) + &reason).chain(marked);
