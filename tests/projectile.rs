@@ -511,3 +511,27 @@ fn eye_and_object_together_keep_their_momentum() {
     }
     assert!(shot(&answer).contact.is_some());
 }
+
+#[test]
+fn an_eye_that_was_missed_shows_no_rounding_and_no_injury() {
+    let beside = Projectile {
+        offset_mm: 12.0,
+        stiffness: ProjectileStiffness::Linear { n_per_m: 2.0e4 },
+        ..bb(56.0)
+    };
+    let answer = answer(&physiological(beside));
+    assert!(has(&answer, FlagKind::EyeMissed));
+    assert_eq!(values(&answer.recording.extremes)[..9], [0.0; 9]);
+    assert_eq!(answer.index.damage(), 0.0);
+    assert!(answer.risks().is_empty());
+}
+
+#[test]
+fn an_object_narrower_than_the_mesh_is_flagged() {
+    let needle = Projectile {
+        diameter_mm: 1.0,
+        ..bb(5.0)
+    };
+    let flagged = |shot| has(&answer(&paper(shot)), FlagKind::ObjectUnresolved);
+    assert!(flagged(needle) && !flagged(bb(5.0)));
+}

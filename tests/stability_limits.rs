@@ -7,7 +7,7 @@ use contrecoup::eye::{Eye, Landmarks, Node, Region, Spring, SpringKind};
 use contrecoup::recording::Keep;
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{ForcePulse, Scenario};
-use contrecoup::study::{Case, solve, unwatched};
+use contrecoup::study::{Case, difference_percent, solve, unwatched, values};
 use nalgebra::{Matrix2, Point2, Vector2};
 
 struct Nobody;
@@ -195,4 +195,54 @@ fn nothing_moves_without_force() {
     assert!(answer.flags.is_empty(), "{:?}", answer.flags);
     assert!(answer.index.damage() < 1e-9);
     assert!(answer.errors.time_step_percent() < 1e-5);
+}
+
+/// Each stated error of a scenario beside the difference from a run of short steps, in %.
+fn stated_and_true(settings: &[(&str, &str)]) -> Vec<(f64, f64)> {
+    let mut scenario = Scenario::default();
+    for (path, value) in settings {
+        set(&mut scenario, path, value).unwrap();
+    }
+    let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    for (path, value) in [
+        ("numerics.integrator", "Srkn11b"),
+        ("numerics.step_us", "0.2"),
+    ] {
+        set(&mut scenario, path, value).unwrap();
+    }
+    let fine = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let (a, b) = (
+        values(&answer.recording.extremes),
+        values(&fine.recording.extremes),
+    );
+    let truth = difference_percent(&a, &b);
+    let common = answer.errors.time_step.into_iter().zip(truth);
+    common.take(9).collect()
+}
+
+#[test]
+fn the_step_error_of_a_short_pulse_holds_where_a_longer_step_would_cut_it_alike() {
+    for integrator in ["VelocityVerlet", "SemiImplicitEuler", "Srkn6b"] {
+        for duration in ["0.003", "0.00075"] {
+            let pairs = stated_and_true(&[
+                ("impact.shape", "HalfSine"),
+                ("impact.duration_ms", duration),
+                ("numerics.integrator", integrator),
+                ("window_ms", "0.4"),
+            ]);
+            for (stated, truth) in pairs {
+                assert!(stated >= truth, "{integrator} {duration}: {stated} {truth}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_step_error_of_a_weak_blow_is_no_smaller_a_share_than_that_of_a_strong_one() {
+    for force in ["10", "1", "0.01"] {
+        let pairs = stated_and_true(&[("impact.force_n", force)]);
+        for (stated, truth) in pairs {
+            assert!(stated >= truth, "{force} N: {stated} {truth}");
+        }
+    }
 }

@@ -116,14 +116,14 @@ pub fn values(extremes: &Extremes) -> PerQuantity {
     Quantity::ALL.map(|q| q.of(extremes))
 }
 
-/// |a - b| in % of b for each result, at least what rounding makes of it; 0 where both are nothing.
+/// |a - b| in % of b for each result; 0 where both are nothing but rounding.
 pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
     std::array::from_fn(|i| {
         let (difference, rounding) = ((a[i] - b[i]).abs(), Quantity::ALL[i].rounding());
         if difference == 0.0 || b[i] == 0.0 && difference < rounding {
             0.0
         } else {
-            100.0 * difference.max(rounding) / b[i].abs()
+            100.0 * difference / b[i].abs()
         }
     })
 }
