@@ -80,6 +80,9 @@ const GROWTH: (f64, f64) = (0.2, 5.0);
 const CAUTION: f64 = 0.9;
 /// A step this small a share of the segment is taken whatever its error, so that time advances.
 const SMALLEST_SHARE: f64 = 1e-9;
+/// Errors are shares of no less than this: of an eye at rest only rounding is left, which no step
+/// makes small.
+const LEAST_ENERGY_J: f64 = 1e-14;
 
 /// Rates of change at one stage.
 #[derive(Clone)]
@@ -255,7 +258,7 @@ impl Stepper for RungeKutta {
             self.largest_energy = self
                 .largest_energy
                 .max(survey.kinetic + survey.elastic)
-                .max(f64::MIN_POSITIVE);
+                .max(LEAST_ENERGY_J);
             let error = self.error(system, h);
             let factor = CAUTION * (tolerance / error).powf(1.0 / self.tableau.error_power);
             let accepted = error <= tolerance || h <= SMALLEST_SHARE * self.longest;
