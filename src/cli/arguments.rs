@@ -10,14 +10,12 @@ use clap::Args;
 use super::CliError;
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
+use crate::scenario::fields::LONGEST_NAME;
 use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{ScenarioError, printable, quoted};
 use crate::scenario::set::set;
-
-/// Characters that a name may have.
-const LONGEST_NAME: usize = 80;
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]

@@ -189,6 +189,7 @@ impl<S: Simd> Quartet<S> {
         ];
         Self { springs, inverse }
     }
+
     /// Adds the springs, whose tensions over their lengths are `pulls`, and the quads to `sums`.
     #[inline(always)]
     fn survey<const QUICK: bool>(

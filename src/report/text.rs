@@ -11,14 +11,20 @@ use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
 pub fn significant(value: f64) -> String {
+    digits(value, 4)
+}
+
+/// The same with `count` significant digits.
+pub fn digits(value: f64, count: i32) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()
     } else if !(1e-4..1e6).contains(&size) {
-        format!("{value:.3e}")
+        let after = (count - 1) as usize;
+        format!("{value:.after$e}")
     } else {
-        let digits = (3 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.digits$}")
+        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.after$}")
     }
 }
 

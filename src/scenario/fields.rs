@@ -14,6 +14,9 @@ use super::{
     PulseShape, Scenario,
 };
 
+/// Characters that a name may have.
+pub const LONGEST_NAME: usize = 80;
+
 /// A field of a scenario.
 pub struct Field {
     /// Dotted path, as in `impact.force_n`.
@@ -253,7 +256,7 @@ use within_bounds as b;
 /// Every field, in the order in which a form shows them.
 #[rustfmt::skip]
 pub static FIELDS: &[Field] = &[
-    field("name", "Name", "", Text(80, at!(name))),
+    field("name", "Name", "", Text(LONGEST_NAME, at!(name))),
     field("model", "Model", "", Choice(&OneOf(MODELS, at!(model)))),
     field("model.slab", "Slab depth", "", Toggle(within!(physiological, physiological_mut, slab))),
     field("model.depth_mm", "Depth of the slab", "mm", Number(b(0.1, 1e3, 1.0, 4.0), within!(physiological, physiological_mut, depth_mm))),

@@ -108,21 +108,20 @@ pub static OUTPUTS: &[Output] = &[
         unit: "%",
         of: |ran| {
             let pressure = ran.extremes.fluid?.pressure.value;
-            let risk = risk(None, Some(pressure), RUPTURE_BY_PRESSURE, None);
-            risk.map(|risk| if ran.extremes.missed() { 0.0 } else { risk })
+            unless_missed(ran, None, Some(pressure), RUPTURE_BY_PRESSURE)
         },
     },
     Output {
         key: RUPTURE_KEY,
         label: "rupture, energy",
         unit: "%",
-        of: |ran| by_energy(ran, RUPTURE_BY_ENERGY),
+        of: |ran| unless_missed(ran, Blow::of(ran.scenario), None, RUPTURE_BY_ENERGY),
     },
     Output {
         key: RETINA_KEY,
         label: "retina, energy",
         unit: "%",
-        of: |ran| by_energy(ran, RETINA_BY_ENERGY),
+        of: |ran| unless_missed(ran, Blow::of(ran.scenario), None, RETINA_BY_ENERGY),
     },
 ];
 
@@ -147,10 +146,15 @@ fn risk(
     Some(100.0 * risk)
 }
 
-/// The same by the energy of an object, which does nothing to an eye that it missed.
-fn by_energy(ran: &Ran, of: (Injury, Measure)) -> Option<f64> {
-    let risk = risk(Blow::of(ran.scenario), None, of, None);
-    risk.map(|risk| if ran.extremes.missed() { 0.0 } else { risk })
+/// The same with the curve's own slope, and nothing for an eye that was missed.
+fn unless_missed(
+    ran: &Ran,
+    blow: Option<Blow>,
+    pressure: Option<f64>,
+    of: (Injury, Measure),
+) -> Option<f64> {
+    let risk = risk(blow, pressure, of, None)?;
+    Some(if ran.extremes.missed() { 0.0 } else { risk })
 }
 
 /// What speaks against the risks by energy of this scenario's object.

@@ -244,7 +244,6 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         FLOOR_PERCENT
     };
     let missed = extremes.missed();
-    let disagreement = if missed { 0.0 } else { disagreement };
     let stated = std::array::from_fn(|i| {
         // What a scene has not is exactly 0 and stays so; of an eye that is not hit, all is.
         if missed || i >= Quantity::COMMON && results[i] == 0.0 {

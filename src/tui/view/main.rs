@@ -7,10 +7,11 @@ use super::chart::{Curve, spark};
 use super::eye::Scene;
 use super::profiles::{CURVES, DRIVE, PRESSURE};
 use super::raster::Ink;
-use super::text::{digits, put, put_right, width};
+use super::text::{put, put_right, width};
 use super::theme::Theme;
 use super::{form, score};
 use crate::recording::Peak;
+use crate::report::text::digits;
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run, Shown};
 

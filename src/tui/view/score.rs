@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{digits, fitted, numeral, put, put_right, width, wrapped};
+use super::text::{fitted, numeral, put, put_right, width, wrapped};
 use super::theme::Theme;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
-use crate::report::text::{percent, significant};
+use crate::report::text::{digits, percent, significant};
 use crate::study::{Flag, FlagKind};
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};

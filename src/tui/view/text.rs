@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+use crate::report::text::digits;
 use crate::scenario::problem::printable;
 
 /// How many cells a text takes.
@@ -92,20 +93,6 @@ pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
         }
     }
     lines
-}
-
-/// A number with so many significant digits, as far as it has them.
-pub fn digits(value: f64, count: i32) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e6).contains(&size) {
-        let after = (count - 1) as usize;
-        format!("{value:.after$e}")
-    } else {
-        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.after$}")
-    }
 }
 
 /// A number in so many cells: four digits, or as many as there is room for.
