@@ -11,7 +11,7 @@ use contrecoup::tui::ensemble::{Sampling, ensemble};
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::{Look, Model};
 use contrecoup::tui::prepare;
-use contrecoup::tui::sweep::map;
+use contrecoup::tui::screens::map::state::map;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::update::{Effect, Message, begin, update};

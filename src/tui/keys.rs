@@ -38,9 +38,9 @@ pub enum Context {
     /// Among the points of speed against error.
     Accuracy,
     /// Among the bands of the results.
-    Uncertainty,
+    Doubt,
     /// On the map of two inputs.
-    Sweep,
+    Map,
     /// Among the published injury curves.
     Injury,
     /// While a value or a name is typed.
@@ -67,9 +67,9 @@ impl Context {
             Self::Marks => "Compare: presets",
             Self::Table => "Compare: table",
             Self::Replays => "Compare: replays",
-            Self::Accuracy => "Error",
-            Self::Uncertainty => "Doubt",
-            Self::Sweep => "Map",
+            Self::Accuracy => "Accuracy",
+            Self::Doubt => "Doubt",
+            Self::Map => "Map",
             Self::Injury => "Injury",
             Self::Typing => "Typing",
             Self::Picker => "List of presets",
@@ -86,8 +86,8 @@ impl Context {
     /// The contexts in which a key is looked up, the first that knows it wins.
     pub fn stack(self) -> &'static [Context] {
         use Context::{
-            Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Injury, Marks, Number, Picker,
-            Question, Replay, Replays, Sweep, Table, Typing, Uncertainty,
+            Accuracy, Clock, Dial, Doubt, Everywhere, Forces, Form, Help, Injury, Map, Marks,
+            Number, Picker, Question, Replay, Replays, Table, Typing,
         };
         match self {
             Everywhere => &[Everywhere],
@@ -101,8 +101,8 @@ impl Context {
             Table => &[Table, Clock, Everywhere],
             Replays => &[Replays, Clock, Everywhere],
             Accuracy => &[Accuracy, Everywhere],
-            Uncertainty => &[Uncertainty, Everywhere],
-            Sweep => &[Sweep, Everywhere],
+            Doubt => &[Doubt, Everywhere],
+            Map => &[Map, Everywhere],
             Injury => &[Injury, Everywhere],
             Typing => &[Typing],
             Picker => &[Picker],

@@ -7,17 +7,14 @@
 //! Left out: an async runtime, which work that only computes does not need. The mouse stays off
 //! unless asked for: a dropped connection leaves it switched on.
 
-pub mod accuracy;
 pub mod action;
 pub mod clock;
-pub mod comparison;
 pub mod ensemble;
 pub mod form;
 pub mod keys;
 pub mod model;
 pub mod save;
 pub mod screens;
-pub mod sweep;
 pub mod terminal;
 pub mod undo;
 pub mod update;

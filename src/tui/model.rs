@@ -5,14 +5,14 @@ use std::time::Duration;
 
 use tui_input::Input;
 
-use super::accuracy::Measurement;
 use super::clock::Clock;
-use super::comparison::Comparison;
 use super::ensemble::Spread;
 use super::form::Form;
 use super::keys::Context;
+use super::screens::accuracy::measurement::Measurement;
+use super::screens::compare::comparison::Comparison;
+use super::screens::map::state::Map;
 use super::screens::{SCREENS, Screen};
-use super::sweep::Map;
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
 use super::worker::Ticket;

@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::comparison::MOST;
 use super::model::{Choice, Look, Model, Work};
 use super::screens::Screen;
+use super::screens::compare::comparison::MOST;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::scenario::library::{self, Origin, resolve};

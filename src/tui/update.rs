@@ -15,8 +15,8 @@ use super::form::Row;
 use super::keys::{self, Context};
 use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
 use super::save::SaveError;
-use super::screens::Screen;
-use super::sweep::Drawing;
+use super::screens::map::state::Drawing;
+use super::screens::{Screen, accuracy, compare, doubt, map};
 use super::worker::{Report, Ticket};
 use crate::scenario::Scenario;
 use crate::study::MeshError;
@@ -24,16 +24,12 @@ use crate::study::accuracy::Accuracy;
 use crate::study::ensemble::Ensemble;
 use crate::study::map::Grid;
 
-mod accuracy;
-mod compare;
 #[cfg(test)]
-mod driven;
-mod ensemble;
+pub(crate) mod driven;
 mod mouse;
 mod moves;
 mod news;
 mod presets;
-mod sweep;
 mod typing;
 
 use moves::{PAGE, go, next_view, nudge, stay_at, step_here, step_time};
@@ -132,11 +128,11 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
             let done = matches!(report, Report::Done(..));
             news::hear_mesh(model, report);
             if done {
-                effects.extend(ensemble::idle(model));
+                effects.extend(doubt::idle(model));
             }
         }
-        Message::Ensemble(report) => ensemble::hear(model, report),
-        Message::Map(report) => sweep::hear(model, report),
+        Message::Ensemble(report) => doubt::hear(model, report),
+        Message::Map(report) => map::hear(model, report),
         Message::Comparison(report) => compare::hear(model, report),
         Message::Accuracy(report) => accuracy::hear(model, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
@@ -147,8 +143,8 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
     }
     effects.extend(compare::next(model));
     effects.extend(accuracy::stop_if_unwanted(model));
-    effects.extend(ensemble::stop_if_unwanted(model));
-    effects.extend(sweep::go_on(model));
+    effects.extend(doubt::stop_if_unwanted(model));
+    effects.extend(map::go_on(model));
     effects
 }
 
@@ -160,7 +156,7 @@ fn tick(model: &mut Model, now: Duration) {
     }
 }
 
-fn ticket(model: &mut Model) -> Ticket {
+pub(super) fn ticket(model: &mut Model) -> Ticket {
     model.ticket += 1;
     model.ticket
 }
@@ -172,7 +168,7 @@ fn solve(model: &mut Model, effects: &mut Vec<Effect>) {
 }
 
 /// Takes another scenario and simulates it at once.
-fn change(model: &mut Model, work: Work, what: &'static str, effects: &mut Vec<Effect>) {
+pub(super) fn change(model: &mut Model, work: Work, what: &'static str, effects: &mut Vec<Effect>) {
     if work == model.work {
         return;
     }
@@ -229,12 +225,12 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Show(screen) => {
             model.screen = screen;
             effects.extend(accuracy::opened(model));
-            effects.extend(ensemble::opened(model));
+            effects.extend(doubt::opened(model));
         }
-        Action::Measure if model.screen == Screen::Uncertainty => {
-            effects.extend(ensemble::start(model, MANY));
+        Action::Measure if model.screen == Screen::Doubt => {
+            effects.extend(doubt::start(model, MANY));
         }
-        Action::Measure if model.screen == Screen::Sweep => model.map.halted = false,
+        Action::Measure if model.screen == Screen::Map => model.map.halted = false,
         Action::Measure => effects.extend(accuracy::start(model)),
         Action::NextPane => model.change_pane(true),
         Action::PreviousPane => model.change_pane(false),
@@ -245,20 +241,20 @@ fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
         Action::Page(down) => go(model, if down { PAGE } else { -PAGE }),
         Action::Step(step) => step_here(model, step, effects),
         Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
-        Action::Enter if model.context() == Context::Sweep => sweep::adopt(model, effects),
+        Action::Enter if model.context() == Context::Map => map::adopt(model, effects),
         Action::Enter => enter(model, effects),
         Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
             effects.extend(accuracy::stop(model));
         }
-        Action::Cancel if model.context() == Context::Uncertainty => {
-            effects.extend(ensemble::stop(model));
+        Action::Cancel if model.context() == Context::Doubt => {
+            effects.extend(doubt::stop(model));
         }
-        Action::Cancel if model.context() == Context::Sweep => effects.extend(sweep::stop(model)),
+        Action::Cancel if model.context() == Context::Map => effects.extend(map::stop(model)),
         Action::Cancel => cancel(model, effects),
         Action::Advanced => model.form.fold(&model.work.scenario),
         Action::Axis(across) => model.map.turn(&model.work.scenario, across),
         Action::Reach(wider) => model.map.zoom(&model.work.scenario, wider),
-        Action::Turn(step) if model.screen == Screen::Sweep => model.map.step(step, false),
+        Action::Turn(step) if model.screen == Screen::Map => model.map.step(step, false),
         Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
         Action::Widen(step) => nudge(model, "impact.half_width_deg", step, effects),
         Action::Play => {

@@ -65,8 +65,8 @@ const fn bind(
 }
 
 use Context::{
-    Accuracy, Clock, Dial, Everywhere, Forces, Form, Help, Injury, Marks, Number, Picker, Question,
-    Replay, Replays, Sweep, Table, Typing, Uncertainty,
+    Accuracy, Clock, Dial, Doubt, Everywhere, Forces, Form, Help, Injury, Map, Marks, Number,
+    Picker, Question, Replay, Replays, Table, Typing,
 };
 
 /// Every key. The footer takes its words in this order, as many as fit.
@@ -128,24 +128,24 @@ pub static BINDINGS: &[Binding] = &[
     bind(Accuracy, &[ENTER], Action::Enter, "adopt", "give the scenario its integrator and step"),
     bind(Accuracy, &[c('m')], Action::Measure, "measure", "measure every integrator again"),
 
-    bind(Uncertainty, &[UP, c('k')], Action::Up, "result", "the result above"),
-    bind(Uncertainty, &[DOWN, c('j')], Action::Down, "&", "the result below"),
-    bind(Uncertainty, &[c('m')], Action::Measure, "again", "run the samples again, or the rest of them"),
+    bind(Doubt, &[UP, c('k')], Action::Up, "result", "the result above"),
+    bind(Doubt, &[DOWN, c('j')], Action::Down, "&", "the result below"),
+    bind(Doubt, &[c('m')], Action::Measure, "again", "run the samples again, or the rest of them"),
 
-    bind(Sweep, &[LEFT, c('h')], Action::Step(Step::LESS), "cursor", "the cursor to the left"),
-    bind(Sweep, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the cursor to the right"),
-    bind(Sweep, &[UP, c('k')], Action::Turn(Step::MORE), "&", "the cursor up"),
-    bind(Sweep, &[DOWN, c('j')], Action::Turn(Step::LESS), "&", "the cursor down"),
-    bind(Sweep, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "the cursor far to the left"),
-    bind(Sweep, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "the cursor far to the right"),
-    bind(Sweep, &[SHIFT_UP, c('K')], Action::Turn(Step::MUCH_MORE), "", "the cursor far up"),
-    bind(Sweep, &[SHIFT_DOWN, c('J')], Action::Turn(Step::MUCH_LESS), "", "the cursor far down"),
-    bind(Sweep, &[ENTER], Action::Enter, "adopt", "give the scenario the values under the cursor"),
-    bind(Sweep, &[c('x')], Action::Axis(true), "across", "the next input across"),
-    bind(Sweep, &[c('y')], Action::Axis(false), "up", "the next input up"),
-    bind(Sweep, &[c('+'), c('=')], Action::Reach(true), "range", "wider ranges"),
-    bind(Sweep, &[c('-')], Action::Reach(false), "&", "narrower ranges"),
-    bind(Sweep, &[c('m')], Action::Measure, "", "go on after Esc"),
+    bind(Map, &[LEFT, c('h')], Action::Step(Step::LESS), "cursor", "the cursor to the left"),
+    bind(Map, &[RIGHT, c('l')], Action::Step(Step::MORE), "&", "the cursor to the right"),
+    bind(Map, &[UP, c('k')], Action::Turn(Step::MORE), "&", "the cursor up"),
+    bind(Map, &[DOWN, c('j')], Action::Turn(Step::LESS), "&", "the cursor down"),
+    bind(Map, &[SHIFT_LEFT, c('H')], Action::Step(Step::MUCH_LESS), "", "the cursor far to the left"),
+    bind(Map, &[SHIFT_RIGHT, c('L')], Action::Step(Step::MUCH_MORE), "", "the cursor far to the right"),
+    bind(Map, &[SHIFT_UP, c('K')], Action::Turn(Step::MUCH_MORE), "", "the cursor far up"),
+    bind(Map, &[SHIFT_DOWN, c('J')], Action::Turn(Step::MUCH_LESS), "", "the cursor far down"),
+    bind(Map, &[ENTER], Action::Enter, "adopt", "give the scenario the values under the cursor"),
+    bind(Map, &[c('x')], Action::Axis(true), "across", "the next input across"),
+    bind(Map, &[c('y')], Action::Axis(false), "up", "the next input up"),
+    bind(Map, &[c('+'), c('=')], Action::Reach(true), "range", "wider ranges"),
+    bind(Map, &[c('-')], Action::Reach(false), "&", "narrower ranges"),
+    bind(Map, &[c('m')], Action::Measure, "", "go on after Esc"),
 
     bind(Injury, &[UP, c('k')], Action::Up, "curve", "the curve above"),
     bind(Injury, &[DOWN, c('j')], Action::Down, "&", "the curve below"),
@@ -173,8 +173,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Everywhere, &[c('3'), alt('3'), f(3)], Action::Show(Screen::Forces), "", "the force profiles"),
     bind(Everywhere, &[c('4'), alt('4'), f(4)], Action::Show(Screen::Compare), "", "compare presets"),
     bind(Everywhere, &[c('5'), alt('5'), f(5)], Action::Show(Screen::Accuracy), "", "speed against error"),
-    bind(Everywhere, &[c('6'), alt('6'), f(6)], Action::Show(Screen::Uncertainty), "", "what the doubt in the inputs does"),
-    bind(Everywhere, &[c('7'), alt('7'), f(7)], Action::Show(Screen::Sweep), "", "damage over two inputs"),
+    bind(Everywhere, &[c('6'), alt('6'), f(6)], Action::Show(Screen::Doubt), "", "what the doubt in the inputs does"),
+    bind(Everywhere, &[c('7'), alt('7'), f(7)], Action::Show(Screen::Map), "", "damage over two inputs"),
     bind(Everywhere, &[c('8'), alt('8'), f(8)], Action::Show(Screen::Injury), "", "what published injury curves say"),
     bind(Everywhere, &[ESC], Action::Cancel, "", "cancel a long run"),
     bind(Everywhere, &[c('M')], Action::Mouse, "", "listen to the mouse, or no longer"),

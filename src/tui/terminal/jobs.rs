@@ -7,9 +7,9 @@ use crate::study::accuracy::Accuracy;
 use crate::study::ensemble::Ensemble;
 use crate::study::map::Grid;
 use crate::study::{Answer, MeshError};
-use crate::tui::accuracy::measure;
 use crate::tui::ensemble::{Sampling, ensemble};
-use crate::tui::sweep::{Drawing, map};
+use crate::tui::screens::accuracy::measurement::measure;
+use crate::tui::screens::map::state::{Drawing, map};
 use crate::tui::update::{Effect, Message};
 use crate::tui::worker::{Job, Report, Worker, answer, mesh_error};
 

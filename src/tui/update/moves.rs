@@ -1,16 +1,16 @@
 //! Moving: through lists, from field to field, from frame to frame, and from value to value.
 
-use super::{Effect, change, ensemble, presets};
+use super::{Effect, change, doubt, presets};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Field};
 use crate::tui::action::Step;
 use crate::tui::clock::Moment;
-use crate::tui::comparison::COLUMNS;
 use crate::tui::form::{Row, allowed, nudged};
 use crate::tui::keys::{BINDINGS, Context};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::Screen;
-use crate::tui::view::profiles;
+use crate::tui::screens::compare::comparison::COLUMNS;
+use crate::tui::screens::forces;
 
 /// Rows of a page.
 pub(super) const PAGE: i16 = 10;
@@ -23,7 +23,7 @@ pub(super) fn next_view(model: &mut Model) {
         .shown
         .as_ref()
         .and_then(|s| s.answer.recording.traces.as_ref());
-    let count = traces.map_or(1, |t| profiles::views(t).len());
+    let count = traces.map_or(1, |t| forces::views(t).len());
     model.curves = (model.curves % count + 1) % count;
 }
 
@@ -45,7 +45,7 @@ pub(super) fn go(model: &mut Model, by: i16) {
                 .min(last.saturating_sub(1));
         }
         Some(_) => {}
-        None if model.screen == Screen::Uncertainty => ensemble::go(model, by > 0),
+        None if model.screen == Screen::Doubt => doubt::go(model, by > 0),
         None if model.screen == Screen::Injury => {
             let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
             let row = model.injury.saturating_add_signed(isize::from(by));
@@ -69,7 +69,7 @@ pub(super) fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>
             Row::Field(field) => nudge(model, field.path, step, effects),
         },
         Context::Accuracy => model.accuracy.step(step),
-        Context::Sweep => model.map.step(step, true),
+        Context::Map => model.map.step(step, true),
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);

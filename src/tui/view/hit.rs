@@ -2,10 +2,12 @@
 
 use ratatui::layout::Rect;
 
-use super::{body, compare, eye, form, main, tabs};
+use super::{body, eye, tabs};
 use crate::tui::form::Row;
 use crate::tui::model::Model;
 use crate::tui::screens::Screen;
+use crate::tui::screens::compare::view as compare;
+use crate::tui::screens::main::{form, view as main};
 
 /// What can be pointed at.
 #[derive(Clone, Copy, PartialEq)]

@@ -3,27 +3,16 @@
 //! One module a screen or a part of one. All of them draw with Unicode; where the terminal has
 //! only ASCII, the finished screen is rewritten once, at the end.
 
-pub mod accuracy;
 pub mod chart;
-pub mod compare;
 pub mod eye;
 pub mod footer;
-pub mod form;
 pub mod heat;
 pub mod hit;
-pub mod injury;
-pub mod log_axis;
-pub mod main;
 pub mod overlay;
-pub mod profiles;
 mod projection;
 pub mod raster;
-pub mod replay;
-pub mod score;
-pub mod sweep;
 pub mod text;
 pub mod theme;
-pub mod uncertainty;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

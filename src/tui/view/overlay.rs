@@ -95,7 +95,10 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
             ));
         }
     }
-    lines.push((super::form::PURPOSE.to_owned(), String::new()));
+    lines.push((
+        crate::tui::screens::main::form::PURPOSE.to_owned(),
+        String::new(),
+    ));
     let inside = frame("Keys", (58, area.height), theme, area, buffer);
     let last = (lines.len() as u16).saturating_sub(inside.height);
     for (y, (keys, what)) in lines

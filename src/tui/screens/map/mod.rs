@@ -1,20 +1,24 @@
 //! What keys and news do to the map of two inputs.
 
-use super::{Effect, Screen, change, ticket};
+pub mod state;
+pub mod view;
+
+use super::Screen;
 use crate::scenario::check::check;
 use crate::study::map::Grid;
 use crate::tui::form::words;
 use crate::tui::model::Model;
-use crate::tui::sweep::Job;
+use crate::tui::screens::map::state::Job;
+use crate::tui::update::{Effect, change, ticket};
 use crate::tui::worker::Report;
 
 /// While the screen is on show, computes what is missing, grid by grid; stops what is not wanted.
-pub(super) fn go_on(model: &mut Model) -> Vec<Effect> {
+pub(crate) fn go_on(model: &mut Model) -> Vec<Effect> {
     let mut effects = Vec::new();
-    if model.screen == Screen::Sweep {
+    if model.screen == Screen::Map {
         model.map.settle(&model.work.scenario);
     }
-    let wanted = (model.screen == Screen::Sweep && !model.map.halted)
+    let wanted = (model.screen == Screen::Map && !model.map.halted)
         .then(|| model.map.next(&model.work.scenario))
         .flatten();
     if let Some(job) = &model.map.job {
@@ -37,14 +41,14 @@ pub(super) fn go_on(model: &mut Model) -> Vec<Effect> {
 }
 
 /// Gives up what is under way, until a key asks for it.
-pub(super) fn stop(model: &mut Model) -> Option<Effect> {
+pub(crate) fn stop(model: &mut Model) -> Option<Effect> {
     let job = model.map.job.take()?;
     model.map.halted = true;
     Some(Effect::StopDrawing(job.ticket))
 }
 
 /// What the worker says. News of anything but the job under way is dropped.
-pub(super) fn hear(model: &mut Model, report: Report<Grid>) {
+pub(crate) fn hear(model: &mut Model, report: Report<Grid>) {
     let Some(job) = &mut model.map.job else {
         return;
     };
@@ -63,7 +67,7 @@ pub(super) fn hear(model: &mut Model, report: Report<Grid>) {
 }
 
 /// Gives the scenario the values under the cursor.
-pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
+pub(crate) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
     let Some(scenario) = model.map.adopted(&model.work.scenario) else {
         return;
     };
@@ -87,7 +91,7 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
 mod tests {
     use super::*;
     use crate::study::map::{SIDES, Spot};
-    use crate::tui::sweep::Drawing;
+    use crate::tui::screens::map::state::Drawing;
     use crate::tui::update::driven::{begun, key, letter};
     use crate::tui::update::{Message, update};
     use crossterm::event::KeyCode;

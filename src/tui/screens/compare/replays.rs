@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading;
-use crate::tui::comparison::Found;
+use super::view::heading;
 use crate::tui::model::Model;
+use crate::tui::screens::compare::comparison::Found;
+use crate::tui::screens::forces::mark;
 use crate::tui::view::eye::Scene;
-use crate::tui::view::profiles::mark;
 use crate::tui::view::text::{fitted, put};
 use crate::tui::view::theme::Theme;
 

@@ -1,19 +1,24 @@
 //! What keys and news do to the comparison.
 
+pub mod comparison;
+mod overlaid;
+mod replays;
+pub mod view;
+
 use std::sync::Arc;
 
-use super::{Effect, ticket};
 use crate::recording::Traces;
 use crate::scenario::problem::quoted;
 use crate::study::Answer;
-use crate::tui::comparison::Found;
 use crate::tui::model::{FORM, Model};
+use crate::tui::screens::compare::comparison::Found;
+use crate::tui::screens::forces::CURVES;
+use crate::tui::update::{Effect, ticket};
 use crate::tui::view::heat::hottest;
-use crate::tui::view::profiles::CURVES;
 use crate::tui::worker::Report;
 
 /// What the worker says.
-pub(super) fn hear(model: &mut Model, report: Report<Answer>) {
+pub(crate) fn hear(model: &mut Model, report: Report<Answer>) {
     if let Report::Done(ticket, answer) = report {
         let found = match *answer {
             Ok(answer) => {
@@ -26,7 +31,7 @@ pub(super) fn hear(model: &mut Model, report: Report<Answer>) {
     }
 }
 
-pub(super) fn next(model: &mut Model) -> Option<Effect> {
+pub(crate) fn next(model: &mut Model) -> Option<Effect> {
     let entry = model.compare.next()?;
     let (name, scenario) = (entry.name.clone(), entry.scenario.clone());
     let ticket = ticket(model);
@@ -35,7 +40,7 @@ pub(super) fn next(model: &mut Model) -> Option<Effect> {
 }
 
 /// Takes the next curve that any of the answers has.
-pub(super) fn next_curve(model: &mut Model) {
+pub(crate) fn next_curve(model: &mut Model) {
     let entries = &model.compare.entries;
     let there = |curve: &usize| {
         let has = |traces: &Traces| !(CURVES[*curve].values)(traces).is_empty();
@@ -47,7 +52,7 @@ pub(super) fn next_curve(model: &mut Model) {
     model.compare.curve = next.unwrap_or(here);
 }
 
-pub(super) fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
+pub(crate) fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
     let row = model.compare.row;
     let outcome = if row == 0 {
         let scenario = model.work.scenario.clone();

@@ -3,12 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::score::name;
-use super::text::{fitted, flowed, numeral, put, put_right, seen, width, wrapped};
-use super::theme::Theme;
 use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
 use crate::report::text::significant;
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::main::score::name;
+use crate::tui::view::text::{fitted, flowed, numeral, put, put_right, seen, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Columns of the injury's name and of the figures behind the bar.
 const NAME: u16 = 18;

@@ -3,14 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::chart::{Chart, Curve, value_at};
-use super::raster::Ink;
-use super::text::{put, put_right, width};
-use super::theme::Theme;
 use crate::recording::Traces;
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
 use crate::tui::model::{Model, Shown};
+use crate::tui::view::chart::{Chart, Curve, value_at};
+use crate::tui::view::raster::Ink;
+use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::theme::Theme;
 
 /// A curve that can be drawn.
 pub struct Profile {
@@ -118,7 +118,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         text.push_str(&peak);
     }
     let end = put(buffer, area, (0, 0), &text, theme.strong());
-    let said = model.stale().unwrap_or(super::form::material(model));
+    let said = model
+        .stale()
+        .unwrap_or(crate::tui::screens::main::form::material(model));
     let style = if model.stale().is_some() {
         theme.warning()
     } else {

@@ -1,15 +1,18 @@
 //! What keys and news do to the ensemble: run for the main screen when idle, and for its own.
 
+pub mod view;
+
 use std::sync::Arc;
 
-use super::{Effect, Screen, ticket};
+use super::Screen;
 use crate::study::ensemble::Ensemble;
 use crate::tui::ensemble::{FEW, Job, MANY, Sampling, key};
 use crate::tui::model::{Model, Run};
+use crate::tui::update::{Effect, ticket};
 use crate::tui::worker::Report;
 
 /// Nothing else is wanted now: runs a few samples of what is on show, for the band beside the score.
-pub(super) fn idle(model: &mut Model) -> Option<Effect> {
+pub(crate) fn idle(model: &mut Model) -> Option<Effect> {
     let scenario = &model.work.scenario;
     let shown = model.shown.as_ref();
     let settled = model.run == Run::Settled && shown.is_some_and(|s| s.scenario == *scenario);
@@ -20,16 +23,16 @@ pub(super) fn idle(model: &mut Model) -> Option<Effect> {
 }
 
 /// The screen was opened: runs many samples unless they are there.
-pub(super) fn opened(model: &mut Model) -> Option<Effect> {
+pub(crate) fn opened(model: &mut Model) -> Option<Effect> {
     let known = model.ensemble.of(&model.work.scenario);
     let enough = known.is_some_and(|ensemble| ensemble.asked >= MANY);
-    (model.screen == Screen::Uncertainty && !enough)
+    (model.screen == Screen::Doubt && !enough)
         .then(|| start(model, MANY))
         .flatten()
 }
 
 /// Runs so many samples, unless that is under way. A smaller run gives way to a larger one.
-pub(super) fn start(model: &mut Model, count: u32) -> Option<Effect> {
+pub(crate) fn start(model: &mut Model, count: u32) -> Option<Effect> {
     let question = Sampling {
         scenario: key(&model.work.scenario),
         count,
@@ -50,17 +53,17 @@ pub(super) fn start(model: &mut Model, count: u32) -> Option<Effect> {
 }
 
 /// Asks for what is done so far.
-pub(super) fn stop(model: &mut Model) -> Option<Effect> {
+pub(crate) fn stop(model: &mut Model) -> Option<Effect> {
     let job = model.ensemble.job.as_mut()?;
     job.stopping = true;
     Some(Effect::StopSampling(job.ticket))
 }
 
 /// Gives it up if the scenario became another, or if its screen was left before many were done.
-pub(super) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
+pub(crate) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
     let job = model.ensemble.job.as_ref()?;
     let same = job.question.scenario == key(&model.work.scenario);
-    let wanted = same && (job.question.count <= FEW || model.screen == Screen::Uncertainty);
+    let wanted = same && (job.question.count <= FEW || model.screen == Screen::Doubt);
     if wanted || (same && job.stopping) {
         return None;
     }
@@ -75,7 +78,7 @@ pub(super) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
 }
 
 /// Moves to another result.
-pub(super) fn go(model: &mut Model, down: bool) {
+pub(crate) fn go(model: &mut Model, down: bool) {
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         return;
     };
@@ -89,7 +92,7 @@ pub(super) fn go(model: &mut Model, down: bool) {
 }
 
 /// What the worker says. News of anything but the job under way is dropped.
-pub(super) fn hear(model: &mut Model, report: Report<Ensemble>) {
+pub(crate) fn hear(model: &mut Model, report: Report<Ensemble>) {
     let Some(job) = &mut model.ensemble.job else {
         return;
     };
@@ -221,7 +224,7 @@ mod tests {
         assert!(letter(&mut model, '2').is_empty(), "once");
         tell(&mut model, ticket, &question, 8);
         assert!(model.ensemble.of(&model.work.scenario).is_some());
-        model.screen = Screen::Uncertainty;
+        model.screen = Screen::Doubt;
         for _ in 0..20 {
             letter(&mut model, 'j');
         }

@@ -3,19 +3,19 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::chart::{Curve, value_at};
-use super::eye::Scene;
-use super::heat::{heat_glyph, thresholds};
-use super::profiles::{drive, drive_label};
-use super::raster::{Ink, Raster};
-use super::text::{put, put_right, width, wrapped};
-use super::theme::Theme;
 use crate::eye::{Monitor, Region};
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
 use crate::tui::form::unverified;
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::forces::{drive, drive_label};
 use crate::tui::terminal::caps::Symbols;
+use crate::tui::view::chart::{Curve, value_at};
+use crate::tui::view::eye::Scene;
+use crate::tui::view::heat::{heat_glyph, thresholds};
+use crate::tui::view::raster::{Ink, Raster};
+use crate::tui::view::text::{put, put_right, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
@@ -103,7 +103,7 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let at = (0, area.height - 2);
         put(buffer, area, at, "? unverified figures", theme.warning());
     }
-    let material = super::form::material(model);
+    let material = crate::tui::screens::main::form::material(model);
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
 }
 
@@ -206,7 +206,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
             factor: 1.0,
             ink: Ink::solid(theme.load(), 1, '#'),
         };
-        super::chart::fill(&mut raster, curve, window);
+        crate::tui::view::chart::fill(&mut raster, curve, window);
         raster.paint(buffer);
     }
     let last = f64::from(field.width - 1);

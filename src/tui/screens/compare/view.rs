@@ -3,21 +3,18 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::profiles::mark;
-use super::score::name as flag_name;
-use super::text::{fitted, numeral, put, put_right, width};
-use super::theme::Theme;
 use crate::eye::Monitor;
 use crate::study::{Flag, Quantity};
-use crate::tui::comparison::{COLUMNS, Column, Entry, Found};
 use crate::tui::keys::Context;
 use crate::tui::model::{FORM, Model};
+use crate::tui::screens::compare::comparison::{COLUMNS, Column, Entry, Found};
+use crate::tui::screens::forces::mark;
+use crate::tui::screens::main::score::name as flag_name;
+use crate::tui::view::text::{fitted, numeral, put, put_right, width};
+use crate::tui::view::theme::Theme;
 
-mod overlaid;
-mod replays;
-
-use overlaid::overlaid;
-use replays::replays;
+use super::overlaid::overlaid;
+use super::replays::replays;
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -50,7 +47,7 @@ pub fn first_listed(model: &Model, room: u16) -> usize {
         .saturating_sub(usize::from(room).saturating_sub(1))
 }
 
-fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     for (i, (x, name)) in headings(model).into_iter().enumerate() {
         let style = if i == model.pane() {

@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::model::Model;
+use crate::tui::screens::forces::{CURVES, DRIVE, drive_label, mark};
 use crate::tui::view::chart::{Chart, Curve};
-use crate::tui::view::profiles::{CURVES, DRIVE, drive_label, mark};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::theme::Theme;
 

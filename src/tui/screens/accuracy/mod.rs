@@ -1,15 +1,20 @@
 //! What keys and news do to the measurement of speed against error.
 
-use super::{Effect, Screen, change, ticket};
+mod log_axis;
+pub mod measurement;
+pub mod view;
+
+use super::Screen;
 use crate::dynamics::LOCAL_TOLERANCE;
 use crate::study::Refusal;
 use crate::study::accuracy::Accuracy;
-use crate::tui::accuracy::{Job, adopted, question};
 use crate::tui::model::Model;
+use crate::tui::screens::accuracy::measurement::{Job, adopted, question};
+use crate::tui::update::{Effect, change, ticket};
 use crate::tui::worker::Report;
 
 /// The screen was opened: measures unless there is a result for this scenario.
-pub(super) fn opened(model: &mut Model) -> Option<Effect> {
+pub(crate) fn opened(model: &mut Model) -> Option<Effect> {
     let fresh = model.accuracy.measured.is_some() && !model.accuracy.is_stale(&model.work.scenario);
     (model.screen == Screen::Accuracy && !fresh)
         .then(|| start(model))
@@ -17,7 +22,7 @@ pub(super) fn opened(model: &mut Model) -> Option<Effect> {
 }
 
 /// Measures, unless that is under way.
-pub(super) fn start(model: &mut Model) -> Option<Effect> {
+pub(crate) fn start(model: &mut Model) -> Option<Effect> {
     if model.accuracy.job.is_some() {
         return None;
     }
@@ -33,21 +38,21 @@ pub(super) fn start(model: &mut Model) -> Option<Effect> {
 }
 
 /// Gives up what is under way.
-pub(super) fn stop(model: &mut Model) -> Option<Effect> {
+pub(crate) fn stop(model: &mut Model) -> Option<Effect> {
     let job = model.accuracy.job.take()?;
     model.accuracy.complaint = Some("cancelled".to_owned());
     Some(Effect::StopMeasuring(job.ticket))
 }
 
 /// Gives it up if the screen was left or the scenario became another.
-pub(super) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
+pub(crate) fn stop_if_unwanted(model: &mut Model) -> Option<Effect> {
     let job = model.accuracy.job.as_ref()?;
     let wanted = model.screen == Screen::Accuracy && job.question == question(&model.work.scenario);
     if wanted { None } else { stop(model) }
 }
 
 /// What the worker says. News of anything but the job under way is dropped.
-pub(super) fn hear(model: &mut Model, report: Report<Accuracy>) {
+pub(crate) fn hear(model: &mut Model, report: Report<Accuracy>) {
     let Some(job) = &mut model.accuracy.job else {
         return;
     };
@@ -69,7 +74,7 @@ pub(super) fn hear(model: &mut Model, report: Report<Accuracy>) {
 }
 
 /// Gives the scenario the integrator and the step of the point under the cursor.
-pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
+pub(crate) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
     let Some(point) = model.accuracy.chosen().copied() else {
         return;
     };
@@ -90,7 +95,7 @@ pub(super) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
 }
 
 #[cfg(test)]
-#[path = "../../../tests/support/accuracy.rs"]
+#[path = "../../../../tests/support/accuracy.rs"]
 mod made_up;
 
 #[cfg(test)]

@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::worker::Ticket;
 use crate::scenario::Scenario;
 use crate::study::{Answer, Quantity};
+use crate::tui::worker::Ticket;
 
 /// As many as fit side by side.
 pub const MOST: usize = 6;

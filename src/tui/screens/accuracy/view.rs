@@ -8,14 +8,14 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
-use super::raster::{Ink, Raster};
-use super::text::{flowed, put, put_both, put_right, width, wrapped};
-use super::theme::Theme;
 use crate::dynamics::Integrator;
 use crate::report::text::{percent, significant};
 use crate::study::accuracy::{Point, TARGETS};
-use crate::tui::accuracy::Measured;
 use crate::tui::model::{Look, Model};
+use crate::tui::screens::accuracy::measurement::Measured;
+use crate::tui::view::raster::{Ink, Raster};
+use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the error axis.
 const LABELS: u16 = 7;

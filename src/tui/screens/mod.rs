@@ -6,7 +6,15 @@ use ratatui::layout::Rect;
 
 use super::keys::Context;
 use super::model::Model;
-use super::view;
+
+pub mod accuracy;
+pub mod compare;
+pub mod doubt;
+pub mod forces;
+pub mod injury;
+pub mod main;
+pub mod map;
+pub mod replay;
 
 /// A screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumIter)]
@@ -22,9 +30,9 @@ pub enum Screen {
     /// Speed against error.
     Accuracy,
     /// What is not known of the inputs.
-    Uncertainty,
+    Doubt,
     /// Damage over two inputs.
-    Sweep,
+    Map,
     /// Published injury curves.
     Injury,
 }
@@ -49,28 +57,28 @@ pub static SCREENS: &[Listed] = &[
         screen: Screen::Main,
         key: '1',
         title: "Main",
-        draw: view::main::draw,
+        draw: main::view::draw,
         panes: &[("form", Context::Form), ("dial", Context::Dial)],
     },
     Listed {
         screen: Screen::Replay,
         key: '2',
         title: "Replay",
-        draw: view::replay::draw,
+        draw: replay::draw,
         panes: &[("replay", Context::Replay)],
     },
     Listed {
         screen: Screen::Forces,
         key: '3',
         title: "Forces",
-        draw: view::profiles::draw,
+        draw: forces::draw,
         panes: &[("forces", Context::Forces)],
     },
     Listed {
         screen: Screen::Compare,
         key: '4',
         title: "Compare",
-        draw: view::compare::draw,
+        draw: compare::view::draw,
         panes: &[
             ("presets", Context::Marks),
             ("table", Context::Table),
@@ -80,29 +88,29 @@ pub static SCREENS: &[Listed] = &[
     Listed {
         screen: Screen::Accuracy,
         key: '5',
-        title: "Error",
-        draw: view::accuracy::draw,
+        title: "Accuracy",
+        draw: accuracy::view::draw,
         panes: &[("points", Context::Accuracy)],
     },
     Listed {
-        screen: Screen::Uncertainty,
+        screen: Screen::Doubt,
         key: '6',
         title: "Doubt",
-        draw: view::uncertainty::draw,
-        panes: &[("outputs", Context::Uncertainty)],
+        draw: doubt::view::draw,
+        panes: &[("outputs", Context::Doubt)],
     },
     Listed {
-        screen: Screen::Sweep,
+        screen: Screen::Map,
         key: '7',
         title: "Map",
-        draw: view::sweep::draw,
-        panes: &[("map", Context::Sweep)],
+        draw: map::view::draw,
+        panes: &[("map", Context::Map)],
     },
     Listed {
         screen: Screen::Injury,
         key: '8',
         title: "Injury",
-        draw: view::injury::draw,
+        draw: injury::draw,
         panes: &[("curves", Context::Injury)],
     },
 ];

@@ -3,13 +3,13 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{fitted, put, put_right, width, wrapped};
-use super::theme::Theme;
 use crate::scenario::Model as Material;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run};
+use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Said once, plainly.
 pub const PURPOSE: &str = "Research and education, not diagnosis";
@@ -243,7 +243,7 @@ fn typed(model: &Model, typing: &Typing, area: Rect, buffer: &mut Buffer) {
     } else {
         theme.strong()
     };
-    super::overlay::input(&typing.input, style, theme.focus(), field, buffer);
+    crate::tui::view::overlay::input(&typing.input, style, theme.focus(), field, buffer);
 }
 
 #[cfg(test)]

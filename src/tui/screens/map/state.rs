@@ -1,13 +1,13 @@
 //! The map of two inputs as the app holds it: which inputs, what is known, where the cursor stands.
 
-use super::action::Step;
-use super::worker::{Ticket, overseen};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
 use crate::study::map::{Grid, SIDES, Span, Spot, fill, scenario_at};
 use crate::study::sweep::spaced;
 use crate::study::{Refusal, Watch};
+use crate::tui::action::Step;
+use crate::tui::worker::{Ticket, overseen};
 
 /// Pairs of inputs to begin with; the first whose fields are there.
 const PAIRS: [(&str, &str); 2] = [

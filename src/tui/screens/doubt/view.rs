@@ -7,8 +7,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
-use super::theme::Theme;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::text::percent;
 use crate::study::bands::Band;
@@ -16,6 +14,8 @@ use crate::study::ensemble::Ensemble;
 use crate::study::outputs::OUTPUTS;
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::Model;
+use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Columns of a result's name, and of each of its three numbers.
 const LABEL: u16 = 19;

@@ -3,17 +3,17 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::chart::{Curve, spark};
-use super::eye::Scene;
-use super::profiles::{CURVES, DRIVE, PRESSURE};
-use super::raster::Ink;
-use super::text::{put, put_right, width};
-use super::theme::Theme;
 use super::{form, score};
 use crate::recording::Peak;
 use crate::report::text::digits;
 use crate::tui::keys::Context;
 use crate::tui::model::{Model, Run, Shown};
+use crate::tui::screens::forces::{CURVES, DRIVE, PRESSURE};
+use crate::tui::view::chart::{Curve, spark};
+use crate::tui::view::eye::Scene;
+use crate::tui::view::raster::Ink;
+use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::theme::Theme;
 
 /// Where the parts of the screen are.
 pub struct Layout {
@@ -83,7 +83,7 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
         ),
         _ => ("simulating".to_owned(), theme.text()),
     };
-    let lines = super::text::wrapped(&text, usize::from(area.width - 2));
+    let lines = crate::tui::view::text::wrapped(&text, usize::from(area.width - 2));
     for (i, line) in lines.iter().enumerate() {
         put(buffer, area, (1, 1 + i as u16), line, style);
     }

@@ -7,12 +7,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use super::text::{fitted, put, put_right, width, wrapped};
-use super::theme::Theme;
 use crate::report::text::significant;
 use crate::scenario::doubt::number;
 use crate::study::map::{Grid, Span, Spot};
 use crate::tui::model::Model;
+use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
 const LABELS: u16 = 8;

@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, numeral, put, put_right, width, wrapped};
-use super::theme::Theme;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::text::{digits, percent, significant};
 use crate::study::{Flag, FlagKind};
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};
+use crate::tui::view::text::{fitted, numeral, put, put_right, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// How many rows it takes of so many.
 pub fn height(of: u16) -> u16 {

@@ -3,12 +3,12 @@
 //! It belongs to a scenario apart from the scenario's own integrator and step, which are what it is
 //! there to choose.
 
-use super::action::Step;
-use super::worker::Ticket;
 use crate::dynamics::Integrator;
 use crate::scenario::{IntegratorChoice, NumericsInput, Scenario};
 use crate::study::accuracy::{Accuracy, Point, measure as measure_levels};
 use crate::study::{Refusal, Watch};
+use crate::tui::action::Step;
+use crate::tui::worker::Ticket;
 
 /// The finest mesh that the app compares levels with; finer ones take long.
 const FINEST: u32 = 2;
