@@ -213,9 +213,9 @@ fn a_bb_does_about_what_was_seen() {
 #[test]
 fn integrators_that_cannot_solve_it_are_refused_by_name() {
     let mut scenario = physiological(|_| ());
-    scenario.numerics.integrator = contrecoup::scenario::IntegratorChoice::Srkn6b;
+    scenario.numerics.integrator = Some(contrecoup::scenario::Integrator::Srkn6b);
     let refusal = solve(&scenario, Keep::default(), &mut unwatched).unwrap_err();
     assert!(refusal.to_string().contains("srkn6b does not solve"));
-    scenario.numerics.integrator = contrecoup::scenario::IntegratorChoice::VelocityVerlet;
+    scenario.numerics.integrator = Some(contrecoup::scenario::Integrator::VelocityVerlet);
     assert!(solve(&scenario, Keep::default(), &mut unwatched).is_ok());
 }

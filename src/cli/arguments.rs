@@ -163,7 +163,7 @@ mod tests {
 
     use super::*;
     use crate::cli::{Cli, Command};
-    use crate::scenario::{Impact, IntegratorChoice};
+    use crate::scenario::{Impact, Integrator};
 
     fn scenario(flags: &[&str]) -> Result<Scenario, CliError> {
         let typed = ["contrecoup", "run", "paper-300n"];
@@ -192,7 +192,7 @@ mod tests {
         assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
         assert_eq!(
             changed.numerics.integrator,
-            IntegratorChoice::VelocityVerlet
+            Some(Integrator::VelocityVerlet)
         );
         assert_eq!(changed.numerics.step_us, Some(1.5));
         assert_eq!(changed.name, "a = b");

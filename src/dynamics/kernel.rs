@@ -62,7 +62,7 @@ fn fill_ghosts(system: &System, state: &mut State) {
 
 /// Two numbers, for globe and fat, spread over nodes.
 #[inline(always)]
-fn by_tissue<S: Simd, const QUICK: bool>(simd: S, fat: V<S>, of: [f64; 2]) -> V<S> {
+pub(super) fn by_tissue<S: Simd, const QUICK: bool>(simd: S, fat: V<S>, of: [f64; 2]) -> V<S> {
     fused::<S, QUICK>(splat(simd, of[1] - of[0]), fat, splat(simd, of[0]))
 }
 

@@ -3,12 +3,12 @@
 //! A segment ends at every break of the load. At its start the acceleration is evaluated afresh,
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
-use super::integrator::{self, Integrator};
-use super::kernel::{self, Survey};
+use super::kernel::Survey;
 use super::load::{Piece, Pulse, Segment};
 use super::state::State;
+use super::stepper::stepper;
 use super::system::System;
-use super::verlet;
+use crate::scenario::Integrator;
 
 /// Steps that a segment is given at least, under load and after it, so that a short pulse and its
 /// wake are resolved.
@@ -133,41 +133,14 @@ pub fn march(
     state: &mut State,
     observer: &mut impl Observer,
 ) -> Result<Cost, Diverged> {
-    if let Some(coupled) = system.coupled() {
-        return verlet::march(system, coupled, plan, state, observer);
-    }
-    let pulse = system.load().pulse;
+    let mut stepper = stepper(system, plan);
     let mut cost = Cost::default();
-    for segment in pulse.segments(plan.window) {
-        let length = segment.end - segment.start;
-        let steps = plan.steps_in(&segment);
-        let h = length / steps as f64;
-        let mut stepper = integrator::stepper(
-            plan.integrator,
-            system,
-            segment,
-            steps,
-            plan.local_tolerance,
-        );
-
-        state.time = segment.start;
-        let force = pulse.force(segment.piece, segment.start);
-        let survey = kernel::evaluate(system, state, force, 0.0);
-        cost.evaluations += 1;
+    for segment in system.load().pulse.segments(plan.window) {
+        let survey = stepper.begin(state, &segment, plan.steps_in(&segment), &mut cost);
         observer.begin(system, state, segment.piece, &survey);
-        let mut taken = 0;
         while state.time < segment.end {
-            let survey = stepper.step(system, state, segment.piece);
-            taken += 1;
+            let survey = stepper.step(state, &segment, &mut cost);
             cost.steps += 1;
-            if !plan.integrator.adaptive() {
-                // Computed, not summed, so that rounding does not pile up over many steps.
-                state.time = if taken == steps {
-                    segment.end
-                } else {
-                    segment.start + h * taken as f64
-                };
-            }
             let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
             if !energies.is_finite() {
                 return Err(Diverged {
@@ -177,11 +150,9 @@ pub fn march(
             }
             observer.step(system, state, segment.piece, &survey);
             if observer.satisfied() {
-                cost.evaluations += stepper.evaluations();
                 return Ok(cost);
             }
         }
-        cost.evaluations += stepper.evaluations();
     }
     Ok(cost)
 }

@@ -11,31 +11,34 @@
 //! The orbit is rigid and never integrated. Left out, as in the paper: rupture.
 
 mod aligned;
+mod composition;
 mod contact;
 mod coupled;
 mod dashpots;
 mod fluid;
-mod integrator;
 mod kernel;
 mod lanes;
 mod load;
 mod march;
+mod method;
 mod object_spring;
 pub mod plain;
 mod ring;
 mod runge_kutta;
 pub mod stability;
 mod state;
+mod stepper;
 mod sweep;
 mod system;
 mod verlet;
 
+pub use crate::scenario::Integrator;
 pub use contact::{Body, Contact};
 pub use coupled::{Coupled, Readings, needed};
 pub use fluid::{Fluid, PA_PER_MMHG, area};
-pub use integrator::Integrator;
 pub use kernel::{Survey, name as kernel_name, vector_sets, vectors_name};
 pub use load::{ArcLoad, Piece, Pulse, Segment};
 pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
+pub use method::{Drag, Method};
 pub use state::State;
 pub use system::{Place, System};

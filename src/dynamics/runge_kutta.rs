@@ -1,79 +1,42 @@
 //! Explicit Runge-Kutta methods on the motion in first-order form, x' = v, v' = F/m - c v/m.
 //!
-//! Classical RK4 takes equal steps. The Dormand-Prince pair 5(4) compares its two solutions and
-//! chooses the step: the error is measured in the energy norm, `sqrt(sum m (|e_v|^2 +
-//! w^2 |e_x|^2) / 2E)` with w the frequency bound and E the largest energy so far, and kept below the local
-//! tolerance. Both are here to be compared with the compositions, which win on this problem: the
-//! spectrum is nearly imaginary, so stability per evaluation decides.
+//! Some take equal steps. An embedded pair compares its two solutions and chooses the step: the error
+//! is measured in the energy norm, `sqrt(sum m (|e_v|^2 + w^2 |e_x|^2) / 2E)` with w the frequency
+//! bound and E the largest energy so far, and kept below the local tolerance.
 //!
-//! J. R. Dormand and P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26.
+//! They are here to be compared with the compositions, which win on this problem: the spectrum is
+//! nearly imaginary, so stability per evaluation decides. For the comparison to be fair they use the
+//! same force kernel, update their nodes by the same vectors, and allocate nothing after the start.
 
-use super::integrator::Stepper;
-use super::kernel::{self, Survey};
+#![allow(
+    clippy::inline_always,
+    reason = "what is called within a vector dispatch must be compiled for its instructions"
+)]
+
+use super::aligned::Aligned;
+use super::kernel::{self, Survey, by_tissue};
+use super::lanes::{V, fused, load, splat, store, total};
 use super::load::{Piece, Segment};
+use super::march::{Cost, Plan};
 use super::state::State;
+use super::stepper::{EqualSteps, Stepper};
 use super::system::{LANES, System};
+use fearless_simd::{Simd, SimdBase, dispatch};
+use std::ops::Range;
 
 /// Coefficients of an explicit method; its last stage is the solution at the end of the step.
+#[derive(Debug)]
 pub(super) struct Tableau {
-    nodes: &'static [f64],
-    stages: &'static [&'static [f64]],
-    weights: &'static [f64],
-    /// Weights of the solution minus those of the embedded one, the last for the end of the step.
-    error: &'static [f64],
-    /// Order that the error estimate shrinks with, plus one.
-    error_power: f64,
+    pub nodes: &'static [f64],
+    pub stages: &'static [&'static [f64]],
+    pub weights: &'static [f64],
+    /// Weights of the solution minus those of the embedded one, the last for the end of the step;
+    /// empty where there is none.
+    pub error: &'static [f64],
 }
 
-pub(super) const RK4: Tableau = Tableau {
-    nodes: &[0.0, 0.5, 0.5, 1.0],
-    stages: &[&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
-    weights: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-    error: &[],
-    error_power: 5.0,
-};
-
-pub(super) const DOPRI5: Tableau = Tableau {
-    nodes: &[0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0],
-    stages: &[
-        &[],
-        &[0.2],
-        &[3.0 / 40.0, 9.0 / 40.0],
-        &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-        &[
-            19372.0 / 6561.0,
-            -25360.0 / 2187.0,
-            64448.0 / 6561.0,
-            -212.0 / 729.0,
-        ],
-        &[
-            9017.0 / 3168.0,
-            -355.0 / 33.0,
-            46732.0 / 5247.0,
-            49.0 / 176.0,
-            -5103.0 / 18656.0,
-        ],
-    ],
-    weights: &[
-        35.0 / 384.0,
-        0.0,
-        500.0 / 1113.0,
-        125.0 / 192.0,
-        -2187.0 / 6784.0,
-        11.0 / 84.0,
-    ],
-    error: &[
-        71.0 / 57600.0,
-        0.0,
-        -71.0 / 16695.0,
-        71.0 / 1920.0,
-        -17253.0 / 339_200.0,
-        22.0 / 525.0,
-        -1.0 / 40.0,
-    ],
-    error_power: 5.0,
-};
-
+/// Power of the step that the error estimate falls with, for embedded solutions of order four.
+const ERROR_POWER: f64 = 5.0;
 /// A step is never made longer, or shorter, than this at once.
 const GROWTH: (f64, f64) = (0.2, 5.0);
 /// Share of the step that the error would allow.
@@ -83,169 +46,249 @@ const SMALLEST_SHARE: f64 = 1e-9;
 /// Errors are shares of no less than this: of an eye at rest only rounding is left, which no step
 /// makes small.
 const LEAST_ENERGY_J: f64 = 1e-14;
+/// Rates that a sum may be of: stages, and the end of the step.
+const MOST_RATES: usize = 8;
 
-/// Rates of change at one stage.
-#[derive(Clone)]
-struct Rates {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    vx: Vec<f64>,
-    vy: Vec<f64>,
+/// Positions and speeds of all nodes with the energies that came and went, or the rates of change of
+/// all these.
+struct Phase {
+    x: Aligned,
+    y: Aligned,
+    vx: Aligned,
+    vy: Aligned,
     work: f64,
     dissipated: f64,
 }
 
-pub(super) struct RungeKutta {
-    tableau: &'static Tableau,
-    segment: Segment,
-    /// Longest step, s.
-    longest: f64,
-    /// Next step, s.
-    next: f64,
-    /// None for equal steps.
-    tolerance: Option<f64>,
-    largest_energy: f64,
-    rates: Vec<Rates>,
-    evaluations: usize,
-}
-
-impl RungeKutta {
-    pub fn new(
-        tableau: &'static Tableau,
-        system: &System,
-        segment: Segment,
-        steps: usize,
-        tolerance: Option<f64>,
-    ) -> Self {
-        let len = system.rest_x.len();
-        let zeros = || vec![0.0; len];
-        let rates = Rates {
+impl Phase {
+    fn zeros(len: usize) -> Self {
+        let zeros = || Aligned::zeros(len);
+        Self {
             x: zeros(),
             y: zeros(),
             vx: zeros(),
             vy: zeros(),
             work: 0.0,
             dissipated: 0.0,
+        }
+    }
+}
+
+/// A part of a [`Phase`].
+type Part = fn(&Phase) -> &[f64];
+const PARTS: [Part; 4] = [|p| &p.x, |p| &p.y, |p| &p.vx, |p| &p.vy];
+
+/// One part of several rates, each with its weight.
+struct Terms<'a> {
+    each: [(f64, &'a [f64]); MOST_RATES],
+    count: usize,
+}
+
+impl<'a> Terms<'a> {
+    fn new(weights: &[f64], rates: &'a [Phase], part: Part, h: f64) -> Self {
+        let mut terms = Self {
+            each: [(0.0, &[]); MOST_RATES],
+            count: 0,
         };
-        let longest = (segment.end - segment.start) / steps as f64;
+        for (weight, rates) in weights.iter().zip(rates) {
+            if *weight != 0.0 {
+                terms.each[terms.count] = (weight * h, part(rates));
+                terms.count += 1;
+            }
+        }
+        terms
+    }
+
+    /// `from` plus the weighted sum at some nodes.
+    #[inline(always)]
+    fn onto<S: Simd, const QUICK: bool>(&self, simd: S, from: V<S>, slot: usize) -> V<S> {
+        let mut sum = from;
+        for &(weight, rate) in &self.each[..self.count] {
+            sum = fused::<S, QUICK>(splat(simd, weight), load(simd, rate, slot), sum);
+        }
+        sum
+    }
+}
+
+#[inline(always)]
+fn add_as<S: Simd, const QUICK: bool>(
+    simd: S,
+    slots: Range<usize>,
+    to: &mut [f64],
+    from: &[f64],
+    terms: &Terms,
+) {
+    for slot in slots.step_by(V::<S>::LEN) {
+        let sum = terms.onto::<S, QUICK>(simd, load(simd, from, slot), slot);
+        store::<S>(to, slot, sum);
+    }
+}
+
+/// Rates of the nodes of `state`; returns the power that drag takes.
+#[inline(always)]
+fn rates_as<S: Simd, const QUICK: bool>(
+    simd: S,
+    system: &System,
+    state: &State,
+    rates: &mut Phase,
+) -> f64 {
+    let mut power = splat(simd, 0.0);
+    for slot in moving(system).step_by(V::<S>::LEN) {
+        let (group, lane) = (&system.groups[slot / LANES], slot % LANES);
+        let fat = load(simd, &group.fat, lane);
+        let decay = by_tissue::<S, QUICK>(simd, fat, system.decay);
+        let (vx, vy) = (load(simd, &state.vx, slot), load(simd, &state.vy, slot));
+        let (ax, ay) = (load(simd, &state.ax, slot), load(simd, &state.ay, slot));
+        store::<S>(&mut rates.x, slot, vx);
+        store::<S>(&mut rates.y, slot, vy);
+        store::<S>(&mut rates.vx, slot, fused::<S, QUICK>(-decay, vx, ax));
+        store::<S>(&mut rates.vy, slot, fused::<S, QUICK>(-decay, vy, ay));
+        let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
+        let lost = decay * load(simd, &group.half_mass, lane);
+        power = fused::<S, QUICK>(lost, speed_squared, power);
+    }
+    2.0 * total::<S>(power)
+}
+
+/// Energy of the differences that `parts` sum up to.
+#[inline(always)]
+fn energy_as<S: Simd, const QUICK: bool>(simd: S, system: &System, parts: &[Terms; 4]) -> f64 {
+    let omega_squared = splat(simd, system.omega_bound() * system.omega_bound());
+    let mut energy = splat(simd, 0.0);
+    for slot in moving(system).step_by(V::<S>::LEN) {
+        let half_mass = load(simd, &system.groups[slot / LANES].half_mass, slot % LANES);
+        let none = splat(simd, 0.0);
+        let [ex, ey, evx, evy] =
+            std::array::from_fn(|i| parts[i].onto::<S, QUICK>(simd, none, slot));
+        let positions = fused::<S, QUICK>(ex, ex, ey * ey);
+        let speeds = fused::<S, QUICK>(evx, evx, evy * evy);
+        let both = fused::<S, QUICK>(omega_squared, positions, speeds);
+        energy = fused::<S, QUICK>(half_mass, both, energy);
+    }
+    total::<S>(energy)
+}
+
+/// The slots of the rows that hold all moving nodes.
+fn moving(system: &System) -> Range<usize> {
+    system.first_row * system.stride..(system.side - 1) * system.stride
+}
+
+/// Runs one of the forms above on the machine's vectors.
+macro_rules! on_vectors {
+    ($system:expr, $form:ident($($argument:expr),*)) => {{
+        let level = $system.level;
+        if $system.portable {
+            dispatch!(level, simd => $form::<_, false>(simd, $($argument),*))
+        } else {
+            dispatch!(level, simd => $form::<_, true>(simd, $($argument),*))
+        }
+    }};
+}
+
+/// A Runge-Kutta method in the middle of a march.
+pub(super) struct RungeKutta<'a> {
+    system: &'a System,
+    tableau: &'static Tableau,
+    /// Local error allowed; none for equal steps.
+    tolerance: Option<f64>,
+    clock: EqualSteps,
+    /// Next step, in s.
+    next: f64,
+    largest_energy: f64,
+    start: Phase,
+    /// Rates at each stage and at the end of the step. Between steps the first is that of the state.
+    rates: Vec<Phase>,
+}
+
+impl<'a> RungeKutta<'a> {
+    pub fn new(system: &'a System, tableau: &'static Tableau, plan: &Plan) -> Self {
+        let phase = || Phase::zeros(system.rest_x.len());
         Self {
+            system,
             tableau,
-            segment,
-            longest,
-            next: longest,
-            tolerance: tolerance.filter(|_| !tableau.error.is_empty()),
+            tolerance: (!tableau.error.is_empty()).then_some(plan.local_tolerance),
+            clock: EqualSteps::default(),
+            next: 0.0,
             largest_energy: 0.0,
-            rates: vec![rates; tableau.nodes.len() + 1],
-            evaluations: 0,
+            start: phase(),
+            rates: (0..=tableau.nodes.len()).map(|_| phase()).collect(),
         }
     }
 
     /// Rates at the state, whose acceleration is up to date.
-    fn take_rates(&mut self, stage: usize, system: &System, state: &State, force: f64) {
+    fn take_rates(&mut self, stage: usize, state: &State, force: f64) {
+        let system = self.system;
         let rates = &mut self.rates[stage];
-        rates.dissipated = 0.0;
-        for slot in 0..system.groups.len() * LANES {
-            let (group, lane) = (&system.groups[slot / LANES], slot % LANES);
-            let fat = group.fat[lane] > 0.0;
-            let decay = system.decay[usize::from(fat)];
-            let (vx, vy) = (state.vx[slot], state.vy[slot]);
-            rates.x[slot] = vx;
-            rates.y[slot] = vy;
-            rates.vx[slot] = state.ax[slot] - decay * vx;
-            rates.vy[slot] = state.ay[slot] - decay * vy;
-            rates.dissipated += 2.0 * decay * group.half_mass[lane] * (vx * vx + vy * vy);
-        }
+        rates.dissipated = on_vectors!(system, rates_as(system, state, rates));
         rates.work = force * state.load_speed(system);
     }
 
-    /// Sets `state` to `start` plus `h` times the weighted rates.
-    fn combine(&self, system: &System, state: &mut State, start: &State, weights: &[f64], h: f64) {
-        state.copy_motion(system, start);
-        state.work = start.work;
-        state.dissipated = start.dissipated;
-        for (weight, rates) in weights.iter().zip(&self.rates) {
-            let w = weight * h;
-            if w == 0.0 {
-                continue;
-            }
-            for (to, rate) in [
-                (&mut state.x, &rates.x),
-                (&mut state.y, &rates.y),
-                (&mut state.vx, &rates.vx),
-                (&mut state.vy, &rates.vy),
-            ] {
-                for (value, rate) in to.iter_mut().zip(rate) {
-                    *value += w * rate;
-                }
-            }
-            state.work += w * rates.work;
-            state.dissipated += w * rates.dissipated;
+    /// Sets `state` to the start of the step plus `h` times the weighted rates.
+    fn combine(&self, state: &mut State, weights: &[f64], h: f64) {
+        let (system, start) = (self.system, &self.start);
+        for (part, to) in
+            PARTS
+                .iter()
+                .zip([&mut state.x, &mut state.y, &mut state.vx, &mut state.vy])
+        {
+            let terms = Terms::new(weights, &self.rates, *part, h);
+            on_vectors!(
+                system,
+                add_as(moving(system), &mut *to, part(start), &terms)
+            );
         }
+        let weighted = || weights.iter().zip(&self.rates);
+        state.work = start.work + h * weighted().map(|(w, r)| w * r.work).sum::<f64>();
+        state.dissipated =
+            start.dissipated + h * weighted().map(|(w, r)| w * r.dissipated).sum::<f64>();
     }
 
-    /// Tries one step of `h` from `start`; leaves the result in `state`.
-    fn attempt(
-        &mut self,
-        system: &System,
-        state: &mut State,
-        start: &State,
-        piece: Piece,
-        h: f64,
-    ) -> Survey {
-        let pulse = system.load().pulse;
-        for stage in 1..self.tableau.nodes.len() {
-            self.combine(system, state, start, self.tableau.stages[stage], h);
-            let force = pulse.force(piece, start.time + self.tableau.nodes[stage] * h);
+    fn remember(&mut self, state: &State) {
+        self.start.x.copy_from_slice(&state.x);
+        self.start.y.copy_from_slice(&state.y);
+        self.start.vx.copy_from_slice(&state.vx);
+        self.start.vy.copy_from_slice(&state.vy);
+        (self.start.work, self.start.dissipated) = (state.work, state.dissipated);
+    }
+
+    /// Tries one step of `h`; leaves the result in `state` but for its time, which is that of the
+    /// start still.
+    fn attempt(&mut self, state: &mut State, piece: Piece, h: f64, cost: &mut Cost) -> Survey {
+        let (system, tableau) = (self.system, self.tableau);
+        let pulse = &system.load().pulse;
+        for stage in 1..tableau.nodes.len() {
+            self.combine(state, tableau.stages[stage], h);
+            let force = pulse.force(piece, state.time + tableau.nodes[stage] * h);
             kernel::evaluate(system, state, force, 0.0);
-            self.take_rates(stage, system, state, force);
+            self.take_rates(stage, state, force);
         }
-        self.combine(system, state, start, self.tableau.weights, h);
-        let force = pulse.force(piece, start.time + h);
+        self.combine(state, tableau.weights, h);
+        let force = pulse.force(piece, state.time + h);
         let survey = kernel::evaluate(system, state, force, 0.0);
-        self.take_rates(self.tableau.nodes.len(), system, state, force);
-        self.evaluations += self.tableau.nodes.len();
+        self.take_rates(tableau.nodes.len(), state, force);
+        cost.evaluations += tableau.nodes.len();
         survey
     }
 
     /// Local error in the energy norm.
-    fn error(&self, system: &System, h: f64) -> f64 {
-        let omega = system.omega_bound();
-        let mut energy = 0.0;
-        for slot in 0..system.groups.len() * LANES {
-            let half_mass = system.groups[slot / LANES].half_mass[slot % LANES];
-            if half_mass == 0.0 {
-                continue;
-            }
-            let sum = |of: fn(&Rates) -> &[f64]| -> f64 {
-                self.tableau
-                    .error
-                    .iter()
-                    .zip(&self.rates)
-                    .map(|(w, rates)| w * of(rates)[slot])
-                    .sum::<f64>()
-                    * h
-            };
-            let (ex, ey) = (sum(|r| &r.x), sum(|r| &r.y));
-            let (evx, evy) = (sum(|r| &r.vx), sum(|r| &r.vy));
-            energy += half_mass * (evx * evx + evy * evy + omega * omega * (ex * ex + ey * ey));
-        }
+    fn error(&self, h: f64) -> f64 {
+        let (system, weights) = (self.system, self.tableau.error);
+        let parts = PARTS.map(|part| Terms::new(weights, &self.rates, part, h));
+        let energy = on_vectors!(system, energy_as(system, &parts));
         (energy / self.largest_energy).sqrt()
     }
-}
 
-impl Stepper for RungeKutta {
-    fn step(&mut self, system: &System, state: &mut State, piece: Piece) -> Survey {
-        let mut start = state.clone();
-        start.work = state.work;
-        let force = system.load().pulse.force(piece, state.time);
-        self.take_rates(0, system, state, force);
-        let Some(tolerance) = self.tolerance else {
-            let survey = self.attempt(system, state, &start, piece, self.longest);
-            state.time = start.time + self.longest;
-            return survey;
-        };
+    /// Steps until the error is below the tolerance.
+    fn adaptive(
+        &mut self,
+        state: &mut State,
+        segment: &Segment,
+        tolerance: f64,
+        cost: &mut Cost,
+    ) -> Survey {
+        let longest = self.clock.length();
         loop {
-            let left = self.segment.end - start.time;
+            let left = segment.end - state.time;
             // The last two steps of a segment share what is left, so that none is tiny.
             let h = if self.next >= left {
                 left
@@ -254,27 +297,58 @@ impl Stepper for RungeKutta {
             } else {
                 self.next
             };
-            let survey = self.attempt(system, state, &start, piece, h);
+            let survey = self.attempt(state, segment.piece, h, cost);
             self.largest_energy = self
                 .largest_energy
                 .max(survey.kinetic + survey.elastic)
                 .max(LEAST_ENERGY_J);
-            let error = self.error(system, h);
-            let factor = CAUTION * (tolerance / error).powf(1.0 / self.tableau.error_power);
-            let accepted = error <= tolerance || h <= SMALLEST_SHARE * self.longest;
-            self.next = (h * factor.clamp(GROWTH.0, GROWTH.1)).min(self.longest);
+            let error = self.error(h);
+            let factor = CAUTION * (tolerance / error).powf(1.0 / ERROR_POWER);
+            let accepted = error <= tolerance || h <= SMALLEST_SHARE * longest;
+            self.next = (h * factor.clamp(GROWTH.0, GROWTH.1)).min(longest);
             if accepted || !error.is_finite() {
                 state.time = if h == left {
-                    self.segment.end
+                    segment.end
                 } else {
-                    start.time + h
+                    state.time + h
                 };
                 return survey;
             }
         }
     }
+}
 
-    fn evaluations(&self) -> usize {
-        self.evaluations
+impl Stepper for RungeKutta<'_> {
+    fn begin(
+        &mut self,
+        state: &mut State,
+        segment: &Segment,
+        steps: usize,
+        cost: &mut Cost,
+    ) -> Survey {
+        self.clock = EqualSteps::new(segment, steps);
+        self.next = self.clock.length();
+        self.largest_energy = 0.0;
+        state.time = segment.start;
+        cost.evaluations += 1;
+        let force = self.system.load().pulse.force(segment.piece, segment.start);
+        let survey = kernel::evaluate(self.system, state, force, 0.0);
+        self.take_rates(0, state, force);
+        survey
+    }
+
+    fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey {
+        self.remember(state);
+        let survey = if let Some(tolerance) = self.tolerance {
+            self.adaptive(state, segment, tolerance, cost)
+        } else {
+            let h = self.clock.length();
+            let survey = self.attempt(state, segment.piece, h, cost);
+            state.time = self.clock.advance(1);
+            survey
+        };
+        // The end of this step is the start of the next.
+        self.rates.swap(0, self.tableau.nodes.len());
+        survey
     }
 }

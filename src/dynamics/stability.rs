@@ -26,13 +26,13 @@
 //! * Without drag the high-order compositions have hair-thin gaps far below their limit, which grow
 //!   by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step stays
 //!   under the first gap.
-
 //!
 //! Scenes with a projectile, a fluid or dashpots have one integrator, and its limit in `verlet`.
 
-use super::integrator::Integrator;
+use super::method::Drag;
 use super::system::System;
 use crate::eye::{Eye, SpringKind};
+use crate::scenario::Integrator;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -50,24 +50,19 @@ pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
     let omega = system.omega_bound().max(1.0);
     let most = system.decay[0].max(system.decay[1]);
     let least = system.decay[0].min(system.decay[1]);
-    let by_stiffness = integrator.stability_limit() / omega;
-    let by_drag = MOST_DRAG / most.max(f64::MIN_POSITIVE);
-    match integrator {
+    let method = integrator.method();
+    if method.drag == Drag::WithKick {
         // Root of (omega h)^2 + 2 g h = 4, in the form that does not cancel.
-        Integrator::SemiImplicitEuler => 4.0 / (most + (most * most + 4.0 * omega * omega).sqrt()),
-        Integrator::Srkn6b | Integrator::Srkn11b => {
-            let open = least * by_stiffness < CLOSING_DRAG;
-            let stable = match integrator.first_gap() {
-                Some(gap) if open => gap / omega,
-                _ => by_stiffness,
-            };
-            stable.min(by_drag)
-        }
-        // Verlet's sub-steps are positive and never amplify, but a speed must not vanish within one.
-        Integrator::VelocityVerlet | Integrator::Rk4 | Integrator::Dopri5 => {
-            by_stiffness.min(by_drag)
-        }
+        return 4.0 / (most + (most * most + 4.0 * omega * omega).sqrt());
     }
+    let by_stiffness = method.stability_limit / omega;
+    let open = least * by_stiffness < CLOSING_DRAG;
+    let stable = match method.first_gap {
+        Some(gap) if open => gap / omega,
+        _ => by_stiffness,
+    };
+    // Verlet's sub-steps are positive and never amplify, but a speed must not vanish within one.
+    stable.min(MOST_DRAG / most.max(f64::MIN_POSITIVE))
 }
 
 /// Upper bound of every angular frequency of `eye` in any shape, in rad/s.

@@ -5,7 +5,7 @@
 //! `v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a`,
 //!
 //! of second order also where the force depends on the speed, with one evaluation a step. Drag on
-//! absolute velocity is solved exactly within the drift, as in [`super::integrator`].
+//! absolute velocity is solved exactly within the drift, as in [`super::composition`].
 //!
 //! For an oscillator of frequency w and decay rate g it is stable while (w h)^2 / 4 + g h <= 1 (a
 //! test scans it), so the limit is h = 2 / (g + sqrt(g^2 + w^2)). The bounds of w and g hold for
@@ -15,12 +15,13 @@
 //! methods of high order lose theirs. So the steps are short while the projectile could touch, and
 //! a whole number of times longer while it could not.
 
+use super::composition::exact_reach;
 use super::coupled::{Coupled, Workspace};
-use super::integrator::Integrator;
 use super::kernel::{self, Survey};
-use super::load::Piece;
-use super::march::{Cost, Diverged, Observer, Plan};
+use super::load::Segment;
+use super::march::Cost;
 use super::state::State;
+use super::stepper::{EqualSteps, Stepper};
 use super::system::{LANES, System};
 
 /// Share of its radius that a projectile may fly within a step.
@@ -46,7 +47,7 @@ impl Coupled {
     }
 
     /// How many short steps one out of contact may be long.
-    pub fn stretch(&self) -> usize {
+    fn substeps(&self) -> usize {
         let (omega, rate) = self.rates(false);
         let ratio = stable(omega.max(1.0), rate) / self.step_limit();
         // Rounding must not turn a ratio of one into none.
@@ -54,37 +55,87 @@ impl Coupled {
     }
 }
 
-/// What a march of such a scene works with.
-struct Verlet<'a> {
+/// Velocity Verlet with substeps where the projectile could touch.
+pub(super) struct SubsteppedVerlet<'a> {
     system: &'a System,
     coupled: &'a Coupled,
     work: Workspace,
-    cost: Cost,
+    /// Short steps in a long one.
+    substeps: usize,
+    /// Counts short steps.
+    clock: EqualSteps,
 }
 
-impl Verlet<'_> {
+impl<'a> SubsteppedVerlet<'a> {
+    pub fn new(system: &'a System, coupled: &'a Coupled) -> Self {
+        Self {
+            system,
+            coupled,
+            work: coupled.workspace(system.rest_x.len()),
+            substeps: coupled.substeps(),
+            clock: EqualSteps::default(),
+        }
+    }
+
     /// Acceleration, readings and survey at the state, with the speeds in the workspace.
-    fn evaluate(&mut self, state: &mut State, force: f64) -> Survey {
+    fn evaluate(&mut self, state: &mut State, force: f64, cost: &mut Cost) -> Survey {
         let mut survey = kernel::evaluate(self.system, state, force, 0.0);
-        self.coupled
-            .accelerate(state, &mut self.work, &mut self.cost);
-        self.cost.evaluations += 1;
+        self.coupled.accelerate(state, &mut self.work, cost);
+        cost.evaluations += 1;
         survey.elastic += state.readings.stored;
         survey
     }
 
-    fn begin(&mut self, state: &mut State, force: f64) -> Survey {
+    /// The same with the speeds of the state.
+    fn evaluate_afresh(&mut self, state: &mut State, force: f64, cost: &mut Cost) -> Survey {
         self.work.vx.copy_from_slice(&state.vx);
         self.work.vy.copy_from_slice(&state.vy);
-        self.evaluate(state, force)
+        self.evaluate(state, force, cost)
     }
 
-    /// One step of `h` seconds by the load law `piece`.
-    fn step(&mut self, state: &mut State, piece: Piece, h: f64) -> Survey {
+    /// Distance per speed, and share of the speed that is left, in globe and fat.
+    fn drifts(&self, h: f64) -> ([f64; 2], [f64; 2]) {
+        let decay = self.system.decay;
+        (
+            decay.map(|rate| exact_reach(rate, h)),
+            decay.map(|rate| (-rate * h).exp()),
+        )
+    }
+
+    /// Whether the projectile could come to touch within `time` s.
+    fn may_touch(&self, state: &State, time: f64) -> bool {
+        self.coupled.contact.is_some() && {
+            let r = &state.readings;
+            let closing = r.body.velocity.norm() + self.coupled.fastest_shell(state);
+            r.gap <= CAUTION * closing * time
+        }
+    }
+}
+
+impl Stepper for SubsteppedVerlet<'_> {
+    fn begin(
+        &mut self,
+        state: &mut State,
+        segment: &Segment,
+        steps: usize,
+        cost: &mut Cost,
+    ) -> Survey {
+        let long_steps = steps.div_ceil(self.substeps);
+        self.clock = EqualSteps::new(segment, long_steps * self.substeps);
+        state.time = segment.start;
+        let force = self.system.load().pulse.force(segment.piece, segment.start);
+        self.evaluate_afresh(state, force, cost)
+    }
+
+    fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey {
+        let short = self.clock.length();
+        let long = self.clock.taken().is_multiple_of(self.substeps)
+            && !self.may_touch(state, short * self.substeps as f64);
+        let share = if long { self.substeps } else { 1 };
+        let h = short * share as f64;
         let half = 0.5 * h;
-        let (start, end) = (state.time, state.time + h);
-        let pulse = self.system.load().pulse;
-        let forces = (pulse.force(piece, start), pulse.force(piece, end));
+        let pulse = &self.system.load().pulse;
+        let forces = [state.time, state.time + h].map(|time| pulse.force(segment.piece, time));
         let before = state.load_speed(self.system);
         let earlier = state.readings;
         let (reach, keep) = self.drifts(h);
@@ -108,7 +159,7 @@ impl Verlet<'_> {
         body.position += body.velocity * h;
 
         let middle = state.load_speed(self.system);
-        let mut survey = self.evaluate(state, forces.1);
+        let mut survey = self.evaluate(state, forces[1], cost);
         for slot in 0..len {
             state.vx[slot] += half * state.ax[slot];
             state.vy[slot] += half * state.ay[slot];
@@ -125,86 +176,12 @@ impl Verlet<'_> {
             state.work
                 + 0.5
                     * half
-                    * (forces.0 * (before + middle / keep[0]) + forces.1 * (middle + after))
+                    * (forces[0] * (before + middle / keep[0]) + forces[1] * (middle + after))
         };
         survey.kinetic = self.coupled.kinetic(state);
-        state.time = end;
+        state.time = self.clock.advance(share);
         survey
     }
-
-    /// Distance per speed, and share of the speed that is left, in globe and fat.
-    fn drifts(&self, h: f64) -> ([f64; 2], [f64; 2]) {
-        let decay = self.system.decay;
-        let reach = decay.map(|g| if g == 0.0 { h } else { -(-g * h).exp_m1() / g });
-        (reach, decay.map(|g| (-g * h).exp()))
-    }
-
-    /// Whether the projectile could come to touch within `time` s.
-    fn may_touch(&self, state: &State, time: f64) -> bool {
-        self.coupled.contact.is_some() && {
-            let r = &state.readings;
-            let closing = r.body.velocity.norm() + self.coupled.fastest_shell(state);
-            r.gap <= CAUTION * closing * time
-        }
-    }
-}
-
-/// Moves `state` through the window under `observer`'s eyes.
-///
-/// # Errors
-/// [`Diverged`] as soon as the energy is not finite.
-pub(super) fn march(
-    system: &System,
-    coupled: &Coupled,
-    plan: &Plan,
-    state: &mut State,
-    observer: &mut impl Observer,
-) -> Result<Cost, Diverged> {
-    debug_assert_eq!(plan.integrator, Integrator::VelocityVerlet);
-    let pulse = system.load().pulse;
-    let stretch = coupled.stretch();
-    let mut verlet = Verlet {
-        system,
-        coupled,
-        work: coupled.workspace(system.rest_x.len()),
-        cost: Cost::default(),
-    };
-    for segment in pulse.segments(plan.window) {
-        let length = segment.end - segment.start;
-        let long_steps = plan.steps_in(&segment).div_ceil(stretch);
-        let total = long_steps * stretch;
-        let h = length / total as f64;
-        state.time = segment.start;
-        let survey = verlet.begin(state, pulse.force(segment.piece, segment.start));
-        observer.begin(system, state, segment.piece, &survey);
-        let mut taken = 0;
-        while taken < total {
-            let long =
-                taken.is_multiple_of(stretch) && !verlet.may_touch(state, h * stretch as f64);
-            let share = if long { stretch } else { 1 };
-            let survey = verlet.step(state, segment.piece, h * share as f64);
-            taken += share;
-            // Computed, not summed, so that rounding does not pile up over many steps.
-            state.time = if taken == total {
-                segment.end
-            } else {
-                segment.start + h * taken as f64
-            };
-            verlet.cost.steps += 1;
-            let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
-            if !energies.is_finite() {
-                return Err(Diverged {
-                    time: state.time,
-                    step: verlet.cost.steps,
-                });
-            }
-            observer.step(system, state, segment.piece, &survey);
-            if observer.satisfied() {
-                return Ok(verlet.cost);
-            }
-        }
-    }
-    Ok(verlet.cost)
 }
 
 impl State {
@@ -215,13 +192,8 @@ impl State {
         coupled: &Coupled,
         force: f64,
     ) -> Survey {
-        let mut verlet = Verlet {
-            system,
-            coupled,
-            work: coupled.workspace(self.x.len()),
-            cost: Cost::default(),
-        };
-        let mut survey = verlet.begin(self, force);
+        let mut verlet = SubsteppedVerlet::new(system, coupled);
+        let mut survey = verlet.evaluate_afresh(self, force, &mut Cost::default());
         survey.kinetic = coupled.kinetic(self);
         survey
     }

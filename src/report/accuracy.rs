@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 fn method(plan: &Plan) -> String {
-    if plan.integrator.adaptive() {
+    if plan.integrator.method().adaptive() {
         format!("{} {:.0e}", plan.integrator.name(), plan.local_tolerance)
     } else {
         plan.integrator.name().to_owned()
@@ -110,7 +110,7 @@ fn point_json(point: &Point) -> Value {
     json!({
         "integrator": point.plan.integrator.name(),
         "step_us": point.step * 1e6,
-        "local_tolerance": point.plan.integrator.adaptive().then_some(point.plan.local_tolerance),
+        "local_tolerance": point.plan.integrator.method().adaptive().then_some(point.plan.local_tolerance),
         "evaluations": point.evaluations,
         "spring_evaluations": point.spring_evaluations,
         "median_ms": point.seconds * 1e3,

@@ -10,8 +10,8 @@ use std::mem::discriminant;
 
 use super::problem::plain;
 use super::{
-    ForcePulse, Impact, IntegratorChoice, Model, Physiological, Projectile, ProjectileStiffness,
-    PulseShape, Scenario,
+    ForcePulse, Impact, Integrator, Model, Physiological, Projectile, ProjectileStiffness,
+    PulseShape, Scenario, integrator,
 };
 
 /// Characters that a name may have.
@@ -100,16 +100,6 @@ const SHAPES: Variants<PulseShape> = &[
     ("Triangle", || PulseShape::Triangle),
     ("HalfSine", || PulseShape::HalfSine),
 ];
-const INTEGRATORS: Variants<IntegratorChoice> = &[
-    ("Auto", || IntegratorChoice::Auto),
-    ("SemiImplicitEuler", || IntegratorChoice::SemiImplicitEuler),
-    ("VelocityVerlet", || IntegratorChoice::VelocityVerlet),
-    ("Srkn6b", || IntegratorChoice::Srkn6b),
-    ("Srkn11b", || IntegratorChoice::Srkn11b),
-    ("Rk4", || IntegratorChoice::Rk4),
-    ("Dopri5", || IntegratorChoice::Dopri5),
-];
-
 struct OneOf<T: 'static>(Variants<T>, Place<T>);
 
 impl<T> Choices for OneOf<T> {
@@ -132,6 +122,28 @@ impl<T> Choices for OneOf<T> {
         if discriminant(&fresh) != discriminant(value) {
             *value = fresh;
         }
+        true
+    }
+}
+
+/// An integrator by its name, or `Auto` for none.
+struct AnIntegrator(Place<Option<Integrator>>);
+
+impl Choices for AnIntegrator {
+    fn names(&self) -> Vec<&'static str> {
+        integrator::choices().map(integrator::spelling).collect()
+    }
+
+    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
+        (self.0.get)(scenario).map(|choice| integrator::spelling(*choice))
+    }
+
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
+        let wanted = integrator::choices().find(|choice| integrator::spelling(*choice) == name);
+        let (Some(wanted), Some(value)) = (wanted, (self.0.get_mut)(scenario)) else {
+            return false;
+        };
+        *value = wanted;
         true
     }
 }
@@ -295,7 +307,7 @@ pub static FIELDS: &[Field] = &[
     field("eye.globe_mass_g", "Globe mass", "g", Number(b(0.1, 100.0, 0.1, 1.0), at!(eye.globe_mass_g))),
     field("eye.globe_drag_ns_m", "Globe drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.globe_drag_ns_m))),
     field("eye.fat_drag_ns_m", "Fat drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.fat_drag_ns_m))),
-    field("numerics.integrator", "Integrator", "", Choice(&OneOf(INTEGRATORS, at!(numerics.integrator)))),
+    field("numerics.integrator", "Integrator", "", Choice(&AnIntegrator(at!(numerics.integrator)))),
     field("numerics.step_us", "Time step", "µs", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
 ];
 

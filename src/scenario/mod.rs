@@ -9,6 +9,7 @@
 pub mod check;
 pub mod doubt;
 pub mod fields;
+mod integrator;
 pub mod library;
 pub mod load;
 pub mod locate;
@@ -20,6 +21,7 @@ pub mod set;
 
 use std::collections::BTreeMap;
 
+pub use integrator::Integrator;
 pub use physiological::Physiological;
 pub use projectile::{Projectile, ProjectileStiffness};
 use serde::{Deserialize, Serialize};
@@ -206,28 +208,9 @@ impl Default for EyeInput {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct NumericsInput {
-    /// The integrator, or `Auto`.
-    pub integrator: IntegratorChoice,
+    /// The integrator; none, spelled `Auto`, lets the program choose.
+    #[serde(with = "integrator")]
+    pub integrator: Option<Integrator>,
     /// The step; none lets the program take one from the stability bound.
     pub step_us: Option<f64>,
-}
-
-/// Which integrator solves the equations of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub enum IntegratorChoice {
-    /// The program chooses.
-    #[default]
-    Auto,
-    /// The paper's scheme, first order.
-    SemiImplicitEuler,
-    /// Second order, drag solved exactly.
-    VelocityVerlet,
-    /// Fourth order, six force evaluations a step.
-    Srkn6b,
-    /// Sixth order, eleven force evaluations a step.
-    Srkn11b,
-    /// The classical Runge-Kutta method.
-    Rk4,
-    /// The Dormand-Prince pair, which chooses its own steps.
-    Dopri5,
 }

@@ -106,8 +106,8 @@ fn plans(case: &Case) -> Vec<Plan> {
             local_tolerance,
         };
         let evaluations =
-            |p: &Plan| case.window / p.step * integrator.evaluations_per_step() as f64;
-        if integrator.adaptive() {
+            |p: &Plan| case.window / p.step * integrator.method().evaluations() as f64;
+        if integrator.method().adaptive() {
             plans.extend(TOLERANCES.map(|t| plan(0.95, t)));
         } else {
             let most = MOST_EVALUATIONS * case.window / 3e-3;

@@ -7,7 +7,7 @@ use crate::dynamics::{
 use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Keep, Recorder, Recording};
-use crate::scenario::{Impact, IntegratorChoice, Scenario};
+use crate::scenario::{Impact, Scenario};
 use std::ops::ControlFlow;
 
 /// The integrator that `Auto` takes for an answer.
@@ -182,7 +182,7 @@ impl Case {
         if self.system.coupled().is_some() {
             &[Integrator::VelocityVerlet]
         } else {
-            &Integrator::ALL
+            Integrator::ALL
         }
     }
 
@@ -202,7 +202,7 @@ impl Case {
         if self.system.coupled().is_some() {
             1
         } else {
-            integrator.order()
+            integrator.method().order
         }
     }
 
@@ -230,15 +230,7 @@ impl Case {
     }
 
     fn plan_by(&self, scenario: &Scenario, auto: Integrator, share: f64) -> Result<Plan, Refusal> {
-        let integrator = match scenario.numerics.integrator {
-            IntegratorChoice::Auto => auto,
-            IntegratorChoice::SemiImplicitEuler => Integrator::SemiImplicitEuler,
-            IntegratorChoice::VelocityVerlet => Integrator::VelocityVerlet,
-            IntegratorChoice::Srkn6b => Integrator::Srkn6b,
-            IntegratorChoice::Srkn11b => Integrator::Srkn11b,
-            IntegratorChoice::Rk4 => Integrator::Rk4,
-            IntegratorChoice::Dopri5 => Integrator::Dopri5,
-        };
+        let integrator = scenario.numerics.integrator.unwrap_or(auto);
         if !self.integrators().contains(&integrator) {
             return Err(Refusal::IntegratorUnfit {
                 integrator: integrator.name(),
@@ -264,7 +256,7 @@ impl Case {
             local_tolerance: LOCAL_TOLERANCE,
         };
         let springs = self.system.springs_per_evaluation() as f64;
-        let work = springs * integrator.evaluations_per_step() as f64 * (self.window / step + 1.0);
+        let work = springs * integrator.method().evaluations() as f64 * (self.window / step + 1.0);
         if work > MOST_SPRING_EVALUATIONS {
             return Err(Refusal::TooMuchWork {
                 steps: self.window / step,

@@ -11,7 +11,7 @@ use super::quantity::{PerQuantity, Quantity, difference_percent, headline, value
 use super::solve::{Answer, solve_case};
 use crate::dynamics::{Integrator, Piece, Plan};
 use crate::recording::Keep;
-use crate::scenario::{EyeInput, ForcePulse, Impact, IntegratorChoice, PulseShape, Scenario};
+use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -136,10 +136,10 @@ fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
 }
 
 /// The standard case by `integrator` at `share` of its stability limit.
-fn at_limit(share: f64, choice: IntegratorChoice, integrator: Integrator) -> Scenario {
+fn at_limit(share: f64, integrator: Integrator) -> Scenario {
     let mut scenario = Scenario::default();
     let limit = Case::new(&scenario).step_limit(integrator);
-    scenario.numerics.integrator = choice;
+    scenario.numerics.integrator = Some(integrator);
     scenario.numerics.step_us = Some((share * limit * 1e10).round() * 1e-4);
     scenario
 }
@@ -147,7 +147,6 @@ fn at_limit(share: f64, choice: IntegratorChoice, integrator: Integrator) -> Sce
 /// All hard cases.
 #[rustfmt::skip]
 pub fn cases() -> Vec<HardCase> {
-    use IntegratorChoice as By;
     let case = |name, stresses, scenario| HardCase { name, stresses, scenario, start: Start::Rest, references: FINE };
     vec![
         case("zero rise time", "the force jumps, and so does the acceleration",
@@ -186,13 +185,13 @@ pub fn cases() -> Vec<HardCase> {
         HardCase { start: Start::DrivenTogether,
             ..case("two nodes driven together", "a length that passes through zero", Scenario::default()) },
         case("srkn6b at 0.99 of its limit", "the largest step that is allowed",
-            at_limit(0.99, By::Srkn6b, Integrator::Srkn6b)),
+            at_limit(0.99, Integrator::Srkn6b)),
         case("srkn6b at 1.01 of its limit", "a step that may blow up",
-            at_limit(1.01, By::Srkn6b, Integrator::Srkn6b)),
+            at_limit(1.01, Integrator::Srkn6b)),
         case("verlet at 0.99 of its limit", "the largest step of the common method",
-            at_limit(0.99, By::VelocityVerlet, Integrator::VelocityVerlet)),
+            at_limit(0.99, Integrator::VelocityVerlet)),
         case("euler at 1.01 of its limit", "a step that may blow up, with explicit drag",
-            at_limit(1.01, By::SemiImplicitEuler, Integrator::SemiImplicitEuler)),
+            at_limit(1.01, Integrator::SemiImplicitEuler)),
         HardCase { references: LONG,
             ..case("1 s of simulated time", "rounding over a quarter of a million steps",
                 lasting(1e3, Scenario::default())) },

@@ -13,7 +13,7 @@ use super::flags::{Flag, FlagKind};
 use super::quantity::{PerQuantity, Quantity, values};
 use super::solve::Answer;
 use crate::recording::Keep;
-use crate::scenario::{IntegratorChoice, NumericsInput, Scenario};
+use crate::scenario::{NumericsInput, Scenario};
 
 /// The finest level a scenario may ask for.
 pub const FINEST_LEVEL: u32 = 8;
@@ -42,10 +42,7 @@ fn with_mass(
     let mut other = scenario.clone();
     other.eye.level = level;
     // The mesh error is far larger than the step error of the automatic step.
-    other.numerics = NumericsInput {
-        integrator: IntegratorChoice::Auto,
-        ..NumericsInput::default()
-    };
+    other.numerics = NumericsInput::default();
     let case = Case::new(&other);
     let plan = case.plan_alone(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;

@@ -83,7 +83,7 @@ fn point(scenario: &Scenario, case: &Case, extremes: &Extremes) -> Point {
 fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
-        && !plan.integrator.adaptive()
+        && !plan.integrator.method().adaptive()
         && case.system.coupled().is_none()
     {
         plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
@@ -172,7 +172,7 @@ pub fn compared(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<P
 
 /// The factor on the step that brings a step error, in %, to what is promised.
 fn shortening(plan: &Plan, error: f64) -> f64 {
-    (PROMISE_PERCENT / error).powf(1.0 / f64::from(plan.integrator.order()))
+    (PROMISE_PERCENT / error).powf(1.0 / f64::from(plan.integrator.method().order))
 }
 
 #[cfg(test)]
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn a_rough_step_is_refined_and_what_it_would_have_been_is_said() {
         let mut scenario = Scenario::default();
-        scenario.numerics.integrator = crate::scenario::IntegratorChoice::VelocityVerlet;
+        scenario.numerics.integrator = Some(crate::scenario::Integrator::VelocityVerlet);
         let point = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
         let check = point.check.unwrap();
         assert!(check.first > PROMISE_PERCENT && check.last <= PROMISE_PERCENT);

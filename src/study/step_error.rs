@@ -68,7 +68,7 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
             coarser.steps_under_load(pulse),
         )
         && telling(plan.steps(pulse), coarser.steps(pulse));
-    if plan.integrator.adaptive() {
+    if plan.integrator.method().adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
         (finer, SAFETY)
     } else if coarser_tells {

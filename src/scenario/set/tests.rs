@@ -3,8 +3,7 @@
 use super::*;
 use crate::scenario::fields::tests::every_variant;
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, IntegratorChoice, Model, Physiological, ProjectileStiffness,
-    PulseShape,
+    EyeInput, ForcePulse, Impact, Integrator, Model, Physiological, ProjectileStiffness, PulseShape,
 };
 
 fn after(path: &str, text: &str) -> Scenario {
@@ -111,7 +110,7 @@ fn names_are_taken_in_any_spelling() {
         let scenario = after("numerics.integrator", text);
         assert_eq!(
             scenario.numerics.integrator,
-            IntegratorChoice::VelocityVerlet
+            Some(Integrator::VelocityVerlet)
         );
     }
     assert_eq!(

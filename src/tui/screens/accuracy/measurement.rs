@@ -3,8 +3,7 @@
 //! It belongs to a scenario apart from the scenario's own integrator and step, which are what it is
 //! there to choose.
 
-use crate::dynamics::Integrator;
-use crate::scenario::{IntegratorChoice, NumericsInput, Scenario};
+use crate::scenario::{NumericsInput, Scenario};
 use crate::study::accuracy::{Accuracy, Point, measure as measure_levels};
 use crate::study::{Refusal, Watch};
 use crate::tui::action::Step;
@@ -119,25 +118,13 @@ impl Measurement {
     }
 }
 
-/// The choice in a scenario that stands for an integrator.
-fn choice(integrator: Integrator) -> IntegratorChoice {
-    match integrator {
-        Integrator::SemiImplicitEuler => IntegratorChoice::SemiImplicitEuler,
-        Integrator::VelocityVerlet => IntegratorChoice::VelocityVerlet,
-        Integrator::Srkn6b => IntegratorChoice::Srkn6b,
-        Integrator::Srkn11b => IntegratorChoice::Srkn11b,
-        Integrator::Rk4 => IntegratorChoice::Rk4,
-        Integrator::Dopri5 => IntegratorChoice::Dopri5,
-    }
-}
-
 /// The scenario solved as a point was. The step is rounded down to six digits.
 pub fn adopted(scenario: &Scenario, point: &Point) -> Scenario {
     let step = point.plan.step * 1e6;
     let power = 10f64.powi(5 - step.log10().floor() as i32);
     Scenario {
         numerics: NumericsInput {
-            integrator: choice(point.plan.integrator),
+            integrator: Some(point.plan.integrator),
             step_us: Some((step * power).floor() / power),
         },
         ..scenario.clone()

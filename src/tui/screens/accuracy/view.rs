@@ -24,18 +24,6 @@ const LEAST: (u16, u16) = (20, 4);
 /// Errors below this, in %, are drawn there: they are rounding.
 const FLOOR: f64 = 1e-9;
 
-/// The letter of an integrator.
-fn letter(integrator: Integrator) -> char {
-    match integrator {
-        Integrator::SemiImplicitEuler => 'E',
-        Integrator::VelocityVerlet => 'A',
-        Integrator::Srkn6b => 'B',
-        Integrator::Srkn11b => 'N',
-        Integrator::Rk4 => 'R',
-        Integrator::Dopri5 => 'D',
-    }
-}
-
 fn style(theme: Theme, point: &Point) -> Style {
     let place = Integrator::ALL
         .iter()
@@ -130,7 +118,7 @@ fn status(model: &Model, theme: Theme) -> (String, Style) {
 fn legend() -> Vec<String> {
     let mut parts: Vec<String> = Integrator::ALL
         .iter()
-        .map(|i| format!("{} {}", letter(*i), i.name()))
+        .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
     parts.push("capitals: the front".to_owned());
     parts
@@ -179,12 +167,12 @@ fn named(model: &Model, point: &Point) -> Vec<String> {
         format!("▸ {} of {count}", model.accuracy.cursor + 1),
         format!(
             "{} {}",
-            letter(point.plan.integrator),
+            point.plan.integrator.method().letter,
             point.plan.integrator.name()
         ),
         format!("step {} µs", significant(point.step * 1e6)),
     ];
-    if point.plan.integrator.adaptive() {
+    if point.plan.integrator.method().adaptive() {
         parts.push(format!("tolerance {:e}", point.plan.local_tolerance));
     }
     parts.push(format!("{} ms", ms(point.seconds)));
@@ -250,7 +238,7 @@ fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mu
     marks.sort_by_key(|(at, p)| (*at == cursor, p.on_front));
     for (at, point) in marks {
         let (x, y) = cell(point);
-        let letter = letter(point.plan.integrator);
+        let letter = point.plan.integrator.method().letter;
         let mark = if point.on_front {
             letter
         } else {
