@@ -12,6 +12,7 @@ pub mod dynamics;
 pub mod eye;
 pub mod injury;
 mod normal;
+mod plain_text;
 pub mod recording;
 pub mod report;
 pub mod scenario;

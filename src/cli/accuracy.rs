@@ -1,9 +1,10 @@
 //! `contrecoup accuracy`: speed against error on one scenario.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::progress::Progress;
 use super::{AccuracyArgs, CliError};
+use crate::plain_text::write_json;
 use crate::report::accuracy;
 use crate::study::accuracy::measure;
 
@@ -25,9 +26,7 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let report = measure(&scenario, finest, &mut |share| progress.measured(share))?;
     progress.clear();
     if args.json {
-        serde_json::to_writer_pretty(&mut *out, &accuracy::json(&scenario, &report))
-            .map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &accuracy::json(&scenario, &report))?;
     } else {
         accuracy::text(&scenario, &report, out)?;
     }

@@ -3,18 +3,20 @@
 //! Values stay text here. The registry of fields reads them, so a flag, `--set` and a file refuse
 //! the same values with the same words.
 
+use std::io::{self, Write};
 use std::str::FromStr;
 
 use clap::Args;
 
 use super::CliError;
+use crate::plain_text::{self, printable, quoted};
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::fields::LONGEST_NAME;
 use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
-use crate::scenario::problem::{ScenarioError, printable, quoted};
+use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::set;
 
 /// What to simulate: a preset or a file, and changes to it.
@@ -128,17 +130,32 @@ fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result
 
 /// One line a problem, led by the flag; the flag names its own field already.
 fn complaint(flag: &str, path: &str, error: &ScenarioError) -> CliError {
-    let line = |problem: &crate::scenario::problem::Problem| {
+    let line = |problem: &Problem| {
         let flag = quoted(flag);
-        let message = printable(&problem.message);
+        let message = plain_text::message(&problem.message);
         if problem.field == path {
             format!("{flag}: {message}")
         } else {
-            format!("{flag}: {}: {message}", printable(&problem.field))
+            format!("{flag}: {}: {message}", quoted(&problem.field))
         }
     };
-    let lines: Vec<String> = error.problems.iter().map(line).collect();
-    CliError::Input(lines.join("\n"))
+    CliError::Input(plain_text::lines(error.problems.iter().map(line)))
+}
+
+/// Prints why the arguments were refused, or the help that was asked for. An argument is repeated in
+/// it, and may hold anything.
+///
+/// # Errors
+/// Where nobody can be told.
+pub(super) fn explain(error: &clap::Error) -> io::Result<()> {
+    let text = error.to_string();
+    let lines = text.lines().map(plain_text::message);
+    let safe = lines.collect::<Vec<_>>().join("\n") + "\n";
+    // Only clap's own printing has its colours.
+    if !error.use_stderr() || safe == text {
+        return error.print();
+    }
+    io::stderr().write_all(safe.as_bytes())
 }
 
 /// Reads a time that must be more than zero.

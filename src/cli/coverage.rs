@@ -1,11 +1,12 @@
 //! `contrecoup coverage`: how often the stated step errors hold.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use super::progress::Progress;
 use super::{CliError, CoverageArgs};
+use crate::plain_text::write_json;
 use crate::report::coverage::{json, text};
 use crate::study::coverage::check;
 
@@ -23,9 +24,7 @@ pub fn run(args: &CoverageArgs, out: &mut dyn Write) -> Result<(), CliError> {
     lock().clear();
     let checked = checked?;
     if args.json {
-        serde_json::to_writer_pretty(&mut *out, &json(&checked, args.seed))
-            .map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &json(&checked, args.seed))?;
     } else {
         text(&checked, args.seed, out)?;
     }

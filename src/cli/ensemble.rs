@@ -1,14 +1,15 @@
 //! `contrecoup ensemble`: how far the answer may be off because the inputs are not known.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use super::interrupt;
 use super::progress::Progress;
 use super::{CliError, EnsembleArgs};
+use crate::plain_text::{quoted, write_json};
 use crate::report::ensemble::{json, text};
-use crate::scenario::problem::{quoted, suggestion};
+use crate::scenario::problem::suggestion;
 use crate::study::ensemble::run as run_samples;
 use crate::study::outputs::OUTPUTS;
 
@@ -29,9 +30,7 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     lock().clear();
     let ensemble = ensemble?;
     if args.json {
-        serde_json::to_writer_pretty(&mut *out, &json(&scenario, &ensemble))
-            .map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &json(&scenario, &ensemble))?;
     } else {
         text(&scenario, &ensemble, output, out)?;
     }

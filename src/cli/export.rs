@@ -7,6 +7,7 @@ use std::path::Path;
 use super::progress::Progress;
 use super::{CliError, ExportArgs};
 use crate::eye::side_at_level;
+use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing, write_frames, write_traces};
 use crate::scenario::Scenario;
 use crate::study::solve;
@@ -47,17 +48,21 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
                 progress.show("writing frames", done as f64 / frames.len() as f64);
             })
         })?;
-        writeln!(out, "{}: {} frames", path.display(), frames.len())?;
+        writeln!(out, "{}: {} frames", shown(path), frames.len())?;
     }
     if let (Some(path), Some(traces)) = (&args.traces, &answer.recording.traces) {
         save(path, |file| write_traces(traces, file))?;
-        writeln!(out, "{}: {} rows", path.display(), traces.time.len())?;
+        writeln!(out, "{}: {} rows", shown(path), traces.time.len())?;
     }
     progress.clear();
     for flag in &answer.flags {
         writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
     }
     Ok(())
+}
+
+fn shown(path: &Path) -> String {
+    printable(&path.display().to_string()).into_owned()
 }
 
 fn check_size(scenario: &Scenario, every_us: f64) -> Result<(), CliError> {
@@ -77,7 +82,7 @@ fn save(
     write: impl FnOnce(&mut dyn Write) -> csv::Result<()>,
 ) -> Result<(), CliError> {
     let failed = |error: &dyn std::fmt::Display| {
-        CliError::Failed(format!("cannot write {}: {error}", path.display()))
+        CliError::Failed(format!("cannot write {}: {error}", shown(path)))
     };
     let plain = path.metadata().map_or(true, |m| m.is_file());
     // A link stays a link: what it leads to is replaced.

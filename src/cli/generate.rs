@@ -31,7 +31,7 @@ pub fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     let page = match command {
         None => program,
         Some(name) => program.find_subcommand(name).cloned().ok_or_else(|| {
-            let name = crate::scenario::problem::quoted(name);
+            let name = crate::plain_text::quoted(name);
             CliError::Input(format!("man {name}: there is no such command"))
         })?,
     };

@@ -265,7 +265,7 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            return match error.print() {
+            return match arguments::explain(&error) {
                 // Nobody is left to hear about a closed pipe.
                 Err(failed) if failed.kind() != io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
                 _ => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)),

@@ -1,12 +1,12 @@
 //! `contrecoup presets`: what there is to run.
 
-use std::io::Write;
+use std::io::{self, IsTerminal, Write};
 
 use serde::Serialize;
 
 use super::{CliError, PresetsArgs, PresetsCommand};
+use crate::plain_text::{printable, printable_lines, write_json};
 use crate::scenario::library::{self, Origin};
-use crate::scenario::problem::printable;
 
 /// One preset as JSON and as a line of the list.
 #[derive(Serialize)]
@@ -28,13 +28,19 @@ struct Row {
 /// Where a preset does not exist or cannot be read, or the output cannot be written.
 pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(PresetsCommand::Show { name }) = &args.command {
-        out.write_all(library::find(name)?.text?.as_bytes())?;
+        let text = library::find(name)?.text?;
+        // A file or a program gets the bytes; a terminal would obey what stands in a comment.
+        let shown = if io::stdout().is_terminal() {
+            printable_lines(&text)
+        } else {
+            text.as_str().into()
+        };
+        out.write_all(shown.as_bytes())?;
         return Ok(());
     }
     let rows = rows()?;
     if args.json {
-        serde_json::to_writer_pretty(&mut *out, &rows).map_err(std::io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &rows)?;
         return Ok(());
     }
     let width = rows.iter().map(|row| row.name.chars().count()).max();

@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Write};
 
 use super::progress::Progress;
 use super::{CliError, RunArgs};
+use crate::plain_text::write_json;
 use crate::recording::Keep;
 use crate::report::{json, text};
 use crate::study::{Refusal, add_mesh_error, choose, solve};
@@ -39,9 +40,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
         if args.mesh_error && !known {
             add_mesh_error(&scenario, &mut answer, &mut watch)?;
         }
-        let object = json::answer(&scenario, &answer, &reasons);
-        serde_json::to_writer_pretty(&mut *out, &object).map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &json::answer(&scenario, &answer, &reasons))?;
         return Ok(());
     }
     progress.clear();

@@ -1,10 +1,11 @@
 //! `contrecoup stability`: the hard cases and what the program makes of them.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::sync::Mutex;
 
 use super::progress::Progress;
 use super::{CliError, StabilityArgs};
+use crate::plain_text::write_json;
 use crate::report::stability;
 use crate::study::hard_cases::{self, Verdict};
 
@@ -23,9 +24,7 @@ pub fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), CliError> {
         progress.clear();
     }
     if args.json {
-        let object = stability::json(&outcomes);
-        serde_json::to_writer_pretty(&mut *out, &object).map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &stability::json(&outcomes))?;
     } else {
         stability::table(&outcomes, out)?;
     }

@@ -16,8 +16,9 @@ use std::sync::{Mutex, PoisonError};
 use super::interrupt;
 use super::progress::Progress;
 use super::{CliError, SweepArgs};
+use crate::plain_text::{self, printable, quoted};
 use crate::report::sweep::Form;
-use crate::scenario::problem::{printable, quoted};
+use crate::scenario::problem::Problem;
 use crate::study::ordered;
 use crate::study::sweep::{Axis, Sweep};
 
@@ -60,17 +61,11 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let axes: Vec<Axis> = args.vary.clone();
     let sweep = Sweep::new(scenario, axes).map_err(|error| {
-        let line = |p: &crate::scenario::problem::Problem| {
-            format!("--vary {}: {}", printable(&p.field), printable(&p.message))
+        let line = |p: &Problem| {
+            let message = plain_text::message(&p.message);
+            format!("--vary {}: {message}", quoted(&p.field))
         };
-        CliError::Input(
-            error
-                .problems
-                .iter()
-                .map(line)
-                .collect::<Vec<_>>()
-                .join("\n"),
-        )
+        CliError::Input(plain_text::lines(error.problems.iter().map(line)))
     })?;
     let form = if args.json { Form::Json } else { Form::Csv };
     let rows = args.shard.rows(sweep.rows());

@@ -1,14 +1,14 @@
 //! `contrecoup validate` and `contrecoup calibrate`: the model against published experiments.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
 
 use super::progress::Progress;
 use super::{CalibrateArgs, CliError, ValidateArgs};
+use crate::plain_text::write_json;
 use crate::report::validate::{fit_json, fit_text, json, text};
 use crate::study::calibrate::calibrate;
 use crate::study::validate::validate;
-use serde_json::Value;
 
 /// Runs every experiment again and prints measured beside predicted.
 ///
@@ -17,7 +17,7 @@ use serde_json::Value;
 pub fn run(args: &ValidateArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let rows = validate(|scenario| scenario);
     if args.json {
-        print(&json(&rows), out)
+        Ok(write_json(out, &json(&rows))?)
     } else {
         Ok(text(&rows, out)?)
     }
@@ -36,14 +36,8 @@ pub fn fit(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), CliError> {
     progress.clear();
     let fit = fit?;
     if args.json {
-        print(&fit_json(&fit), out)
+        Ok(write_json(out, &fit_json(&fit))?)
     } else {
         Ok(fit_text(&fit, out)?)
     }
-}
-
-fn print(value: &Value, out: &mut dyn Write) -> Result<(), CliError> {
-    serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
-    writeln!(out)?;
-    Ok(())
 }

@@ -3,8 +3,8 @@
 use super::json::by_quantity;
 use super::text::{percent, significant};
 use crate::dynamics::{Plan, kernel_name};
+use crate::plain_text::printable;
 use crate::scenario::Scenario;
-use crate::scenario::problem::printable;
 use crate::study::accuracy::{Accuracy, Level, Point, TARGETS};
 use serde_json::{Value, json};
 use std::io::{self, Write};

@@ -2,8 +2,8 @@
 
 use super::text::{percent, significant};
 use crate::injury::Caution;
+use crate::plain_text::printable;
 use crate::scenario::Scenario;
-use crate::scenario::problem::printable;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
 use crate::study::outputs::{OUTPUTS, caution};

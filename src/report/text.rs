@@ -3,8 +3,8 @@
 use crate::dynamics::PA_PER_MMHG;
 use crate::eye::Monitor;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::plain_text::printable;
 use crate::recording::{FluidExtremes, MEAN_S, ShotExtremes};
-use crate::scenario::problem::printable;
 use crate::scenario::{Impact, Model, Projectile, Scenario};
 use crate::study::Answer;
 use std::io::{self, Write};

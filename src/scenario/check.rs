@@ -4,8 +4,9 @@
 //! that join two fields are written out here.
 
 use super::fields::{Bounds, FIELDS, Field, Kind};
-use super::problem::{Problem, ScenarioError, is_unprintable, plain};
+use super::problem::{Problem, ScenarioError, plain};
 use super::{Impact, Projectile, Scenario, doubt};
+use crate::plain_text::printable;
 
 /// Everything that is wrong with the values, in the order of the fields.
 ///
@@ -69,9 +70,8 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
             match text.trim().chars().count() {
                 0 => Some("is empty"),
                 length if length > *most => Some("is too long"),
-                _ => text
-                    .contains(is_unprintable)
-                    .then_some("holds a control character"),
+                _ => (printable(text) != text.as_str())
+                    .then_some("holds a control character or one that cannot be seen"),
             }
         }
         Kind::Toggle(_) | Kind::Choice(_) => None,

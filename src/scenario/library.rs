@@ -158,10 +158,8 @@ pub fn find(name: &str) -> Result<Preset, ScenarioError> {
         };
         return Err(unknown(name, message).into());
     }
-    if let Some(path) = folder().map(|folder| folder.join(format!("{name}.ron")))
-        && path.symlink_metadata().is_ok()
-    {
-        return Ok(Preset::user(name.to_owned(), path));
+    if let Some(own) = own_preset(name) {
+        return Ok(own);
     }
     let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
     built_in.map(Preset::built_in).ok_or_else(|| {
@@ -180,7 +178,8 @@ pub fn find(name: &str) -> Result<Preset, ScenarioError> {
 }
 
 /// The scenario that an argument of the command line means: a file if it ends in `.ron` or holds a
-/// path separator, else a preset.
+/// path separator, else a preset. Where there is no such file, an own preset may be meant, by the
+/// name of its file (`mine.ron`) or because its name ends so.
 ///
 /// # Errors
 /// Where it cannot be found, read or accepted.
@@ -188,14 +187,28 @@ pub fn resolve(argument: &str) -> Result<Scenario, ScenarioError> {
     let extension = Path::new(argument).extension();
     let is_ron = extension.is_some_and(|extension| extension.eq_ignore_ascii_case("ron"));
     if is_ron || argument.contains(std::path::is_separator) {
-        load(Path::new(argument))
+        let path = Path::new(argument);
+        let own = is_plain(argument) && path.symlink_metadata().is_err();
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let mut names = [argument, &stem].into_iter().filter(|_| own);
+        match names.find_map(own_preset) {
+            Some(preset) => preset.scenario(),
+            None => load(path),
+        }
     } else {
         find(argument)?.scenario()
     }
 }
 
+/// The person's own preset of that name.
+fn own_preset(name: &str) -> Option<Preset> {
+    let path = folder()?.join(format!("{name}.ron"));
+    let there = path.symlink_metadata().is_ok();
+    there.then(|| Preset::user(name.to_owned(), path))
+}
+
 fn unknown(name: &str, message: &str) -> Problem {
-    Problem::new("", message).of(&super::problem::quoted(name))
+    Problem::new("", message).of(&crate::plain_text::quoted(name))
 }
 
 /// Whether a name stays inside its folder on every system.

@@ -3,14 +3,12 @@
 //! A [`Problem`] carries its parts in separate fields, so that a form can put the message beside
 //! the right input while the command line prints one line that an editor can jump to.
 //!
-//! Text that a person or a file supplied is escaped here, once, on the way into a message: a
-//! terminal never receives its control characters.
+//! Text that a person or a file supplied is made safe and cut on the way into a message: see
+//! `plain_text`.
 
-use std::borrow::Cow;
 use std::fmt;
 
-/// The longest piece of somebody else's text that a message repeats, in characters.
-const LONGEST_QUOTE: usize = 60;
+use crate::plain_text::{self, LONGEST_QUOTE, quoted};
 
 /// One thing that is wrong with a scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -72,7 +70,7 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut gap = "";
         if !self.origin.is_empty() {
-            f.write_str(&printable(&self.origin))?;
+            f.write_str(&plain_text::message(&self.origin))?;
             gap = ": ";
         }
         if let (Some(line), Some(column)) = (self.line, self.column) {
@@ -81,10 +79,10 @@ impl fmt::Display for Problem {
             gap = ": ";
         }
         if !self.field.is_empty() {
-            write!(f, "{gap}{}", printable(&self.field))?;
+            write!(f, "{gap}{}", quoted(&self.field))?;
             gap = ": ";
         }
-        write!(f, "{gap}{}", printable(&self.message))
+        write!(f, "{gap}{}", plain_text::message(&self.message))
     }
 }
 
@@ -92,7 +90,7 @@ impl std::error::Error for Problem {}
 
 /// Everything that is wrong with a scenario; displayed one problem a line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{}", lines(.problems))]
+#[error("{}", plain_text::lines(.problems.iter().map(Problem::to_string)))]
 pub struct ScenarioError {
     /// At least one problem, in the order of the fields.
     pub problems: Vec<Problem>,
@@ -114,42 +112,6 @@ impl From<Problem> for ScenarioError {
         Self {
             problems: vec![problem],
         }
-    }
-}
-
-fn lines(problems: &[Problem]) -> String {
-    let lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
-    lines.join("\n")
-}
-
-/// Whether a character would do something to a terminal rather than be seen: control characters,
-/// line separators, and marks that reorder the text around them.
-pub fn is_unprintable(c: char) -> bool {
-    c.is_control()
-        || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}
-
-/// The text with every unprintable character escaped.
-pub fn printable(text: &str) -> Cow<'_, str> {
-    if !text.contains(is_unprintable) {
-        return Cow::Borrowed(text);
-    }
-    let mut shown = String::with_capacity(text.len() + 8);
-    for c in text.chars() {
-        match c {
-            '\n' | '\r' | '\t' => shown.extend(c.escape_debug()),
-            c if is_unprintable(c) => shown.extend(c.escape_unicode()),
-            c => shown.push(c),
-        }
-    }
-    Cow::Owned(shown)
-}
-
-/// The text escaped, and cut where it would swamp a message.
-pub fn quoted(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_QUOTE) {
-        Some((cut, _)) => format!("{}...", printable(&text[..cut])),
-        None => printable(text).into_owned(),
     }
 }
 
@@ -205,13 +167,6 @@ mod tests {
             problem.to_string(),
             "presets/x.ron:4:27: impact.force_n: -5 is out of range: allowed 0 to 9 N"
         );
-    }
-
-    #[test]
-    fn control_characters_are_escaped_and_long_text_is_cut() {
-        assert_eq!(printable("a\u{1b}[31m\n"), "a\\u{1b}[31m\\n");
-        assert_eq!(printable("\u{202e}x"), "\\u{202e}x");
-        assert_eq!(quoted(&"é".repeat(500)).chars().count(), LONGEST_QUOTE + 3);
     }
 
     #[test]

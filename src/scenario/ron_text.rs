@@ -16,7 +16,8 @@ use serde_path_to_error::{Path, Segment, Track};
 use super::Scenario;
 use super::fields::{self, Kind};
 use super::locate::locate;
-use super::problem::{Problem, ScenarioError, quoted, suggestion};
+use super::problem::{Problem, ScenarioError, suggestion};
+use crate::plain_text::quoted;
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
 fn options() -> Options {

@@ -9,8 +9,8 @@ use std::path::Path;
 
 use tempfile::NamedTempFile;
 
+use crate::plain_text::is_unprintable;
 use crate::scenario::library::is_plain;
-use crate::scenario::problem::is_unprintable;
 
 /// Why nothing was saved.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -21,6 +21,9 @@ pub enum SaveError {
     /// It has a character that a file name cannot have everywhere.
     #[error("no {0} in a name: it has 1 to 40 ASCII letters, digits, dashes, dots or underscores")]
     Letter(String),
+    /// The command line would take it for an option or for a file.
+    #[error("a name has no dash first and no .ron last: the command line would not find it")]
+    CommandLine,
     /// There is a preset of that name.
     #[error("{0} exists")]
     Exists(String),
@@ -41,6 +44,10 @@ pub fn check_name(name: &str) -> Result<(), SaveError> {
             c => SaveError::Letter(c.to_string()),
         });
     }
+    let ends_in_ron = std::path::Path::new(name).extension();
+    if name.starts_with('-') || ends_in_ron.is_some_and(|end| end.eq_ignore_ascii_case("ron")) {
+        return Err(SaveError::CommandLine);
+    }
     if is_plain(name) && name.len() <= LONGEST {
         Ok(())
     } else {
@@ -58,11 +65,14 @@ fn is_allowed(c: char) -> bool {
 /// A name like `stem` with a number behind it that none of the others has, from 2 on.
 pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     // Room for a dash and three digits.
-    let letters = stem.trim_start_matches('.').chars().take(LONGEST - 4);
+    let letters = stem.chars().take(LONGEST - 4);
     let stem: String = letters
         .map(|c| if is_allowed(c) { c } else { '-' })
         .collect();
-    let stem = if stem.is_empty() { "blow" } else { &stem };
+    let stem = match stem.trim_start_matches(['.', '-']) {
+        "" => "blow",
+        stem => stem,
+    };
     let mut names = (2..1000).map(|i| format!("{stem}-{i}"));
     names.find(|name| !is_taken(name)).unwrap_or_default()
 }
@@ -179,10 +189,17 @@ mod tests {
     }
 
     #[test]
+    fn names_that_the_command_line_could_not_open_are_refused() {
+        for name in ["mine.ron", "mine.RON", "-rf", "--help", "-"] {
+            assert_eq!(check_name(name), Err(SaveError::CommandLine), "{name}");
+        }
+    }
+
+    #[test]
     fn the_name_that_is_offered_is_free_and_allowed() {
         let taken = |name: &str| name == "paper-300n-2";
         assert_eq!(free_name("paper-300n", taken), "paper-300n-3");
-        for stem in ["", "..", "a b/c", &"é".repeat(60)] {
+        for stem in ["", "..", "-rf", "a b/c", "x.ron", &"é".repeat(60)] {
             assert_eq!(check_name(&free_name(stem, |_| false)), Ok(()), "{stem}");
         }
     }

@@ -1,5 +1,7 @@
 //! The program as a shell runs it.
 
+#![allow(dead_code, reason = "every test file uses a part")]
+
 use assert_cmd::Command;
 use serde_json::Value;
 

@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+use crate::plain_text::printable;
 use crate::report::text::digits;
-use crate::scenario::problem::printable;
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {

@@ -7,8 +7,8 @@ pub mod view;
 
 use std::sync::Arc;
 
+use crate::plain_text::quoted;
 use crate::recording::Traces;
-use crate::scenario::problem::quoted;
 use crate::study::Answer;
 use crate::tui::model::{FORM, Model};
 use crate::tui::screens::compare::comparison::Found;

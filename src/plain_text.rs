@@ -1,0 +1,216 @@
+//! Somebody else's text, made safe for a terminal.
+//!
+//! Names, file names, arguments and pieces of files may hold characters that a terminal obeys
+//! (escape sequences), that reorder what stands around them (bidirectional marks), or that nobody
+//! sees (zero width), so that one name passes for another. Each of these is written out, as in
+//! `\u{202e}`. A letter keeps as many combining marks as any language puts on one; a longer pile,
+//! which would run over the lines around it, is written out as well. JSON has an escape of its own
+//! for every character, so there the text also stays what it was.
+//!
+//! Messages repeat somebody else's text cut, with a count of what was left out.
+//!
+//! Left out: letters that look alike in two scripts. Telling them apart takes tables of
+//! confusables, and a file name in one's own script is no attack.
+
+use std::borrow::Cow;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+use serde::Serialize;
+use unicode_width::UnicodeWidthChar;
+
+/// The longest piece of somebody else's text that a message repeats, in characters.
+pub const LONGEST_QUOTE: usize = 60;
+/// The longest message, in characters: a list of every field fits.
+const LONGEST_MESSAGE: usize = 1200;
+/// The most lines of one complaint.
+const MOST_LINES: usize = 20;
+/// Combining marks on one letter: Hebrew and Vietnamese need three.
+const MOST_MARKS: usize = 3;
+
+/// Whether a character would do something to a terminal rather than be seen: control characters,
+/// line separators, marks that reorder the text around them, and letters that take no room.
+pub fn is_unprintable(c: char) -> bool {
+    c.is_control()
+        || matches!(c,
+            '\u{ad}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{180e}' | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{feff}' | '\u{ffa0}'
+            | '\u{fff9}'..='\u{fffb}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e007f}')
+}
+
+/// One line: the text with every unprintable character written out.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    escaped(text, |_| false, write_out)
+}
+
+/// Several lines: as [`printable`], with line ends and tabs kept.
+pub fn printable_lines(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| matches!(c, '\n' | '\t'), write_out)
+}
+
+fn write_out(c: char, text: &mut String) {
+    match c {
+        '\n' | '\r' | '\t' => text.extend(c.escape_debug()),
+        c => text.extend(c.escape_unicode()),
+    }
+}
+
+fn escaped(
+    text: &str,
+    keeps: impl Fn(char) -> bool,
+    write_out: impl Fn(char, &mut String),
+) -> Cow<'_, str> {
+    // What most text is made of, told apart at a glance.
+    if text.bytes().all(|b| (0x20..0x7f).contains(&b)) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    let mut marks = 0;
+    for c in text.chars() {
+        marks = if c.width() == Some(0) { marks + 1 } else { 0 };
+        if (is_unprintable(c) && !keeps(c)) || marks > MOST_MARKS {
+            write_out(c, &mut shown);
+        } else {
+            shown.push(c);
+        }
+    }
+    if shown == text {
+        Cow::Borrowed(text)
+    } else {
+        Cow::Owned(shown)
+    }
+}
+
+/// A piece of somebody else's text in a message: printable, and cut where it would swamp it.
+pub fn quoted(text: &str) -> String {
+    cut(text, LONGEST_QUOTE)
+}
+
+/// A whole message of one line, printable and bounded.
+pub fn message(text: &str) -> String {
+    cut(text, LONGEST_MESSAGE)
+}
+
+fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((at, _)) => {
+            let more = text[at..].chars().count();
+            format!("{}... ({more} characters more)", printable(&text[..at]))
+        }
+        None => printable(text).into_owned(),
+    }
+}
+
+/// A complaint of several lines: the first ones, and how many more there are.
+pub fn lines(each: impl ExactSizeIterator<Item = String>) -> String {
+    let more = each.len().saturating_sub(MOST_LINES);
+    let mut text = each.take(MOST_LINES).collect::<Vec<_>>().join("\n");
+    if more > 0 {
+        let _ = write!(text, "\n... and {more} more like these");
+    }
+    text
+}
+
+/// Writes a value as JSON of several lines, ended by a line end. Unprintable characters take the
+/// escapes of JSON, so that a reader gets the text as it was.
+///
+/// # Errors
+/// Where `out` fails.
+pub fn write_json(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
+    let json = serde_json::to_string_pretty(value)?;
+    // Beyond strings JSON is ASCII, and its own line ends are the only control characters left.
+    let written = escaped(
+        &json,
+        |c| c == '\n',
+        |c, text| {
+            for unit in c.encode_utf16(&mut [0; 2]) {
+                let _ = write!(text, "\\u{unit:04x}");
+            }
+        },
+    );
+    writeln!(out, "{written}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every character that the terminal or the reader could be fooled by.
+    fn hostile() -> impl Iterator<Item = char> {
+        ('\0'..='\u{1f}')
+            .chain('\u{7f}'..='\u{9f}')
+            .chain(['\u{ad}', '\u{61c}', '\u{180e}', '\u{feff}'])
+            .chain('\u{200b}'..='\u{200f}')
+            .chain('\u{2028}'..='\u{202e}')
+            .chain('\u{2060}'..='\u{206f}')
+            .chain('\u{fff9}'..='\u{fffb}')
+            .chain('\u{e0000}'..='\u{e007f}')
+    }
+
+    #[test]
+    fn nothing_that_a_terminal_obeys_or_hides_gets_through() {
+        for c in hostile() {
+            let text = format!("a{c}b");
+            assert!(!printable(&text).contains(c), "{:x}", u32::from(c));
+            let kept = matches!(c, '\n' | '\t');
+            assert_eq!(
+                printable_lines(&text).contains(c),
+                kept,
+                "{:x}",
+                u32::from(c)
+            );
+        }
+        assert_eq!(printable("a\u{1b}[31m\n"), "a\\u{1b}[31m\\n");
+    }
+
+    #[test]
+    fn every_language_stays_as_it_is() {
+        for text in [
+            "300 N for 0.2 ms",
+            "Größe µm ≥ ±",
+            "ק\u{5b8}\u{5bc}\u{5b2}",
+            "e\u{302}\u{323}",
+            "कि",
+            "眼球",
+            "العين",
+            "🎾",
+        ] {
+            assert_eq!(printable(text), text);
+        }
+    }
+
+    #[test]
+    fn a_pile_of_marks_is_written_out() {
+        let pile = format!("a{}b", "\u{301}".repeat(50));
+        assert_eq!(printable(&pile).matches('\u{301}').count(), MOST_MARKS);
+    }
+
+    #[test]
+    fn long_text_is_cut_with_a_count() {
+        let said = quoted(&"é".repeat(500));
+        assert_eq!(said, format!("{}... (440 characters more)", "é".repeat(60)));
+        assert_eq!(quoted("short"), "short");
+        let said = lines((0..5000).map(|i| format!("{i} is wrong")));
+        assert_eq!(said.lines().count(), MOST_LINES + 1);
+        assert!(said.ends_with("... and 4980 more like these"), "{said}");
+        assert_eq!(lines((1..3).map(|i| i.to_string())), "1\n2");
+    }
+
+    #[test]
+    fn json_is_safe_to_print_and_reads_back_as_it_was() {
+        let text: String = hostile().chain("\"\\é🎾".chars()).collect();
+        let mut printed = Vec::new();
+        write_json(&mut printed, &vec![&text]).unwrap();
+        let printed = String::from_utf8(printed).unwrap();
+        assert!(
+            hostile()
+                .filter(|c| *c != '\n')
+                .all(|c| !printed.contains(c)),
+            "{printed}"
+        );
+        assert_eq!(
+            serde_json::from_str::<Vec<String>>(&printed).unwrap(),
+            [text]
+        );
+    }
+}
