@@ -94,7 +94,7 @@ fn case(level: u32, whole: bool, portable: bool) -> Case {
 }
 
 fn plain(case: &Case) -> Plain {
-    Plain::new(&case.eye, case.system.load().pulse, &case.load)
+    Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load)
 }
 
 fn plan(case: &Case, integrator: Integrator, share: f64) -> Plan {

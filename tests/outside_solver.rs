@@ -9,7 +9,7 @@ use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Observer, Plan, State, S
 use contrecoup::dynamics::{Piece, Survey};
 use contrecoup::eye::{Eye, Region};
 use contrecoup::recording::Keep;
-use contrecoup::scenario::{ForcePulse, Impact, PulseShape, Scenario};
+use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};
 use contrecoup::study::{Case, unwatched};
 use differential_equations::prelude::*;
 use std::f64::consts::PI;
@@ -63,25 +63,38 @@ fn force(blow: &ForcePulse, inside: f64, t: f64) -> f64 {
         return 0.0;
     }
     blow.force_n
-        * match blow.shape {
-            PulseShape::SmoothRectangle { edge_fraction: e } if s < e => {
+        * match &blow.shape {
+            PulseShape::SmoothRectangle { edge_fraction: e } if s < *e => {
                 (PI * t / (2.0 * e)).sin().powi(2)
             }
-            PulseShape::SmoothRectangle { edge_fraction: e } if s > 1.0 - e => {
+            PulseShape::SmoothRectangle { edge_fraction: e } if s > 1.0 - *e => {
                 (PI * (1.0 - t) / (2.0 * e)).sin().powi(2)
             }
             PulseShape::SmoothRectangle { .. } => 1.0,
             PulseShape::Triangle => 1.0 - (2.0 * t - 1.0) * (s - 0.5).signum(),
             PulseShape::HalfSine => (PI * t).sin(),
+            PulseShape::Table(curve) => {
+                let end = curve.last_ms();
+                let mut pairs = curve.knots().windows(2);
+                let around = pairs.find(|pair| pair[0].0 <= s * end && s * end < pair[1].0);
+                around.map_or(0.0, |pair| {
+                    let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+                    pair[0].1 + slope * (t * end - pair[0].0)
+                })
+            }
         }
 }
 
 /// Instants at which the force or its slope jumps, ms.
 fn breaks(blow: &ForcePulse) -> Vec<f64> {
-    let inner = match blow.shape {
-        PulseShape::SmoothRectangle { edge_fraction: e } => vec![e, 1.0 - e],
+    let inner = match &blow.shape {
+        PulseShape::SmoothRectangle { edge_fraction: e } => vec![*e, 1.0 - e],
         PulseShape::Triangle => vec![0.5],
         PulseShape::HalfSine => Vec::new(),
+        PulseShape::Table(curve) => {
+            let knots = curve.knots().iter();
+            knots.map(|(time, _)| time / curve.last_ms()).collect()
+        }
     };
     inner
         .into_iter()
@@ -328,6 +341,25 @@ fn a_triangle_off_the_axis() {
         shape: PulseShape::Triangle,
     };
     agrees("triangle off axis", &blow, true);
+}
+
+#[test]
+fn a_recorded_curve_that_waits_jumps_and_rings() {
+    let knots = [
+        (0.03, 0.2),
+        (0.05, 1.0),
+        (0.06, 0.7),
+        (0.17, 0.75),
+        (0.2, -0.3),
+        (0.26, 0.1),
+    ];
+    let mut blow = ForcePulse {
+        force_n: 200.0,
+        ..ForcePulse::default()
+    };
+    blow.follow(Curve::new(knots).unwrap());
+    blow.duration_ms = 0.24;
+    agrees("table", &blow, true);
 }
 
 #[test]

@@ -338,7 +338,7 @@ proptest! {
         let case = Case::with(&scenario, false, portable);
         let step = 0.5 * case.step_limit(Integrator::VelocityVerlet);
         let state = end_state(Integrator::VelocityVerlet, step, &case);
-        let mut plain = Plain::new(&case.eye, case.system.load().pulse, &case.load);
+        let mut plain = Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load);
         plain.run(case.window, step, |_, _| {});
         for i in 0..case.eye.nodes.len() {
             let p = state.position(case.system.place(i));

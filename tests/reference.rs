@@ -90,7 +90,7 @@ fn scenario(row: &Row) -> Scenario {
             duration_ms: row.duration_ms,
             angle_deg: row.angle_deg,
             half_width_deg: row.half_width_deg,
-            shape: row.shape,
+            shape: row.shape.clone(),
         }),
         ..Scenario::default()
     }

@@ -19,6 +19,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
     let mut files: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "ron"))
         .collect();
     files.sort();
     assert!(!files.is_empty());
@@ -67,8 +68,8 @@ fn what_is_no_scenario_file_is_refused_without_reading_it_all() {
     refused(folder.path(), "is a directory");
     refused(&folder.path().join("none.ron"), "there is no such file");
     let large = folder.path().join("large.ron");
-    fs::write(&large, " ".repeat(64 * 1024 + 1)).unwrap();
-    refused(&large, "is larger than 64 KiB");
+    fs::write(&large, " ".repeat(256 * 1024 + 1)).unwrap();
+    refused(&large, "is larger than 256 KiB");
     let latin = folder.path().join("latin.ron");
     fs::write(&latin, b"(\n name: \"\xe9\")").unwrap();
     refused(&latin, "is not UTF-8 text (line 2)");

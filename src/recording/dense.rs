@@ -215,7 +215,7 @@ impl NodeForce {
         self.others.clear();
         self.others
             .extend(self.springs.iter().map(|s| path(s.0).relative_to(&own)));
-        let pulse = system.load().pulse;
+        let pulse = &system.load().pulse;
         let h = after.time - before.time;
         let (value, share) = maximum(points, floor, |s| {
             let force = pulse.force(piece, before.time + s * h);

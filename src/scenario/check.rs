@@ -3,7 +3,7 @@
 //! Every problem is found, not only the first. Ranges come from the registry of fields; only rules
 //! that join two fields are written out here.
 
-use super::fields::{Bounds, FIELDS, Field, Kind};
+use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
 use super::{Impact, Projectile, Scenario, doubt};
 use crate::plain_text::printable;
@@ -18,6 +18,7 @@ pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
         .filter_map(|field| check_field(field, scenario));
     let rules = behind_bone(scenario)
         .into_iter()
+        .chain(too_high(scenario))
         .chain(unknown_marks(scenario));
     outcome(ranges.chain(rules).chain(doubt::check(scenario)).collect())
 }
@@ -116,6 +117,28 @@ fn behind_bone(scenario: &Scenario) -> Option<Problem> {
             &plain(angle),
             "is out of range, since bone shields the eye there",
             allowed,
+        )
+    })
+}
+
+/// The bound of a force holds for the highest knot of a table too.
+fn too_high(scenario: &Scenario) -> Option<Problem> {
+    let Impact::ForcePulse(pulse) = &scenario.impact else {
+        return None;
+    };
+    let force = fields::find("impact.force_n")?;
+    let Kind::Number(bounds, _) = &force.kind else {
+        return None;
+    };
+    // A force that is itself out of range has been refused already.
+    let stretched = pulse.force_n <= bounds.max && pulse.peak_n() > bounds.max;
+    stretched.then(|| {
+        let complaint = format!("makes the table's peak {} N", plain(pulse.peak_n()));
+        Problem::refused(
+            force.path,
+            &plain(pulse.force_n),
+            &complaint,
+            force.allowed(),
         )
     })
 }

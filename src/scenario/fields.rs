@@ -70,8 +70,12 @@ pub struct Place<T: 'static> {
 
 /// A field that holds one of several variants.
 pub trait Choices {
-    /// The names of the variants as RON has them.
+    /// The names of the variants as RON has them, those that a name alone makes.
     fn names(&self) -> Vec<&'static str>;
+    /// What else may be written in full.
+    fn written(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
     /// Takes the named variant with its default content, or keeps the present content where it is
@@ -145,6 +149,32 @@ impl Choices for AnIntegrator {
         };
         *value = wanted;
         true
+    }
+}
+
+/// The shapes: a recorded curve cannot be made from a name, and is kept by one.
+struct Shapes(OneOf<PulseShape>);
+
+const TABLE: &str = "Table";
+
+impl Choices for Shapes {
+    fn names(&self) -> Vec<&'static str> {
+        self.0.names()
+    }
+
+    fn written(&self) -> &'static [&'static str] {
+        &["Table([(t_ms, share), ...])", "Csv(\"file.csv\")"]
+    }
+
+    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
+        match &pulse(scenario)?.shape {
+            PulseShape::Table(_) => Some(TABLE),
+            _ => self.0.get(scenario),
+        }
+    }
+
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
+        self.get(scenario) == Some(name) || self.0.set(scenario, name)
     }
 }
 
@@ -233,14 +263,14 @@ const N_PER_M: Place<f64> = Place {
 fn edge(scenario: &Scenario) -> Option<&f64> {
     match &pulse(scenario)?.shape {
         PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
-        PulseShape::Triangle | PulseShape::HalfSine => None,
+        _ => None,
     }
 }
 
 fn edge_mut(scenario: &mut Scenario) -> Option<&mut f64> {
     match &mut pulse_mut(scenario)?.shape {
         PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
-        PulseShape::Triangle | PulseShape::HalfSine => None,
+        _ => None,
     }
 }
 
@@ -291,7 +321,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.stiffness", "Its stiffness", "", Choice(&OneOf(STIFFNESSES, within!(shot, shot_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
     field("impact.half_width_deg", "Half width", "deg", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
-    field("impact.shape", "Pulse shape", "", Choice(&OneOf(SHAPES, within!(pulse, pulse_mut, shape)))),
+    field("impact.shape", "Pulse shape", "", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
     field("impact.shape.edge_fraction", "Edge, of duration", "", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
     field("window_ms", "Simulated time", "ms", Number(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", Integer(1, 8, at!(eye.level))),
@@ -350,7 +380,7 @@ impl Field {
             }
             Integer(min, max, _) => format!("whole numbers {min} to {max}"),
             Toggle(_) => "true or false".to_owned(),
-            Choice(choices) => choices.names().join(", "),
+            Choice(choices) => [&choices.names(), choices.written()].concat().join(", "),
             Integers(min, max, most, _) => {
                 format!("a list of at most {most} different whole numbers, each {min} to {max}")
             }

@@ -14,7 +14,7 @@ use etcetera::BaseStrategy;
 use etcetera::base_strategy::Xdg;
 
 use super::Scenario;
-use super::load::{load, parse, read_text};
+use super::load::{load, parse, parse_file, read_text};
 use super::problem::{Problem, ScenarioError, suggestion};
 
 /// Names and texts of the listed files in `presets/`.
@@ -106,11 +106,11 @@ impl Preset {
     /// # Errors
     /// Says what is wrong with it, and where.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
-        let origin = match &self.origin {
-            Origin::BuiltIn => format!("preset {}", self.name),
-            Origin::User(path) => path.display().to_string(),
-        };
-        parse(self.text.as_ref().map_err(Clone::clone)?, &origin)
+        let text = self.text.as_ref().map_err(Clone::clone)?;
+        match &self.origin {
+            Origin::BuiltIn => parse(text, &format!("preset {}", self.name)),
+            Origin::User(path) => parse_file(text, path),
+        }
     }
 
     /// The name that the scenario gives itself.

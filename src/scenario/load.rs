@@ -3,30 +3,41 @@
 //! A file may come from anywhere, so it is read with a limit, only if it is a regular file, and
 //! what it holds reaches a message only escaped.
 
-use std::fs::{self, File};
-use std::io::{self, Read};
 use std::path::Path;
 
 use super::Scenario;
 use super::check::check;
+use super::curve_file::{Beside, with_files};
 use super::locate::locate;
 use super::problem::{Problem, ScenarioError};
 use super::ron_text::read;
+use super::text_file::{self, without_mark};
 
 pub use super::ron_text::to_ron;
 
-/// The greatest size of a scenario file, in bytes. The longest useful one is a hundredth of it.
-pub const LIMIT: u64 = 64 * 1024;
-
-/// Reads a scenario from RON text; `origin` is what messages call the text.
+/// Reads a scenario from RON text that has no place, so that it can name no file of a curve;
+/// `origin` is what messages call the text.
 ///
 /// # Errors
 /// Gives the first problem of syntax or type, or else every value that is out of range, each with
 /// its line and column.
 pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
-    // Editors on some systems put a byte order mark before the text.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let scenario: Scenario = read(text, "").map_err(|error: ScenarioError| error.of(origin))?;
+    parse_beside(text, origin, &Beside::Nowhere)
+}
+
+/// The same for the text of the file at `path`, which may name curves beside it.
+///
+/// # Errors
+/// As [`parse`], and where such a curve cannot be read.
+pub fn parse_file(text: &str, path: &Path) -> Result<Scenario, ScenarioError> {
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    parse_beside(text, &path.display().to_string(), &Beside::Scenario(folder))
+}
+
+fn parse_beside(text: &str, origin: &str, beside: &Beside) -> Result<Scenario, ScenarioError> {
+    let text = without_mark(text);
+    let scenario: Scenario =
+        with_files(beside, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
     check(&scenario).map_err(|mut error| {
         for problem in &mut error.problems {
             let (line, column) = locate(text, &problem.field);
@@ -40,9 +51,9 @@ pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
 /// Reads a scenario from a file.
 ///
 /// # Errors
-/// As [`parse`], and where the file cannot be read.
+/// As [`parse_file`], and where the file cannot be read.
 pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
-    parse(&read_text(path)?, &path.display().to_string())
+    parse_file(&read_text(path)?, path)
 }
 
 /// The text of a scenario file, without looking into it.
@@ -50,37 +61,8 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
 /// # Errors
 /// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
-    let complain = |message: String| Problem::new("", message).of(&path.display().to_string());
-    let failed = |error: io::Error| complain(reason(&error));
-    // Opening a pipe would wait for somebody to write to it, so its kind is asked for first.
-    let kind = fs::metadata(path).map_err(failed)?;
-    if kind.is_dir() {
-        return Err(complain("is a directory, not a scenario file".to_owned()).into());
-    }
-    if !kind.is_file() {
-        return Err(complain("is not a regular file".to_owned()).into());
-    }
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(LIMIT + 1).read_to_end(&mut bytes))
-        .map_err(failed)?;
-    if bytes.len() as u64 > LIMIT {
-        return Err(complain(format!("is larger than {} KiB", LIMIT / 1024)).into());
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        let before = &error.as_bytes()[..valid];
-        let line = before.split(|byte| *byte == b'\n').count();
-        complain(format!("is not UTF-8 text (line {line})")).into()
-    })
-}
-
-fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "may not be read (permission denied)".to_owned(),
-        _ => format!("cannot be read: {error}"),
-    }
+    text_file::read(path)
+        .map_err(|why| Problem::new("", why).of(&path.display().to_string()).into())
 }
 
 #[cfg(test)]

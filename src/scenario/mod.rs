@@ -7,6 +7,8 @@
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
 pub mod check;
+mod curve;
+mod curve_file;
 pub mod doubt;
 pub mod fields;
 mod integrator;
@@ -18,9 +20,12 @@ pub mod problem;
 mod projectile;
 mod ron_text;
 pub mod set;
+pub mod text_file;
 
 use std::collections::BTreeMap;
 
+pub use curve::{Curve, CurveError};
+use curve_file::CurveFile;
 pub use integrator::Integrator;
 pub use physiological::Physiological;
 pub use projectile::{Projectile, ProjectileStiffness};
@@ -96,11 +101,12 @@ pub enum Impact {
 
 /// A force on an arc of the cornea, along the inward normal at its middle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(from = "WrittenPulse")]
 pub struct ForcePulse {
-    /// Peak of the total force.
+    /// Peak of the total force; of a table, the force that a share of 1 stands for.
     pub force_n: f64,
-    /// Time from the first to the last force.
+    /// Time from the start of the blow to the last force. A table is stretched in time so that its
+    /// last knot falls there; a text that gives a table and no duration leaves its times as they are.
     pub duration_ms: f64,
     /// Front angle of the middle of the arc: 0 at the corneal apex, positive above.
     pub angle_deg: f64,
@@ -122,20 +128,105 @@ impl Default for ForcePulse {
     }
 }
 
+impl ForcePulse {
+    /// Takes a recorded curve with its own times.
+    pub fn follow(&mut self, curve: Curve) {
+        self.duration_ms = curve.last_ms();
+        self.shape = PulseShape::Table(curve);
+    }
+
+    /// The largest force either way, in N.
+    pub fn peak_n(&self) -> f64 {
+        match &self.shape {
+            PulseShape::Table(curve) => self.force_n * curve.peak(),
+            _ => self.force_n,
+        }
+    }
+}
+
+/// A pulse as text gives it: a table brings its own duration.
+#[derive(Deserialize)]
+#[serde(rename = "ForcePulse", deny_unknown_fields, default)]
+struct WrittenPulse {
+    force_n: f64,
+    duration_ms: Option<f64>,
+    angle_deg: f64,
+    half_width_deg: f64,
+    shape: PulseShape,
+}
+
+impl Default for WrittenPulse {
+    fn default() -> Self {
+        let pulse = ForcePulse::default();
+        Self {
+            force_n: pulse.force_n,
+            duration_ms: None,
+            angle_deg: pulse.angle_deg,
+            half_width_deg: pulse.half_width_deg,
+            shape: pulse.shape,
+        }
+    }
+}
+
+impl From<WrittenPulse> for ForcePulse {
+    fn from(written: WrittenPulse) -> Self {
+        let own = match &written.shape {
+            PulseShape::Table(curve) => curve.last_ms(),
+            _ => Self::default().duration_ms,
+        };
+        Self {
+            force_n: written.force_n,
+            duration_ms: written.duration_ms.unwrap_or(own),
+            angle_deg: written.angle_deg,
+            half_width_deg: written.half_width_deg,
+            shape: written.shape,
+        }
+    }
+}
+
 /// How the force of a pulse rises and falls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(from = "WrittenShape")]
 pub enum PulseShape {
     /// Constant, with raised-cosine edges.
     SmoothRectangle {
         /// Share of the duration that each edge takes, 0 to 0.5.
-        #[serde(default = "PulseShape::default_edge")]
         edge_fraction: f64,
     },
     /// Linear rise to the middle, linear fall.
     Triangle,
     /// Half a sine.
     HalfSine,
+    /// Recorded: straight lines between knots of a time and a share of the force.
+    Table(Curve),
+}
+
+/// A shape as text gives it: a curve may stand in a file, which is read at once, so that a scenario in
+/// memory, or saved elsewhere, holds the curve itself.
+#[derive(Deserialize)]
+#[serde(rename = "PulseShape", deny_unknown_fields)]
+enum WrittenShape {
+    SmoothRectangle {
+        #[serde(default = "PulseShape::default_edge")]
+        edge_fraction: f64,
+    },
+    Triangle,
+    HalfSine,
+    Table(Curve),
+    Csv(CurveFile),
+}
+
+impl From<WrittenShape> for PulseShape {
+    fn from(written: WrittenShape) -> Self {
+        match written {
+            WrittenShape::SmoothRectangle { edge_fraction } => {
+                Self::SmoothRectangle { edge_fraction }
+            }
+            WrittenShape::Triangle => Self::Triangle,
+            WrittenShape::HalfSine => Self::HalfSine,
+            WrittenShape::Table(curve) | WrittenShape::Csv(CurveFile(curve)) => Self::Table(curve),
+        }
+    }
 }
 
 impl PulseShape {

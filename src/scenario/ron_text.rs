@@ -121,6 +121,8 @@ fn explain(text: &str, under: &str, path: &str, error: &SpannedError) -> Problem
         Error::DuplicateStructField { field, .. } => {
             Problem::new(joined(path, field), "is given twice").at(before)
         }
+        // The rules of a curve, said at the knot or at the name of its file.
+        Error::Message(message) => Problem::new(path, message).at(before),
         code => {
             // What precedes the error did parse, so the start of the value can be found in it.
             let inside = path.strip_prefix(under).unwrap_or(path);
@@ -192,12 +194,13 @@ fn wrong_kind(path: &str, code: &Error, at_start: bool) -> Option<(&'static str,
         | Error::SuggestRawIdentifier(_) => at_start,
         _ => false,
     };
-    let complaint = if whole == path {
-        not_a(&field.kind)
-    } else {
-        "is not a whole number in range"
+    let (complaint, allowed) = match field.kind {
+        _ if whole == path => (not_a(&field.kind), field.allowed()),
+        Kind::Integers(..) => ("is not a whole number in range", field.allowed()),
+        // Only a table has numbers inside.
+        _ => ("is not a number", "knots (t_ms, share)".to_owned()),
     };
-    about_the_value.then(|| (complaint, field.allowed()))
+    about_the_value.then_some((complaint, allowed))
 }
 
 /// The complaint about text that is no value of this kind at all.

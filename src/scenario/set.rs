@@ -7,10 +7,11 @@
 use serde::de::DeserializeOwned;
 
 use super::check::check_inside;
+use super::curve_file::{Beside, with_files};
 use super::fields::{self, Choices, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, suggestion};
 use super::ron_text::{not_a, read};
-use super::{Scenario, doubt};
+use super::{PulseShape, Scenario, doubt};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {
@@ -31,8 +32,16 @@ static GROUPS: &[Group] = &[
     Group {
         path: "impact.shape",
         replace: |s, text| {
-            let shape = fields::pulse_mut(s).map(|pulse| &mut pulse.shape);
-            put(shape, text, "impact.shape")
+            let pulse = fields::pulse_mut(s);
+            let mut shape = PulseShape::default();
+            put(Some(&mut shape), text, "impact.shape")?;
+            match (pulse, shape) {
+                // What was recorded keeps its times; a duration that is set later stretches it.
+                (Some(pulse), PulseShape::Table(curve)) => pulse.follow(curve),
+                (Some(pulse), shape) => pulse.shape = shape,
+                (None, _) => {}
+            }
+            Ok(())
         },
     },
     Group {
@@ -62,13 +71,13 @@ fn put<T: DeserializeOwned>(
     path: &str,
 ) -> Result<(), ScenarioError> {
     if let Some(value) = place {
-        *value = read(text, path)?;
+        *value = with_files(&Beside::Typed, || read(text, path))?;
     }
     Ok(())
 }
 
 /// Sets the field or group at a dotted path, as in `impact.force_n`, `450`. On an error the
-/// scenario is left as it was. Rules that join two fields are not applied: see
+/// scenario is left as it was. The file of a curve is looked for from the working directory. Rules that join two fields are not applied: see
 /// [`super::check::check`].
 ///
 /// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older doubt:
@@ -130,7 +139,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
         Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
         Kind::Text(_, place) => store((place.get_mut)(scenario), words(text, field.path)?),
         Kind::Choice(choices) => {
-            named(*choices, text).is_some_and(|name| choices.set(scenario, name))
+            named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name))
         }
     };
     if done {
@@ -207,12 +216,10 @@ fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
 }
 
 /// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`.
-fn named(choices: &dyn Choices, text: &str) -> Option<&'static str> {
+fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'static str> {
     let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
-    choices
-        .names()
-        .into_iter()
-        .find(|name| bare(name) == bare(text))
+    let mut names = choices.names().into_iter().chain(choices.get(scenario));
+    names.find(|name| bare(name) == bare(text))
 }
 
 fn is_name(text: &str) -> bool {

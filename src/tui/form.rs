@@ -262,8 +262,9 @@ pub fn nudged(
             let here = choices
                 .get(scenario)
                 .and_then(|name| names.iter().position(|n| *n == name));
+            // A recorded curve is not thrown away by an arrow.
             let Some(here) = here else {
-                return Ok(scenario.clone());
+                return Err("Enter, then a name, takes another".to_owned());
             };
             let by = if step.up { 1 } else { names.len() - 1 };
             return with_text(scenario, field, names[(here + by) % names.len()]);

@@ -136,7 +136,8 @@ fn groups_are_replaced_as_in_a_file() {
         "impact.shape",
         "SmoothRectangle(edge_fraction: 0.2)",
     ))
-    .shape;
+    .shape
+    .clone();
     assert_eq!(shape, PulseShape::SmoothRectangle { edge_fraction: 0.2 });
     assert_eq!(
         after("numerics", "(step_us: 1)").numerics.step_us,

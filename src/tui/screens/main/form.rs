@@ -122,6 +122,10 @@ fn help(model: &Model) -> String {
                 }
                 _ => allowed(field),
             };
+            let said = match super::pulse::said(&model.work.scenario, field.path) {
+                Some(pulse) => format!("{pulse}; {said}"),
+                None => said,
+            };
             if is_unverified(&model.work.scenario, field) {
                 format!("{UNVERIFIED}; {said}")
             } else {

@@ -1,0 +1,281 @@
+//! Reading a force curve from a CSV file.
+//!
+//! Two columns, time in ms and share, apart by commas, semicolons or tabs, whichever the first line
+//! holds. A first line of words is a header; empty lines and those that begin with `#` are passed
+//! over. A scenario file may come from anybody, so the curve it names must lie in its own folder or
+//! below, be a regular file, and be small. What a person types is a path like any other.
+//!
+//! Left out: decimal commas, units and column names that would have to be guessed.
+
+use std::cell::RefCell;
+use std::path::{Component, Path, PathBuf};
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
+use super::curve::{Curve, Growing};
+use super::text_file::{self, without_mark};
+use crate::plain_text::quoted;
+
+/// What the name of a curve's file is relative to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Beside {
+    /// To nothing: the text has no place, so it can name no file.
+    Nowhere,
+    /// To the folder of the scenario file that names it.
+    Scenario(PathBuf),
+    /// To the working directory, where a person typed it.
+    Typed,
+}
+
+thread_local! {
+    /// What applies to the text that is being read: derived readers of serde take no context.
+    static BESIDE: RefCell<Beside> = const { RefCell::new(Beside::Nowhere) };
+}
+
+/// Reads with names of files taken relative to `beside`.
+pub(super) fn with_files<T>(beside: &Beside, read: impl FnOnce() -> T) -> T {
+    let before = BESIDE.replace(beside.clone());
+    let value = read();
+    BESIDE.set(before);
+    value
+}
+
+/// The curve that `Csv("file.csv")` means.
+pub(super) struct CurveFile(pub Curve);
+
+impl<'de> Deserialize<'de> for CurveFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let curve = BESIDE.with_borrow(|beside| load(&name, beside));
+        curve.map(Self).map_err(D::Error::custom)
+    }
+}
+
+/// Reads the named file; a complaint begins with the name, and the line where there is one.
+fn load(name: &str, beside: &Beside) -> Result<Curve, String> {
+    if name.is_empty() {
+        return Err("the name of the file is missing".to_owned());
+    }
+    let path = match beside {
+        Beside::Nowhere => {
+            return Err(format!(
+                "{} cannot be found: only a scenario file can name a file beside it",
+                quoted(name)
+            ));
+        }
+        Beside::Scenario(folder) => {
+            let inside = |part: Component| matches!(part, Component::Normal(_));
+            if !Path::new(name).components().all(inside) {
+                return Err(format!(
+                    "{} leaves the folder of the scenario: the file must stand beside it or below",
+                    quoted(name)
+                ));
+            }
+            folder.join(name)
+        }
+        Beside::Typed => PathBuf::from(name),
+    };
+    let text = text_file::read(&path).map_err(|why| format!("{}: {why}", quoted(name)))?;
+    read(&text).map_err(|(line, why)| match line {
+        Some(line) => format!("{}:{line}: {why}", quoted(name)),
+        None => format!("{}: {why}", quoted(name)),
+    })
+}
+
+/// Reads the text of a file; a complaint comes with its line.
+fn read(text: &str) -> Result<Curve, (Option<u64>, String)> {
+    let text = without_mark(text);
+    let mut rows = ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(Trim::All)
+        .comment(Some(b'#'))
+        .delimiter(delimiter(text))
+        .from_reader(text.as_bytes());
+    let mut growing = Growing::default();
+    let mut row = StringRecord::new();
+    let mut first = true;
+    while rows
+        .read_record(&mut row)
+        .map_err(|error| (None, error.to_string()))?
+    {
+        let line = row.position().map(csv::Position::line);
+        let refused = |why: String| (line, why);
+        if row.iter().all(str::is_empty) {
+            continue;
+        }
+        let [time, share] = two(&row).map_err(refused)?;
+        let is_header = first && [time, share].iter().all(|cell| number(cell).is_err());
+        first = false;
+        if is_header {
+            check_unit(time).map_err(refused)?;
+            continue;
+        }
+        let knot = (
+            number(time).map_err(refused)?,
+            number(share).map_err(refused)?,
+        );
+        growing
+            .push(knot.0, knot.1)
+            .map_err(|error| refused(error.to_string()))?;
+    }
+    growing.finish().map_err(|error| (None, error.to_string()))
+}
+
+/// What stands between the columns, by the first line that holds anything.
+fn delimiter(text: &str) -> u8 {
+    let telling = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
+    let line = text.lines().find(telling).unwrap_or_default();
+    let found = [b'\t', b';']
+        .into_iter()
+        .find(|mark| line.as_bytes().contains(mark));
+    found.unwrap_or(b',')
+}
+
+fn two(row: &StringRecord) -> Result<[&str; 2], String> {
+    match (row.get(0), row.get(1), row.len()) {
+        (Some(time), Some(share), 2) => Ok([time, share]),
+        (_, _, columns) => Err(format!(
+            "{} has {columns} column{}, not 2: time in ms and share (decimals follow a point)",
+            quoted(&row.iter().collect::<Vec<_>>().join(" ")),
+            if columns == 1 { "" } else { "s" }
+        )),
+    }
+}
+
+fn number(cell: &str) -> Result<f64, String> {
+    cell.parse().map_err(|_| match (cell, cell.contains(',')) {
+        ("", _) => "a number is missing: time in ms and share".to_owned(),
+        (_, true) => format!(
+            "{} is not a number (decimals follow a point, not a comma)",
+            quoted(cell)
+        ),
+        (_, false) => format!("{} is not a number", quoted(cell)),
+    })
+}
+
+/// A header that names another unit than ms would be off by a factor of a thousand.
+fn check_unit(heading: &str) -> Result<(), String> {
+    let others = ["s", "sec", "second", "seconds", "us", "µs", "μs", "ns"];
+    let lower = heading.to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphabetic());
+    match words.find(|word| others.contains(word)) {
+        Some(_) => Err(format!(
+            "{} is another unit: times must be in ms",
+            quoted(heading)
+        )),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve() -> Curve {
+        Curve::new([(0.0, 0.0), (0.05, 1.0), (0.2, -0.25)]).unwrap()
+    }
+
+    fn complaint(text: &str) -> String {
+        let (line, why) = read(text).unwrap_err();
+        line.map_or_else(|| why.clone(), |line| format!("{line}: {why}"))
+    }
+
+    #[test]
+    fn the_ways_in_which_programs_write_two_columns_are_all_read() {
+        for text in [
+            "0,0\n0.05,1\n0.2,-0.25\n",
+            "\u{feff}t_ms,share\n0,0\n0.05,1\n0.2,-0.25",
+            "\"time (ms)\";\"force\"\r\n\"0\";\"0\"\r\n5e-2;1.0\r\n.2;-2.5e-1\r\n\r\n",
+            "# by the load cell of Monday, 10 N/V\n\n  \nt\ty\n0\t0\n# peak\n0.05\t+1\n0.2\t-0.25\n",
+            " 0 , 0 \n 0.05 , 1 \n,\n 0.2 , -0.25 \n",
+        ] {
+            assert_eq!(read(text), Ok(curve()), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_bad_line_is_named_with_its_number_and_value() {
+        for (text, said) in [
+            ("", "no knots"),
+            ("# nothing\n", "no knots"),
+            ("t,f\n", "no knots"),
+            ("0,0\n", "one knot"),
+            ("t,f\n0,0\n0.1,one\n", "3: one is not a number"),
+            ("t,f\nms,N\n0,0\n", "2: ms is not a number"),
+            ("0,x\n0.1,1\n", "1: x is not a number"),
+            (
+                "0;0\n0,1;1\n",
+                "2: 0,1 is not a number (decimals follow a point",
+            ),
+            ("0,0\n0,1,0,5\n", "2: 0 1 0 5 has 4 columns, not 2"),
+            ("0 0\n0.1 1\n", "1: 0 0 has 1 column, not 2"),
+            ("0,0\n0.1\n", "2: 0.1 has 1 column, not 2"),
+            ("0,0\n0.1,\n", "2: a number is missing"),
+            (
+                "0,0\n\n# x\r\n0.1,1\n0.1,0\n",
+                "5: time 0.1 does not come after 0.1",
+            ),
+            ("0,0\n0.1,nan\n", "2: share NaN is not a finite number"),
+            ("0,0\ninf,1\n", "2: time inf is not a finite number"),
+            ("0,0\n0.1,\"1\n0.2,0\n", "2: 1\\n0.2,0 is not a number"),
+            (
+                "time_s,force\n0,0\n",
+                "1: time_s is another unit: times must be in ms",
+            ),
+            ("t [µs],force\n0,0\n", "1: t [µs] is another unit"),
+        ] {
+            let complaint = complaint(text);
+            assert!(complaint.starts_with(said), "{text:?}: {complaint}");
+        }
+    }
+
+    #[test]
+    fn a_long_recording_is_refused_at_the_first_line_too_many() {
+        use std::fmt::Write;
+        let mut text = "t_ms,share\n".to_owned();
+        for i in 0..5000 {
+            writeln!(text, "{},1", f64::from(i) * 1e-3).unwrap();
+        }
+        assert!(text.len() as u64 <= text_file::LIMIT);
+        assert!(complaint(&text).starts_with("2002: more than 2000 knots"));
+    }
+
+    #[test]
+    fn a_scenario_file_reaches_no_file_outside_its_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("in")).unwrap();
+        for name in ["out.csv", "in/a.csv"] {
+            std::fs::write(folder.path().join(name), "0,0\n0.05,1\n0.2,-0.25\n").unwrap();
+        }
+        let inner = Beside::Scenario(folder.path().join("in"));
+        let outer = Beside::Scenario(folder.path().to_owned());
+        let full = folder.path().join("out.csv");
+        let full = full.to_str().unwrap();
+        assert_eq!(load("a.csv", &inner), Ok(curve()));
+        assert_eq!(load("in/a.csv", &outer), Ok(curve()));
+        assert_eq!(load(full, &Beside::Typed), Ok(curve()));
+        for name in ["../out.csv", "x/../../out.csv", full] {
+            let why = load(name, &inner).unwrap_err();
+            assert!(why.contains("leaves the folder of the scenario"), "{why}");
+        }
+        assert!(
+            load("a.csv", &Beside::Nowhere)
+                .unwrap_err()
+                .contains("a.csv cannot be found")
+        );
+        let why = load("none.csv", &inner).unwrap_err();
+        assert!(why.contains("none.csv: there is no such file"), "{why}");
+        let why = load("in", &outer).unwrap_err();
+        assert!(why.contains("in: is a directory"), "{why}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn devices_are_not_read() {
+        let why = load("/dev/zero", &Beside::Typed).unwrap_err();
+        assert_eq!(why, "/dev/zero: is not a regular file");
+    }
+}

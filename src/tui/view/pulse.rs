@@ -1,0 +1,102 @@
+//! A force pulse as a line of the form: its course in blocks, how long it lasts, how high it goes.
+
+use crate::dynamics::Pulse;
+use crate::report::text::significant;
+use crate::scenario::problem::plain;
+use crate::scenario::{Impact, PulseShape, Scenario};
+
+/// Columns of the drawing.
+const COLUMNS: usize = 20;
+/// Looks at the pulse within a column, so that a narrow peak is not missed.
+const LOOKS: usize = 25;
+const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+/// What to say of a field of the pulse beside what it allows; nothing where that is enough.
+pub fn said(scenario: &Scenario, path: &str) -> Option<String> {
+    let Impact::ForcePulse(pulse) = &scenario.impact else {
+        return None;
+    };
+    let peak = format!("peak {} N", significant(pulse.peak_n()));
+    let PulseShape::Table(curve) = &pulse.shape else {
+        return (path == "impact.shape").then(|| drawn(&Pulse::new(pulse)));
+    };
+    match path {
+        "impact.shape" => Some(format!(
+            "{} {} knots, {peak}",
+            drawn(&Pulse::new(pulse)),
+            curve.knots().len()
+        )),
+        "impact.force_n" => Some(format!("of a share of 1; {peak}")),
+        "impact.duration_ms" => Some(format!(
+            "stretches the table, which was recorded over {} ms",
+            plain(curve.last_ms())
+        )),
+        _ => None,
+    }
+}
+
+/// The force from the start of the blow to its end; the lowest block is 0 or the strongest pull.
+fn drawn(pulse: &Pulse) -> String {
+    let mut columns = [0.0_f64; COLUMNS];
+    let width = pulse.duration() / COLUMNS as f64;
+    let segments = pulse.segments(pulse.duration());
+    let mut here = 0;
+    for (c, column) in columns.iter_mut().enumerate() {
+        for look in 0..LOOKS {
+            let t = width * (c as f64 + (look as f64 + 0.5) / LOOKS as f64);
+            while here + 1 < segments.len() && segments[here].end < t {
+                here += 1;
+            }
+            let force = pulse.force(segments[here].piece, t);
+            if force.abs() > column.abs() {
+                *column = force;
+            }
+        }
+    }
+    let low = columns.iter().copied().fold(0.0, f64::min);
+    let high = columns.iter().copied().fold(0.0, f64::max);
+    let range = if high > low { high - low } else { 1.0 };
+    let top = (BLOCKS.len() - 1) as f64;
+    let block = |f: &f64| BLOCKS[((f - low) / range * top).round() as usize];
+    columns.iter().map(block).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::{Curve, ForcePulse};
+
+    fn scenario(knots: &[(f64, f64)]) -> Scenario {
+        let mut pulse = ForcePulse::default();
+        pulse.follow(Curve::new(knots.iter().copied()).unwrap());
+        Scenario {
+            impact: Impact::ForcePulse(pulse),
+            ..Scenario::default()
+        }
+    }
+
+    #[test]
+    fn a_table_is_drawn_as_it_rises_and_falls_and_its_peak_is_said() {
+        let scenario = scenario(&[(0.0, 0.0), (0.1, 0.0), (0.15, 1.5), (0.2, 0.0)]);
+        let said = |path| said(&scenario, path).unwrap();
+        let shape = said("impact.shape");
+        assert!(shape.starts_with("▁▁▁▁▁▁▁▁▁▁▂▄▅▇█▇▅▄▂▁"), "{shape}");
+        assert!(shape.contains("4 knots, peak 450 N"), "{shape}");
+        assert!(said("impact.force_n").contains("peak 450 N"));
+        assert!(said("impact.duration_ms").contains("recorded over 0.2 ms"));
+    }
+
+    #[test]
+    fn a_pull_is_drawn_below_zero() {
+        let shape = said(&scenario(&[(0.0, 1.0), (0.1, -1.0)]), "impact.shape").unwrap();
+        assert!(shape.starts_with('█'), "{shape}");
+        assert_eq!(shape.chars().nth(COLUMNS - 1), Some('▁'), "{shape}");
+    }
+
+    #[test]
+    fn every_other_shape_is_drawn_where_it_is_chosen() {
+        let said = |path| said(&Scenario::default(), path);
+        assert!(said("impact.shape").unwrap().contains('█'));
+        assert_eq!(said("impact.force_n"), None);
+    }
+}
