@@ -10,7 +10,6 @@ pub mod heat;
 pub mod hit;
 pub mod overlay;
 mod projection;
-mod pulse;
 pub mod raster;
 pub mod text;
 pub mod theme;
