@@ -329,6 +329,19 @@ mod tests {
     }
 
     #[test]
+    fn a_recorded_curve_is_left_by_name_and_not_by_an_arrow() {
+        let shape = field("impact.shape");
+        let typed = "Table([(0, 0), (0.1, 1), (0.3, 0)])";
+        let recorded = with_text(&Scenario::default(), shape, typed).unwrap();
+        assert_eq!(shape.text(&recorded).unwrap(), "Table");
+        assert_eq!(with_text(&recorded, shape, "Table"), Ok(recorded.clone()));
+        let refused = nudged(&recorded, shape, Step::MORE, None).unwrap_err();
+        assert!(refused.contains("Enter"), "{refused}");
+        let other = with_text(&recorded, shape, "HalfSine").unwrap();
+        assert_eq!(shape.text(&other).unwrap(), "HalfSine");
+    }
+
+    #[test]
     fn an_unset_step_starts_from_the_one_in_use() {
         assert_eq!(after("numerics.step_us", Step::MORE), "1.24");
         assert_eq!(after("numerics.step_us", Step::MUCH_LESS), "1.2");
