@@ -18,6 +18,7 @@ pub mod report;
 pub mod scenario;
 pub mod study;
 pub mod tui;
+mod whole_file;
 
 // What tests share names the library as a test outside it does.
 #[cfg(test)]

@@ -171,7 +171,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
     for preset in library::built_in() {
         let scenario = preset.scenario().unwrap();
         let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
-        let name = preset.name;
+        let name = &preset.name;
         let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
         assert!(answer.index.damage() > 0.0, "{name}");
         assert!(!kinds.contains(&FlagKind::EyeMissed), "{name}");
@@ -191,7 +191,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
         assert!(answer.errors.time_step_percent() < 1.5 || flagged, "{name}");
         assert!(!answer.risks().is_empty(), "{name}");
-        let words = preset.text.unwrap();
+        let words = preset.text().unwrap();
         assert!(words.starts_with("//"), "{name}");
         for field in ["mass_g", "diameter_mm", "speed_m_s", "stiffness"] {
             let line = words

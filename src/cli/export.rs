@@ -1,20 +1,23 @@
 //! `contrecoup export`: one blow, its frames and traces in files.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::progress::Progress;
-use super::{CliError, ExportArgs};
+use super::{CliError, ExportArgs, interrupt};
 use crate::eye::side_at_level;
 use crate::plain_text::printable;
-use crate::recording::{Keep, Spacing, write_frames, write_traces};
+use crate::recording::{FrameWriter, Keep, Spacing, write_traces};
 use crate::scenario::Scenario;
-use crate::study::solve;
+use crate::study::{Answer, Refusal, frames, solve};
+use crate::whole_file;
 
 /// Time between two frames unless asked otherwise, in us.
 const FRAMES_EVERY_US: f64 = 10.0;
-/// More node positions than this would not fit in memory on a small machine.
+/// More node positions than this would be a file of more than 5 GB.
 const MOST_POSITIONS: f64 = 5e7;
 
 /// Simulates the scenario and writes the files that were asked for.
@@ -23,7 +26,9 @@ const MOST_POSITIONS: f64 = 5e7;
 /// Where the scenario is refused, the simulation fails or a file cannot be written.
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    if args.frames.is_some() && args.frames == args.traces {
+    if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)
+        && resolved(frames) == resolved(traces)
+    {
         return Err(CliError::Input(
             "--frames and --traces name the same file".to_owned(),
         ));
@@ -34,24 +39,26 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     let keep = Keep {
         traces: args.traces.is_some(),
-        frames: args
-            .frames
-            .is_some()
-            .then_some(Spacing::even(every_us * 1e-6)),
+        frames: None,
     };
+    // Who is told to stop takes the unfinished file away.
+    let stop = interrupt::flag()?;
     let mut progress = Progress::new();
-    let answer = solve(&scenario, keep, &mut |share| progress.simulated(share))?;
+    let answer = solve(&scenario, keep, &mut |share| {
+        let _ = progress.simulated(share);
+        unless(&stop)
+    });
+    let answer = answer.map_err(interrupted)?;
     if let Some(path) = &args.frames {
-        let frames = &answer.recording.frames;
+        let mut count = 0;
         save(path, |file| {
-            write_frames(&answer.case.eye, frames, file, |done| {
-                progress.show("writing frames", done as f64 / frames.len() as f64);
-            })
+            count = write_frames(&answer, every_us * 1e-6, file, &stop, &mut progress)?;
+            Ok(())
         })?;
-        writeln!(out, "{}: {} frames", shown(path), frames.len())?;
+        writeln!(out, "{}: {count} frames", shown(path))?;
     }
     if let (Some(path), Some(traces)) = (&args.traces, &answer.recording.traces) {
-        save(path, |file| write_traces(traces, file))?;
+        save(path, |file| write_traces(traces, file).map_err(csv_to_io))?;
         writeln!(out, "{}: {} rows", shown(path), traces.time.len())?;
     }
     progress.clear();
@@ -59,6 +66,56 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
     }
     Ok(())
+}
+
+fn unless(stop: &AtomicBool) -> ControlFlow<()> {
+    if stop.load(Ordering::Relaxed) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
+fn interrupted(refusal: Refusal) -> CliError {
+    match refusal {
+        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
+        other => other.into(),
+    }
+}
+
+/// Writes each frame as it is computed; gives how many there are.
+fn write_frames(
+    answer: &Answer,
+    every: f64,
+    file: &mut dyn Write,
+    stop: &AtomicBool,
+    progress: &mut Progress,
+) -> io::Result<usize> {
+    let mut writer = FrameWriter::new(file).map_err(csv_to_io)?;
+    let mut written = Ok(0);
+    let mut take = |frame| {
+        written = writer.write(&answer.case.eye, &frame).map_err(csv_to_io);
+        progress.show("writing frames", frame.time / answer.case.window);
+        if written.is_ok() {
+            unless(stop)
+        } else {
+            ControlFlow::Break(())
+        }
+    };
+    let marched = frames(&answer.case, &answer.plan, Spacing::even(every), &mut take);
+    let count = written?;
+    marched.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
+    writer.finish().map_err(csv_to_io)?;
+    Ok(count)
+}
+
+/// The file that a path leads to, even where it is still to be made.
+fn resolved(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
+    let beside = || Some(folder.ok()?.join(path.file_name()?));
+    let there = path.canonicalize().ok().or_else(beside);
+    there.unwrap_or_else(|| path.to_owned())
 }
 
 fn shown(path: &Path) -> String {
@@ -77,42 +134,26 @@ fn check_size(scenario: &Scenario, every_us: f64) -> Result<(), CliError> {
 }
 
 /// Writes a file whole or not at all; what is not a plain file, such as /dev/stdout, is written to.
-fn save(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> csv::Result<()>,
-) -> Result<(), CliError> {
-    let failed = |error: &dyn std::fmt::Display| {
-        CliError::Failed(format!("cannot write {}: {error}", shown(path)))
+fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
+    let failed = |error: io::Error| match error.kind() {
+        io::ErrorKind::Interrupted => interrupted(Refusal::Cancelled),
+        _ => CliError::Failed(format!("cannot write {}: {error}", shown(path))),
     };
-    let plain = path.metadata().map_or(true, |m| m.is_file());
-    // A link stays a link: what it leads to is replaced.
-    let resolved = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let path = resolved.as_path();
-    if plain {
-        let folder = path
-            .parent()
-            .filter(|p| !p.as_os_str().is_empty())
-            .unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".contrecoup-");
-        // Temporary files are private; an export is as readable as any new file.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(folder).map_err(|e| failed(&e))?;
-        let mut buffered = BufWriter::new(file.as_file_mut());
-        write(&mut buffered).map_err(|e| failed(&e))?;
-        buffered.flush().map_err(|e| failed(&e))?;
-        drop(buffered);
-        file.persist(path).map_err(|e| failed(&e.error))?;
-        Ok(())
-    } else {
-        let mut file = BufWriter::new(File::create(path).map_err(|e| failed(&e))?);
-        let written = write(&mut file).map_err(csv_to_io);
-        match written.and_then(|()| file.flush()) {
+    if path.metadata().is_ok_and(|m| !m.is_file()) {
+        let mut file = BufWriter::new(File::create(path).map_err(failed)?);
+        return match write(&mut file).and_then(|()| file.flush()) {
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(CliError::Output(error)),
-            other => other.map_err(|e| failed(&e)),
-        }
+            other => other.map_err(failed),
+        };
     }
+    // A link stays a link: what it leads to is replaced.
+    let target = resolved(path);
+    let mut file = whole_file::beside(&target).map_err(failed)?;
+    let mut buffered = BufWriter::new(file.as_file_mut());
+    write(&mut buffered).map_err(failed)?;
+    buffered.flush().map_err(failed)?;
+    drop(buffered);
+    whole_file::put(file, &target, true).map_err(failed)
 }
 
 fn csv_to_io(error: csv::Error) -> io::Error {

@@ -1,4 +1,4 @@
-//! Ctrl-C during long work: the first asks for what is done so far, the second ends the program.
+//! Signals during long work: the first asks for what is done so far, the second ends the program.
 
 use std::io;
 use std::sync::Arc;
@@ -7,16 +7,50 @@ use std::sync::atomic::AtomicBool;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-/// Is set by Ctrl-C and by a polite request to end.
+/// Is set by Ctrl-C, by a polite request to end and, on Unix, by the end of the connection.
 ///
 /// # Errors
 /// Where the system refuses a handler.
 pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
+    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup()) {
         // Registered first, so that only a second signal finds the flag set.
         flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop))?;
         flag::register(signal, Arc::clone(&stop))?;
     }
     Ok(stop)
+}
+
+/// SIGHUP, unless `nohup` had it ignored: listening would undo that. Only Linux says whether it did.
+#[cfg(unix)]
+fn hangup() -> Option<i32> {
+    let hangup = signal_hook::consts::SIGHUP;
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))?;
+    let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
+    (mask & (1 << (hangup - 1)) == 0).then_some(hangup)
+}
+
+#[cfg(not(unix))]
+fn hangup() -> Option<i32> {
+    None
+}
+
+/// Turns a file that grows beyond the limit of the shell (`ulimit -f`) into an error of the write,
+/// which is reported, where the system would end the program without a word.
+///
+/// # Errors
+/// Where the system refuses a handler.
+#[cfg(unix)]
+pub(super) fn outlive_file_limit() -> io::Result<()> {
+    flag::register(signal_hook::consts::signal::SIGXFSZ, Arc::default())?;
+    Ok(())
+}
+
+/// No other system has such a signal.
+#[cfg(not(unix))]
+pub(super) fn outlive_file_limit() -> io::Result<()> {
+    Ok(())
 }

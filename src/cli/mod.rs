@@ -284,7 +284,10 @@ pub fn main() -> ExitCode {
         });
     }
     let mut out = BufWriter::new(io::stdout().lock());
-    let done = dispatch(&cli, &mut out).and_then(|()| Ok(out.flush()?));
+    let done = interrupt::outlive_file_limit()
+        .map_err(CliError::from)
+        .and_then(|()| dispatch(&cli, &mut out))
+        .and_then(|()| Ok(out.flush()?));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -28,12 +28,12 @@ struct Row {
 /// Where a preset does not exist or cannot be read, or the output cannot be written.
 pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(PresetsCommand::Show { name }) = &args.command {
-        let text = library::find(name)?.text?;
+        let text = library::find(name)?.text()?;
         // A file or a program gets the bytes; a terminal would obey what stands in a comment.
         let shown = if io::stdout().is_terminal() {
             printable_lines(&text)
         } else {
-            text.as_str().into()
+            text.as_ref().into()
         };
         out.write_all(shown.as_bytes())?;
         return Ok(());
@@ -64,11 +64,11 @@ fn rows() -> Result<Vec<Row>, CliError> {
         let title = preset.title();
         Row {
             origin: match preset.origin {
-                Origin::BuiltIn => "built-in",
+                Origin::BuiltIn(_) => "built-in",
                 Origin::User(_) => "user",
             },
             file: match &preset.origin {
-                Origin::BuiltIn => None,
+                Origin::BuiltIn(_) => None,
                 Origin::User(path) => Some(path.display().to_string()),
             },
             error: title.as_ref().err().map(ToString::to_string),

@@ -6,7 +6,7 @@
 //! another sweep is known and left alone.
 
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::str::FromStr;
@@ -21,6 +21,11 @@ use crate::report::sweep::Form;
 use crate::scenario::problem::Problem;
 use crate::study::ordered;
 use crate::study::sweep::{Axis, Sweep};
+
+/// No row is longer, in bytes.
+const LONGEST_LINE: u64 = 64 * 1024;
+/// Rows that wait for a reader who does not read; then the work waits too.
+const MOST_UNREAD: usize = 1000;
 
 /// Which rows: number i of n, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,7 +86,10 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         writeln!(out, "{}", said(&text))?;
         return Ok(());
     }
-    work(&sweep, form, &rows, done, &mut file)?;
+    work(&sweep, form, &rows, done, &mut file).map_err(|error| match error {
+        CliError::Output(error) => CliError::Failed(said(&format!("cannot be written: {error}"))),
+        other => other,
+    })?;
     let before = if done > 0 {
         format!(" to the {done} that were there")
     } else {
@@ -124,7 +132,7 @@ fn work(
     let stop = interrupt::flag()?;
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let (send, receive) = std::sync::mpsc::channel();
+    let (send, receive) = std::sync::mpsc::sync_channel(MOST_UNREAD);
     let mut written = done;
     let mut failed = None;
     // The sink stays on this thread; rows come to it by channel, in their order.
@@ -197,37 +205,48 @@ fn open(path: &Path, heading: &str, form: Form, rows: &[usize]) -> Result<(File,
         // Some network file systems have no locks; then nobody is told of a second writer.
         Ok(()) | Err(TryLockError::Error(_)) => {}
     }
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes).map_err(failed)?;
-    let whole = bytes
-        .iter()
-        .rposition(|b| *b == b'\n')
-        .map_or(0, |at| at + 1);
-    let text = String::from_utf8_lossy(&bytes[..whole]);
-    let fresh = heading.as_bytes().starts_with(&bytes);
-    let done = if fresh {
-        0
-    } else if let Some(table) = text.strip_prefix(heading) {
-        for (at, line) in table.lines().enumerate() {
-            if form.number(line).is_none() || form.number(line) != rows.get(at).copied() {
-                let line_number = heading.lines().count() + at + 1;
-                return Err(refused(format!(
-                    "line {line_number}: {} is not the next row of this shard",
-                    quoted(line)
-                )));
-            }
-        }
-        table.lines().count()
-    } else {
-        let first = text.lines().next().unwrap_or_default();
+    let mut reader = BufReader::new(&file);
+    let mut head = Vec::new();
+    let length = heading.len() as u64;
+    let read = reader.by_ref().take(length).read_to_end(&mut head);
+    read.map_err(failed)?;
+    let first_line = |text: &str| quoted(text.lines().next().unwrap_or_default());
+    if !heading.as_bytes().starts_with(&head) {
         return Err(refused(format!(
             "holds something else: {} where {} was expected; choose another file",
-            quoted(first),
-            quoted(heading.lines().next().unwrap_or_default())
+            first_line(&String::from_utf8_lossy(&head)),
+            first_line(heading)
         )));
-    };
+    }
+    // A heading that is torn holds no rows.
+    let fresh = head.len() < heading.len();
+    let (mut done, mut whole) = (0, length);
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        let read = reader
+            .by_ref()
+            .take(LONGEST_LINE)
+            .read_until(b'\n', &mut line);
+        let read = read.map_err(failed)? as u64;
+        if read < LONGEST_LINE && line.last() != Some(&b'\n') {
+            // The end, or a line that a kill tore.
+            break;
+        }
+        let text = String::from_utf8_lossy(&line);
+        let number = form.number(text.trim_end());
+        if number.is_none() || number != rows.get(done).copied() {
+            let line_number = heading.lines().count() + done + 1;
+            return Err(refused(format!(
+                "line {line_number}: {} is not the next row of this shard",
+                quoted(text.trim_end())
+            )));
+        }
+        done += 1;
+        whole += read;
+    }
     let keep = if fresh { 0 } else { whole };
-    file.set_len(keep as u64).map_err(failed)?;
+    file.set_len(keep).map_err(failed)?;
     file.seek(SeekFrom::End(0)).map_err(failed)?;
     if fresh {
         let mut writer = BufWriter::new(&file);

@@ -4,24 +4,33 @@ use super::{Frame, Traces};
 use crate::eye::{Eye, Monitor};
 use std::io::Write;
 
-/// Writes one row a node a frame, and calls `progress` with the number of frames written.
-///
-/// # Errors
-/// Whatever `out` reports.
-pub fn write_frames(
-    eye: &Eye,
-    frames: &[Frame],
-    out: impl Write,
-    mut progress: impl FnMut(usize),
-) -> csv::Result<()> {
-    let mut csv = csv::Writer::from_writer(out);
-    csv.write_record([
-        "frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n",
-    ])?;
-    for (number, frame) in frames.iter().enumerate() {
+/// Writes frames, one row a node.
+pub struct FrameWriter<W: Write> {
+    csv: csv::Writer<W>,
+    written: usize,
+}
+
+impl<W: Write> FrameWriter<W> {
+    /// Writes the heading.
+    ///
+    /// # Errors
+    /// Whatever `out` reports.
+    pub fn new(out: W) -> csv::Result<Self> {
+        let mut csv = csv::Writer::from_writer(out);
+        csv.write_record([
+            "frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n",
+        ])?;
+        Ok(Self { csv, written: 0 })
+    }
+
+    /// Writes the next frame of `eye`; gives how many there are now.
+    ///
+    /// # Errors
+    /// Whatever `out` reports.
+    pub fn write(&mut self, eye: &Eye, frame: &Frame) -> csv::Result<usize> {
         for (node, place) in frame.positions.iter().enumerate() {
-            csv.write_record(&[
-                number.to_string(),
+            self.csv.write_record(&[
+                self.written.to_string(),
                 format!("{:.6}", frame.time * 1e3),
                 node.to_string(),
                 eye.nodes[node].region.name().to_owned(),
@@ -30,10 +39,17 @@ pub fn write_frames(
                 format!("{:.6e}", frame.forces[node]),
             ])?;
         }
-        progress(number + 1);
+        self.written += 1;
+        Ok(self.written)
     }
-    csv.flush()?;
-    Ok(())
+
+    /// Hands on what is still held back.
+    ///
+    /// # Errors
+    /// Whatever `out` reports.
+    pub fn finish(mut self) -> csv::Result<()> {
+        Ok(self.csv.flush()?)
+    }
 }
 
 /// Writes one row a step.

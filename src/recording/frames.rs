@@ -77,7 +77,8 @@ pub struct FrameTaker {
     nodes: usize,
     masses: Vec<f64>,
     probe: State,
-    /// What has been taken.
+    taken: usize,
+    /// What has been taken, and not been taken away.
     pub frames: Vec<Frame>,
 }
 
@@ -93,17 +94,18 @@ impl FrameTaker {
                 .map(|n| if n.fixed() { 0.0 } else { n.mass })
                 .collect(),
             probe: State::at_rest(system),
+            taken: 0,
             frames: Vec::new(),
         }
     }
 
     fn due(&self) -> f64 {
-        self.spacing.due(self.frames.len())
+        self.spacing.due(self.taken)
     }
 
     /// Takes the frame at the very start.
     pub fn begin(&mut self, system: &System, state: &State) {
-        if self.frames.is_empty() {
+        if self.taken == 0 {
             self.keep(system, state);
         }
     }
@@ -150,5 +152,6 @@ impl FrameTaker {
                 .filter(|c| c.fluid.is_some())
                 .map(|_| state.readings.pressure),
         });
+        self.taken += 1;
     }
 }

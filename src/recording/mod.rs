@@ -12,8 +12,8 @@ mod settling;
 
 pub use coupled::{FluidExtremes, MEAN_S, ShotExtremes};
 pub use dense::Peak;
-pub use export::{write_frames, write_traces};
-pub use frames::{Frame, Spacing, nearest};
+pub use export::{FrameWriter, write_traces};
+pub use frames::{Frame, FrameTaker, Spacing, nearest};
 pub use recorder::{Keep, Recorder};
 
 use nalgebra::{Point2, Vector2};

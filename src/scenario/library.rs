@@ -6,6 +6,7 @@
 //!
 //! Nothing is read before it is asked for; finding one preset does not touch the others.
 
+use std::borrow::Cow;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -67,8 +68,8 @@ static BUILT_IN: &[(&str, &str)] = built_in![
 /// Where a preset comes from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
-    /// Part of the program.
-    BuiltIn,
+    /// Part of the program, with its text.
+    BuiltIn(&'static str),
     /// A file of the person's own.
     User(PathBuf),
 }
@@ -80,24 +81,30 @@ pub struct Preset {
     pub name: String,
     /// Where it comes from.
     pub origin: Origin,
-    /// The RON text as it stands, comments included, or why it cannot be read.
-    pub text: Result<String, ScenarioError>,
 }
 
 impl Preset {
-    fn built_in((name, text): &(&str, &str)) -> Self {
+    fn built_in((name, text): &(&str, &'static str)) -> Self {
         Self {
             name: (*name).to_owned(),
-            origin: Origin::BuiltIn,
-            text: Ok((*text).to_owned()),
+            origin: Origin::BuiltIn(text),
         }
     }
 
     fn user(name: String, path: PathBuf) -> Self {
-        Self {
-            name,
-            text: read_text(&path),
-            origin: Origin::User(path),
+        let origin = Origin::User(path);
+        Self { name, origin }
+    }
+
+    /// The RON text as it stands, comments included. A file is read when this is called: thousands of
+    /// presets take no memory.
+    ///
+    /// # Errors
+    /// Says why it cannot be read.
+    pub fn text(&self) -> Result<Cow<'static, str>, ScenarioError> {
+        match &self.origin {
+            Origin::BuiltIn(text) => Ok(Cow::Borrowed(text)),
+            Origin::User(path) => Ok(Cow::Owned(read_text(path)?)),
         }
     }
 
@@ -106,10 +113,10 @@ impl Preset {
     /// # Errors
     /// Says what is wrong with it, and where.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
-        let text = self.text.as_ref().map_err(Clone::clone)?;
+        let text = self.text()?;
         match &self.origin {
-            Origin::BuiltIn => parse(text, &format!("preset {}", self.name)),
-            Origin::User(path) => parse_file(text, path),
+            Origin::BuiltIn(_) => parse(&text, &format!("preset {}", self.name)),
+            Origin::User(path) => parse_file(&text, path),
         }
     }
 
@@ -133,14 +140,15 @@ pub fn built_in() -> Vec<Preset> {
 /// Where the person's folder exists but cannot be listed.
 pub fn list() -> Result<Vec<Preset>, ScenarioError> {
     let mut presets = built_in();
-    for path in user_files()? {
-        let Some(stem) = path.file_stem() else {
-            continue;
-        };
-        let own = Preset::user(stem.to_string_lossy().into_owned(), path);
-        presets.retain(|preset| preset.name != own.name);
-        presets.push(own);
-    }
+    let own: Vec<Preset> = user_files()?
+        .into_iter()
+        .filter_map(|path| {
+            let name = path.file_stem()?.to_string_lossy().into_owned();
+            Some(Preset::user(name, path))
+        })
+        .collect();
+    presets.retain(|preset| own.iter().all(|own| own.name != preset.name));
+    presets.extend(own);
     presets.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(presets)
 }
@@ -279,7 +287,7 @@ mod tests {
             let title = preset.title().unwrap_or_else(|error| panic!("{error}"));
             assert!(!titles.contains(&title), "{title} is used twice");
             titles.push(title);
-            assert!(preset.text.unwrap().starts_with("// "), "{}", preset.name);
+            assert!(preset.text().unwrap().starts_with("// "), "{}", preset.name);
         }
     }
 

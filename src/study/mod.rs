@@ -10,6 +10,7 @@ pub mod coverage;
 pub mod ensemble;
 pub mod experiments;
 mod flags;
+mod frames;
 pub mod hard_cases;
 pub mod map;
 mod median;
@@ -27,6 +28,7 @@ pub mod validate;
 
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
+pub use frames::frames;
 pub use median::median;
 pub use mesh_error::{FINEST_LEVEL, MeshError, MeshQuery, add_mesh_error};
 pub use quantity::{PerQuantity, Quantity, difference_percent, headline, values};

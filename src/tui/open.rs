@@ -161,7 +161,7 @@ pub fn choices() -> Vec<Choice> {
         .map(|preset| Choice {
             scenario: preset.scenario().map_err(|error| error.to_string()),
             origin: match preset.origin {
-                Origin::BuiltIn => "",
+                Origin::BuiltIn(_) => "",
                 Origin::User(_) => "own",
             },
             name: preset.name,

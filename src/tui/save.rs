@@ -1,16 +1,14 @@
 //! Saving a scenario as a preset of the person's own.
 //!
-//! The text goes to a temporary file in the same folder, which takes the old file's place only
-//! once it is complete and on disk: a full disk or a crash leaves the old file as it was.
+//! The file appears whole or not at all (`whole_file`), and only once it is on disk.
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use tempfile::NamedTempFile;
-
 use crate::plain_text::is_unprintable;
 use crate::scenario::library::is_plain;
+use crate::whole_file;
 
 /// Why nothing was saved.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -98,21 +96,17 @@ fn save_by(
     check_name(name)?;
     let failed = |error: io::Error| SaveError::Failed(error.to_string());
     fs::create_dir_all(folder).map_err(failed)?;
-    let mut file = NamedTempFile::new_in(folder).map_err(failed)?;
+    let path = folder.join(format!("{name}.ron"));
+    let mut file = whole_file::beside(&path).map_err(failed)?;
     // On an error the temporary file goes when it is dropped.
     fill(file.as_file_mut()).map_err(failed)?;
-    let path = folder.join(format!("{name}.ron"));
-    if replace {
-        file.persist(&path).map_err(|e| failed(e.error))?;
-    } else {
-        file.persist_noclobber(&path).map_err(|e| {
-            if e.error.kind() == io::ErrorKind::AlreadyExists {
-                SaveError::Exists(name.to_owned())
-            } else {
-                failed(e.error)
-            }
-        })?;
-    }
+    whole_file::put(file, &path, replace).map_err(|error| {
+        if error.kind() == io::ErrorKind::AlreadyExists {
+            SaveError::Exists(name.to_owned())
+        } else {
+            failed(error)
+        }
+    })?;
     // The rename itself must reach the disk; a folder that cannot be opened is no loss of data.
     if let Ok(folder) = fs::File::open(folder) {
         let _ = folder.sync_all();
