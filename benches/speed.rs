@@ -11,9 +11,7 @@ use contrecoup::dynamics::{
 use contrecoup::recording::Keep;
 use contrecoup::scenario::{Impact, Scenario};
 use contrecoup::study::batch::{solve_all, solve_one};
-use contrecoup::study::{
-    Case, PerQuantity, difference_percent, headline, median, solve, unwatched, values,
-};
+use contrecoup::study::{Case, median, solve, unwatched};
 use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;
@@ -227,7 +225,7 @@ fn standard_case(targets: &mut Targets) {
         solution.expect("a stable step").recording.extremes
     };
     let reference = run(&fine);
-    let truth: PerQuantity = values(&reference);
+    let truth = quick.results(&reference);
     let force = reference.force.map(|p| p.value);
     let sampled = [force[0], force[1], force[2], force[3], reference.apex.value];
     // The largest step from which on every shorter one will do: a single one may be lucky.
@@ -256,7 +254,14 @@ fn standard_case(targets: &mut Targets) {
         }
     }
     let time = times.0;
-    let error = |plan| Some(headline(&difference_percent(&values(&run(plan)), &truth)));
+    let error = |plan| {
+        Some(
+            quick
+                .results(&run(plan))
+                .difference_percent(&truth)
+                .headline(),
+        )
+    };
     for (i, name) in ["one run alone", "the run of an answer"].iter().enumerate() {
         let (method, step) = (plans[i].integrator, plans[i].step);
         let share = step / quick.step_limit(method);
@@ -377,11 +382,15 @@ fn process(targets: &mut Targets) {
         solves.push(solve);
         ratios.push(wall / solve);
     }
-    row("process start to end, median", median(walls), None);
-    row("the solve itself, as printed, median", median(solves), None);
+    row("process start to end, median", median(walls).unwrap(), None);
+    row(
+        "the solve itself, as printed, median",
+        median(solves).unwrap(),
+        None,
+    );
     targets.most(
         "process start to printed result against the solve",
-        median(ratios),
+        median(ratios).unwrap(),
         3.0,
     );
 }

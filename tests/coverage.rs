@@ -32,7 +32,12 @@ fn nineteen_of_twenty_claims_hold_and_are_no_more_than_ten_times_the_truth() {
         // Too few to speak of percent.
         return;
     }
-    for row in &coverage(&checked)[..Quantity::HEADLINE] {
+    let leading: Vec<Quantity> = checked[0].claimed.leading().map(|(of, _)| of).collect();
+    assert_eq!(leading.len(), 6, "damage, apex and four node forces");
+    for row in coverage(&checked) {
+        if !leading.contains(&row.quantity) {
+            continue;
+        }
         assert!(row.within >= 95.0, "{row:?}");
         assert!(row.median_ratio <= 10.0, "{row:?}");
     }
@@ -44,8 +49,8 @@ fn the_number_of_threads_changes_no_bit() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let checked = pool.build().unwrap().install(|| check(3, 7, &unwatched));
         let bits = |c: contrecoup::study::coverage::Checked| {
-            let numbers = [c.claimed, c.truth].concat();
-            let bits: Vec<u64> = numbers.into_iter().map(f64::to_bits).collect();
+            let numbers = c.claimed.present().chain(c.truth.present());
+            let bits: Vec<u64> = numbers.map(|(_, number)| number.to_bits()).collect();
             (c.index, bits, c.folded)
         };
         checked.unwrap().into_iter().map(bits).collect::<Vec<_>>()
@@ -80,7 +85,7 @@ fn the_command_prints_the_table_and_every_miss() {
     let json = program(&[&scenes[..], &["--json"]].concat()).success();
     let json: serde_json::Value = serde_json::from_slice(&json.get_output().stdout).unwrap();
     let results = json["results"].as_array().unwrap();
-    assert_eq!(results.len(), Quantity::COMMON);
+    assert!(results.len() >= 9, "all that a force pulse has");
     for (row, quantity) in results.iter().zip(Quantity::ALL) {
         assert_eq!(row["result"], quantity.key());
         let within = row["within_percent"].as_f64().unwrap();

@@ -10,8 +10,8 @@ use super::{CliError, EnsembleArgs};
 use crate::plain_text::{quoted, write_json};
 use crate::report::ensemble::{json, text};
 use crate::scenario::problem::suggestion;
+use crate::study::Quantity;
 use crate::study::ensemble::run as run_samples;
-use crate::study::outputs::OUTPUTS;
 
 /// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.
 ///
@@ -19,7 +19,7 @@ use crate::study::outputs::OUTPUTS;
 /// Where the scenario is refused, the output cannot be written, or the work was interrupted.
 pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    let output = output(&args.drives)?;
+    let drives = result(&args.drives)?;
     let stop = interrupt::flag()?;
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
@@ -32,7 +32,7 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if args.json {
         write_json(out, &json(&scenario, &ensemble))?;
     } else {
-        text(&scenario, &ensemble, output, out)?;
+        text(&scenario, &ensemble, drives, out)?;
     }
     out.flush()?;
     if ensemble.stopped() {
@@ -44,11 +44,12 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The output of this name.
-fn output(key: &str) -> Result<usize, CliError> {
-    let found = OUTPUTS.iter().position(|output| output.key == key);
+/// The result of this name.
+fn result(key: &str) -> Result<Quantity, CliError> {
+    let all = Quantity::ALL;
+    let found = all.iter().copied().find(|quantity| quantity.key() == key);
     found.ok_or_else(|| {
-        let keys: Vec<&str> = OUTPUTS.iter().map(|output| output.key).collect();
+        let keys: Vec<&str> = all.iter().map(|quantity| quantity.key()).collect();
         let near = suggestion(key, keys.iter().copied());
         CliError::Input(format!(
             "--drives {}: there is no such result{near} (allowed: {})",

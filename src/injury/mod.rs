@@ -11,4 +11,4 @@ mod risk;
 pub use curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing};
 pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
-pub use risk::{Blow, Caution, MARKS, ORBIT, Risk, assess, disagreement};
+pub use risk::{Blow, Caution, MARKS, ORBIT, Risk, assess, curve_of, disagreement, measured};

@@ -142,14 +142,25 @@ impl Risk {
     }
 }
 
+/// The value of a measure, SI; `None` where there is nothing to measure.
+pub fn measured(measure: Measure, blow: Option<Blow>, pressure: Option<f64>) -> Option<f64> {
+    match measure {
+        Measure::NormalizedEnergy => Some(blow?.normalized_energy()),
+        Measure::KineticEnergy => Some(blow?.kinetic_energy()),
+        Measure::Pressure => pressure,
+    }
+}
+
+/// The first curve of an injury against a measure.
+pub fn curve_of(injury: Injury, measure: Measure) -> Option<&'static Curve> {
+    let of = |curve: &&Curve| (curve.injury, curve.measure) == (injury, measure);
+    CURVES.iter().find(of)
+}
+
 /// What every curve that applies says of a blow and of the peak pressure, in Pa, that it made.
 pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
     let one = |curve: &'static Curve| {
-        let value = match curve.measure {
-            Measure::NormalizedEnergy => blow?.normalized_energy(),
-            Measure::KineticEnergy => blow?.kinetic_energy(),
-            Measure::Pressure => pressure?,
-        };
+        let value = measured(curve.measure, blow, pressure)?;
         let (inside, caution) = match curve.measure {
             Measure::Pressure => (value, None),
             _ => (value, blow?.caution()),

@@ -1,10 +1,12 @@
 //! The work-precision report as text and as JSON.
 
-use super::json::by_quantity;
+use super::errors::{leading, of_damage};
+use super::json::by_result;
 use super::text::{percent, significant};
 use crate::dynamics::{Plan, kernel_name};
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
+use crate::study::Quantity;
 use crate::study::accuracy::{Accuracy, Level, Point, TARGETS};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -33,18 +35,17 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
         "kernel {}\n{}omega at most {:.3e} rad/s",
         kernel_name(false),
         // Scenes with a projectile, a fluid or dashpots are not solved by springs alone.
-        if report.ns_per_spring.is_finite() {
-            format!("{:.2} ns a spring in one thread; ", report.ns_per_spring)
-        } else {
-            String::new()
-        },
+        report.ns_per_spring.map_or_else(String::new, |ns| format!(
+            "{ns:.2} ns a spring in one thread; "
+        )),
         report.omega_bound
     )?;
     writeln!(
         out,
-        "reference: {} at {:.4} us; error: largest of damage, apex and four peaks",
+        "reference: {} at {:.4} us\nerror: the largest of {}",
         report.reference.integrator.name(),
-        report.reference.step * 1e6
+        report.reference.step * 1e6,
+        leading(&report.reference_results)
     )?;
     if report.folded {
         writeln!(
@@ -67,7 +68,7 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
             point.spring_evaluations as f64 * 1e-6,
             point.seconds * 1e3,
             percent(point.error()),
-            percent(point.errors[0]),
+            of_damage(&point.errors),
         )?;
     }
     writeln!(out, "* no other point is both faster and more accurate\n")?;
@@ -98,8 +99,8 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
             level.seconds * 1e3,
             level.spring_evaluations as f64 * 1e-6,
             level.seconds * 1e9 / level.spring_evaluations as f64,
-            significant(level.results[0]),
-            percent(level.errors[0]),
+            level.results[Quantity::Damage].map_or_else(String::new, significant),
+            of_damage(&level.errors),
             if level.folded { "  mesh folded" } else { "" },
         )?;
     }
@@ -115,7 +116,7 @@ fn point_json(point: &Point) -> Value {
         "spring_evaluations": point.spring_evaluations,
         "median_ms": point.seconds * 1e3,
         "error_percent": point.error(),
-        "error_percent_by_result": by_quantity(&point.errors),
+        "error_percent_by_result": by_result(&point.errors),
         "on_front": point.on_front,
     })
 }
@@ -126,8 +127,8 @@ fn level_json(level: &Level) -> Value {
         "median_ms": level.seconds * 1e3,
         "spring_evaluations": level.spring_evaluations,
         "ns_per_spring": level.seconds * 1e9 / level.spring_evaluations as f64,
-        "results": by_quantity(&level.results),
-        "difference_percent_by_result": by_quantity(&level.errors),
+        "results": by_result(&level.results),
+        "difference_percent_by_result": by_result(&level.errors),
         "mesh_folded": level.folded,
     })
 }
@@ -152,7 +153,7 @@ pub fn json(scenario: &Scenario, report: &Accuracy) -> Value {
         "reference": {
             "integrator": report.reference.integrator.name(),
             "step_us": report.reference.step * 1e6,
-            "results": by_quantity(&report.reference_results),
+            "results": by_result(&report.reference_results),
         },
         "mesh_folded": report.folded,
         "points": report.points.iter().map(point_json).collect::<Vec<_>>(),

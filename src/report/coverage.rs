@@ -1,6 +1,6 @@
 //! How often the stated step errors hold, as text of 80 columns and as one JSON object.
 
-use super::json::by_quantity;
+use super::json::by_result;
 use crate::study::Quantity;
 use crate::study::coverage::{
     Checked, Coverage, Miss, REFERENCE_FINENESS, coverage, misses, scene,
@@ -121,8 +121,8 @@ pub fn json(checked: &[Checked], seed: u32) -> Value {
         "by_scene": checked.iter().map(|c| json!({
             "scene": c.index,
             "folded": c.folded,
-            "claimed_percent": by_quantity(&c.claimed),
-            "true_percent": by_quantity(&c.truth),
+            "claimed_percent": by_result(&c.claimed),
+            "true_percent": by_result(&c.truth),
         })).collect::<Vec<_>>(),
         "misses": misses.iter().map(|m| miss(m, seed)).collect::<Vec<_>>(),
     })

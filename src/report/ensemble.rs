@@ -1,16 +1,21 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
 use super::text::{percent, significant};
-use crate::injury::Caution;
+use crate::injury::{Blow, Caution};
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
+use crate::study::Quantity;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
-use crate::study::outputs::{OUTPUTS, caution};
 use crate::study::point::PROMISE_PERCENT;
 use crate::study::spreads::{Input, Shape};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
+
+/// What speaks against the risks by energy of this scenario's object.
+fn caution(scenario: &Scenario) -> Option<Caution> {
+    Blow::of(scenario)?.caution()
+}
 
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
@@ -55,14 +60,14 @@ pub fn bar(correlation: f64, half: usize) -> String {
     }
 }
 
-/// Prints bands, drivers of `output`, counts and cost.
+/// Prints bands, drivers of `drives`, counts and cost.
 ///
 /// # Errors
 /// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
     ensemble: &Ensemble,
-    output: usize,
+    drives: Quantity,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let done = ensemble.samples.len();
@@ -78,21 +83,22 @@ pub fn text(
         "{:<22}{:>12}{:>12}{:>12}{:>16}",
         "", "5 %", "median", "95 %", "as it stands"
     )?;
-    for index in ensemble.outputs() {
-        let Some(band) = ensemble.band(index) else {
+    for quantity in ensemble.results() {
+        let Some(band) = ensemble.band(quantity) else {
             continue;
         };
         let Band { low, median, high } = band;
-        let nominal = ensemble.nominal.as_ref().map_or(f64::NAN, |n| n[index]);
+        let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
+        let row = quantity.row();
         writeln!(
             out,
             "{:<19}{:>3}{:>12}{:>12}{:>12}{:>16}",
-            OUTPUTS[index].label,
-            OUTPUTS[index].unit,
+            row.label,
+            row.unit,
             significant(low),
             significant(median),
             significant(high),
-            significant(nominal)
+            nominal.map_or_else(String::new, significant)
         )?;
     }
     if let Some(caution) = caution(scenario) {
@@ -101,12 +107,8 @@ pub fn text(
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
     }
-    writeln!(
-        out,
-        "\nWhat drives {} (rank correlation)",
-        OUTPUTS[output].label
-    )?;
-    for (input, correlation) in ensemble.drivers(output) {
+    writeln!(out, "\nWhat drives {} (rank correlation)", drives.label())?;
+    for (input, correlation) in ensemble.drivers(drives) {
         writeln!(
             out,
             "{:<20} {:>5} {}",
@@ -114,6 +116,9 @@ pub fn text(
             hundredths(correlation),
             bar(correlation, BAR)
         )?;
+    }
+    if ensemble.values(drives).is_none() {
+        writeln!(out, "the scene has no such result")?;
     }
     if ensemble.inputs.is_empty() {
         writeln!(out, "nothing was drawn: every input is held to be known")?;
@@ -168,25 +173,32 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
 fn cost(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let timing = &ensemble.timing;
     let each = timing.cores / ensemble.samples.len().max(1) as f64;
-    writeln!(
+    write!(
         out,
-        "Took {:.2} s on {} threads: {:.2} core-ms a sample, {:.2} times the single case ({:.2} ms)",
+        "Took {:.2} s on {} threads: {:.2} core-ms a sample",
         timing.wall,
         timing.threads,
         each * 1e3,
-        each / timing.single,
-        timing.single * 1e3
-    )
+    )?;
+    if let Some(single) = timing.single {
+        write!(
+            out,
+            ", {:.2} times the single case ({:.2} ms)",
+            each / single,
+            single * 1e3
+        )?;
+    }
+    writeln!(out)
 }
 
-fn band(ensemble: &Ensemble, output: usize) -> Value {
-    let nominal = ensemble.nominal.as_ref().map(|n| n[output]);
+fn band(ensemble: &Ensemble, of: Quantity) -> Value {
+    let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
     let drivers: Map<String, Value> = ensemble
-        .drivers(output)
+        .drivers(of)
         .into_iter()
         .map(|(i, r)| (ensemble.inputs[i].field.path.to_owned(), json!(r)))
         .collect();
-    ensemble.band(output).map_or(Value::Null, |band| {
+    ensemble.band(of).map_or(Value::Null, |band| {
         json!({
             "p05": band.low,
             "median": band.median,
@@ -225,9 +237,9 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let done = ensemble.samples.len();
     let each = timing.cores / done.max(1) as f64;
     let results: Map<String, Value> = ensemble
-        .outputs()
+        .results()
         .into_iter()
-        .map(|index| (OUTPUTS[index].key.to_owned(), band(ensemble, index)))
+        .map(|of| (of.key().to_owned(), band(ensemble, of)))
         .collect();
     json!({
         "scenario": scenario,
@@ -256,8 +268,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "wall_s": timing.wall,
             "threads": timing.threads,
             "core_ms_per_sample": each * 1e3,
-            "single_case_ms": timing.single * 1e3,
-            "ratio_to_single_case": each / timing.single,
+            "single_case_ms": timing.single.map(|single| single * 1e3),
+            "ratio_to_single_case": timing.single.map(|single| each / single),
         },
     })
 }

@@ -1,10 +1,16 @@
 //! Results as one JSON object. The names are a contract.
+//!
+//! A result stands under the key of its row in [`crate::study::quantity`], which is the same in sweeps,
+//! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`. In
+//! this version, and not in the next, `results` also holds the names of the version before:
+//! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
+//! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
 use crate::dynamics::{PA_PER_MMHG, kernel_name};
 use crate::eye::Monitor;
-use crate::recording::{FluidExtremes, MEAN_S, ShotExtremes};
+use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
-use crate::study::{Answer, PerQuantity, Quantity};
+use crate::study::{Answer, Quantity, Results};
 use serde_json::{Map, Value, json};
 
 /// A number for each monitored node, by name.
@@ -17,17 +23,21 @@ fn by_monitor(value: impl Fn(usize) -> f64) -> Value {
         .into()
 }
 
-/// A number for each result, by name; pressure and force of contact only where they are not 0.
-pub fn by_quantity(values: &PerQuantity) -> Value {
-    Quantity::ALL
-        .iter()
-        .zip(values)
-        .enumerate()
-        .filter(|(i, (_, value))| *i < Quantity::COMMON || **value != 0.0)
-        .map(|(_, pair)| pair)
-        .map(|(q, v)| (q.key().to_owned(), json!(v)))
-        .collect::<Map<String, Value>>()
-        .into()
+/// A number for each result that there is, by its key.
+pub fn by_result(values: &Results) -> Value {
+    let named = values
+        .present()
+        .map(|(of, value)| (of.key().to_owned(), json!(value)));
+    named.collect::<Map<String, Value>>().into()
+}
+
+/// When each peak was reached, in ms, by the key of the result.
+fn peak_times(extremes: &Extremes) -> Value {
+    let timed = Quantity::ALL.iter().filter_map(|of| {
+        let peak = of.peak(extremes)?;
+        Some((of.key().to_owned(), json!(peak.time * 1e3)))
+    });
+    timed.collect::<Map<String, Value>>().into()
 }
 
 /// An answer as one object; `reasons` say how its numerics were chosen.
@@ -46,24 +56,13 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         .collect();
     let mut object = json!({
         "scenario": scenario,
-        "results": {
-            "damage_percent": answer.index.damage(),
-            "scleral_growth_percent": answer.index.shell_growth,
-            "meridian_growth_percent": answer.index.meridian_growth,
-            "energy_imparted_j": answer.index.energy,
-            "apex_displacement_mm": extremes.apex.value * 1e3,
-            "apex_time_ms": extremes.apex.time * 1e3,
-            "peak_force_n": by_monitor(|i| extremes.force[i].value),
-            "peak_time_ms": by_monitor(|i| extremes.force[i].time * 1e3),
-            "largest_spring_strain_percent": extremes.strain.value * 1e2,
-            "shielded_percent": answer.case.load.shielded * 1e2,
-        },
+        "results": by_result(&answer.results()),
         "error": {
             "time_step_percent": answer.errors.time_step_percent(),
             "mesh_percent": answer.errors.mesh_percent(),
             "energy_balance_percent": answer.errors.energy_balance,
-            "time_step_percent_by_result": by_quantity(&answer.errors.time_step),
-            "mesh_percent_by_result": answer.errors.mesh.as_ref().map(by_quantity),
+            "time_step_percent_by_result": by_result(&answer.errors.time_step),
+            "mesh_percent_by_result": answer.errors.mesh.as_ref().map(by_result),
         },
         "numerics": {
             "level": answer.case.eye.level,
@@ -83,6 +82,14 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         },
         "flags": flags,
     });
+    let results = &mut object["results"];
+    results["peak_time_ms_by_result"] = peak_times(extremes);
+    results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
+    results["shielded_percent"] = json!(answer.case.load.shielded * 1e2);
+    // Names of the version before.
+    results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
+    results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
+    results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
     let risks = answer.risks();
     if !risks.is_empty() {
         object["injury"] = super::injury::json(&risks);

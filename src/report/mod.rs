@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod coverage;
 pub mod ensemble;
+pub mod errors;
 pub mod injury;
 pub mod json;
 pub mod stability;

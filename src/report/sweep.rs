@@ -2,7 +2,7 @@
 
 use crate::injury::Caution;
 use crate::scenario::fields;
-use crate::study::outputs::OUTPUTS;
+use crate::study::Quantity;
 use crate::study::sweep::{Row, Sweep};
 use serde_json::{Map, Value, json};
 
@@ -34,7 +34,7 @@ impl Form {
             Self::Csv => {
                 let mut columns = vec!["row".to_owned()];
                 columns.extend(paths.iter().map(|path| (*path).to_owned()));
-                columns.extend(OUTPUTS.iter().map(|output| output.key.to_owned()));
+                columns.extend(Quantity::ALL.iter().map(|of| of.key().to_owned()));
                 columns.extend(LAST.map(str::to_owned));
                 let rows = sweep.rows();
                 format!(
@@ -56,14 +56,14 @@ impl Form {
             point.map_or(Vec::new(), |p| p.flags.iter().map(|f| f.name()).collect());
         flags.extend(row.caution.map(Caution::key));
         let error = point.and_then(|p| p.check).map(|check| check.last);
-        let value = |i: usize| point.map(|p| p.values[i]).filter(|v| v.is_finite());
+        let value = |of: Quantity| point?.values[of].filter(|v| v.is_finite());
         let refused = row.outcome.as_ref().err();
         match self {
             Self::Csv => {
                 let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
                 let mut cells = vec![row.number.to_string()];
                 cells.extend(row.values.iter().cloned());
-                cells.extend((0..OUTPUTS.len()).map(|i| number(value(i))));
+                cells.extend(Quantity::ALL.iter().map(|of| number(value(*of))));
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
                 cells.push(refused.map_or_else(String::new, |why| why.replace('\n', "; ")));
@@ -75,8 +75,8 @@ impl Form {
                     varied.insert(axis.path.clone(), typed(&axis.path, text));
                 }
                 let mut results = Map::new();
-                for (i, output) in OUTPUTS.iter().enumerate() {
-                    results.insert(output.key.to_owned(), json!(value(i)));
+                for &quantity in Quantity::ALL {
+                    results.insert(quantity.key().to_owned(), json!(value(quantity)));
                 }
                 let object = json!({
                     "row": row.number,

@@ -1,12 +1,12 @@
 //! Results as text for a terminal of 80 columns.
 
+use super::errors;
 use crate::dynamics::PA_PER_MMHG;
-use crate::eye::Monitor;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
-use crate::recording::{FluidExtremes, MEAN_S, ShotExtremes};
+use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::{Impact, Model, Projectile, Scenario};
-use crate::study::Answer;
+use crate::study::{Answer, Errors, Quantity, Results};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -103,22 +103,23 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     part("M", "meridian growth", index.meridian_growth, "%", MERIDIAN)?;
     part("E", "energy imparted", index.energy, "J", ENERGY)?;
     writeln!(out)?;
-    writeln!(
-        out,
-        "Corneal apex       {:>9} mm at {:.4} ms",
-        significant(extremes.apex.value * 1e3),
-        extremes.apex.time * 1e3
-    )?;
-    for (i, monitor) in Monitor::ALL.iter().enumerate() {
-        let label = if i == 0 { "Peak node force" } else { "" };
-        let peak = extremes.force[i];
-        writeln!(
-            out,
-            "{label:<15}{:>13} N  at {:.4} ms  {}",
-            significant(peak.value),
-            peak.time * 1e3,
-            monitor.name()
-        )?;
+    // The parts of the index stand above; an object that missed has no force of contact.
+    let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
+    let missed = |of: &Quantity| *of == Quantity::Contact && extremes.missed();
+    let listed = |of: &&Quantity| !above.contains(of) && !missed(of);
+    for &quantity in Quantity::ALL.iter().filter(listed) {
+        if let Some(peak) = quantity.peak(extremes) {
+            let row = quantity.row();
+            writeln!(
+                out,
+                "{:<18} {:>9} {:<2} at {:.4} ms{}",
+                capital(row.label),
+                significant(peak.value * row.factor),
+                row.unit,
+                peak.time * 1e3,
+                remark(quantity, extremes)
+            )?;
+        }
     }
     writeln!(
         out,
@@ -127,7 +128,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         extremes.strain.time * 1e3
     )?;
     if let Some(fluid) = &extremes.fluid {
-        pressure(fluid, out)?;
+        area(fluid, out)?;
     }
     if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
         projectile(shot, input, out)?;
@@ -143,16 +144,28 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     Ok(())
 }
 
-fn pressure(fluid: &FluidExtremes, out: &mut dyn Write) -> io::Result<()> {
-    let peak = fluid.pressure;
-    writeln!(
-        out,
-        "Peak pressure      {:>9} MPa at {:.4} ms ({:.0} mmHg, {:.1} at rest)",
-        significant(peak.value * 1e-6),
-        peak.time * 1e3,
-        peak.value / PA_PER_MMHG,
-        fluid.rest_pressure / PA_PER_MMHG
-    )?;
+/// `label` with a capital letter.
+fn capital(label: &str) -> String {
+    let mut letters = label.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// What a reader should know of a peak beside its value.
+fn remark(quantity: Quantity, extremes: &Extremes) -> String {
+    match (quantity, &extremes.fluid) {
+        (Quantity::Pressure, Some(fluid)) => format!(
+            " ({:.0} mmHg, {:.1} at rest)",
+            fluid.pressure.value / PA_PER_MMHG,
+            fluid.rest_pressure / PA_PER_MMHG
+        ),
+        (Quantity::Contact, _) => format!(", mean over the {:.0} us before", MEAN_S * 1e6),
+        _ => String::new(),
+    }
+}
+
+fn area(fluid: &FluidExtremes, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "Vitreous area      {:>9} to {:.2} % of that at rest",
@@ -163,13 +176,6 @@ fn pressure(fluid: &FluidExtremes, out: &mut dyn Write) -> io::Result<()> {
 
 fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
     if let Some((first, last)) = shot.contact {
-        writeln!(
-            out,
-            "Contact force      {:>9} N  at {:.4} ms, mean over the {:.0} us before",
-            significant(shot.force.value),
-            shot.force.time * 1e3,
-            MEAN_S * 1e6
-        )?;
         writeln!(
             out,
             "Contact time       {:>9} ms, from {:.4} to {:.4} ms",
@@ -226,24 +232,22 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
 /// # Errors
 /// Whatever `out` reports.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
-    let errors = &answer.errors;
+    let said = |of: &Results| {
+        let (damage, worst) = (errors::of_damage(of), errors::worst(of));
+        format!("damage index {damage}, worst {worst}")
+    };
+    let Errors {
+        time_step, mesh, ..
+    } = &answer.errors;
+    writeln!(out, "\nStep error: {}", said(time_step))?;
+    let mesh = mesh.as_ref();
+    let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
+    writeln!(out, "Mesh error: {mesh}")?;
     writeln!(
         out,
-        "\nError: time step {}, mesh {}, energy balance {}",
-        percent(errors.time_step_percent()),
-        errors
-            .mesh_percent()
-            .map_or_else(|| "not estimated".to_owned(), percent),
-        percent(errors.energy_balance)
+        "Energy balance: within {}",
+        percent(answer.errors.energy_balance)
     )?;
-    if let Some(mesh) = &errors.mesh {
-        writeln!(
-            out,
-            "On the damage index: time step {}, mesh {}",
-            percent(errors.time_step[0]),
-            percent(mesh[0])
-        )?;
-    }
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",

@@ -7,9 +7,9 @@
 //! mesh error.
 
 use super::case::{Case, Refusal, Watch};
-use super::median::median;
 use super::mesh_error::at_level;
-use super::quantity::{PerQuantity, difference_percent, headline, values};
+use super::results::Results;
+use super::statistics::median;
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
 use crate::scenario::Scenario;
@@ -44,7 +44,7 @@ pub struct Point {
     /// Median wall time, in s.
     pub seconds: f64,
     /// Error of each result against the reference, in %.
-    pub errors: PerQuantity,
+    pub errors: Results,
     /// Whether no other point is both faster and more accurate.
     pub on_front: bool,
 }
@@ -52,7 +52,7 @@ pub struct Point {
 impl Point {
     /// The largest of the leading results' errors, in %.
     pub fn error(&self) -> f64 {
-        headline(&self.errors)
+        self.errors.headline()
     }
 }
 
@@ -66,9 +66,9 @@ pub struct Level {
     /// Springs computed.
     pub spring_evaluations: usize,
     /// Results; forces in terms of the node mass of the scenario's level.
-    pub results: PerQuantity,
+    pub results: Results,
     /// Difference of each result from the finest level, in %.
-    pub errors: PerQuantity,
+    pub errors: Results,
     /// Whether the mesh folded.
     pub folded: bool,
 }
@@ -83,11 +83,12 @@ pub struct Accuracy {
     /// The reference's method and step.
     pub reference: Plan,
     /// The reference's results.
-    pub reference_results: PerQuantity,
+    pub reference_results: Results,
     /// Levels, the last being what the others are compared with.
     pub levels: Vec<Level>,
-    /// Nanoseconds a spring evaluation takes at the automatic step, recording included.
-    pub ns_per_spring: f64,
+    /// Nanoseconds a spring evaluation takes at the automatic step, recording included; none where
+    /// springs alone do not solve the scene.
+    pub ns_per_spring: Option<f64>,
     /// Upper bound of the angular frequency, in rad/s.
     pub omega_bound: f64,
     /// Whether the mesh folded in the reference: then nothing here is a promise.
@@ -161,7 +162,7 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
     };
     let solved = case.run(&reference, Keep::default(), &mut part(watch, 0.0, 0.1))?;
     let folded = solved.recording.extremes.folded_at.is_some();
-    let truth = values(&solved.recording.extremes);
+    let truth = case.results(&solved.recording.extremes);
 
     let plans = plans(&case);
     let mut times = vec![Vec::new(); plans.len()];
@@ -192,8 +193,10 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
                 step: plan.longest_step(&case.system.load().pulse),
                 evaluations: solved.cost.evaluations,
                 spring_evaluations: solved.cost.evaluations * springs,
-                seconds: median(times),
-                errors: difference_percent(&values(&solved.recording.extremes), &truth),
+                seconds: median(times)?,
+                errors: case
+                    .results(&solved.recording.extremes)
+                    .difference_percent(&truth),
                 on_front: false,
             })
         })
@@ -208,7 +211,7 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
         .iter()
         .filter(|p| p.plan.integrator == Integrator::Srkn6b)
         .map(|p| p.seconds * 1e9 / p.spring_evaluations as f64)
-        .fold(f64::INFINITY, f64::min);
+        .reduce(f64::min);
 
     let mut levels = Vec::new();
     for level in 1..=finest {
@@ -220,7 +223,7 @@ pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accurac
     let finest_results = levels.last().map(|l| l.results);
     for level in &mut levels {
         if let Some(finest) = &finest_results {
-            level.errors = difference_percent(&level.results, finest);
+            level.errors = level.results.difference_percent(finest);
         }
     }
     Ok(Accuracy {
@@ -263,10 +266,10 @@ fn measure_level(
     let (results, folded) = at_level(&other, level, like, &mut watch)?;
     Ok(Level {
         level,
-        seconds: median(times),
+        seconds: median(times).expect("at least one round"),
         spring_evaluations: evaluations * case.system.springs_per_evaluation(),
+        errors: results.difference_percent(&results),
         results,
-        errors: [0.0; super::Quantity::ALL.len()],
         folded: folded.is_some(),
     })
 }
@@ -319,6 +322,6 @@ mod tests {
             assert!(report.points[best.unwrap()].error() <= *target);
         }
         assert_eq!(report.levels.len(), 2);
-        assert_eq!(headline(&report.levels[1].errors), 0.0);
+        assert_eq!(report.levels[1].errors.headline(), 0.0);
     }
 }

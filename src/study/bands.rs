@@ -6,8 +6,8 @@
 //! Left out: how sure the quantiles themselves are.
 
 use super::ensemble::{Ensemble, PILOT, Sample};
-use super::outputs::OUTPUTS;
 use super::point::{PROMISE_PERCENT, Point};
+use super::quantity::Quantity;
 use super::statistics::{quantile, rank_correlation};
 
 /// Median and the band that holds nine in ten.
@@ -81,35 +81,36 @@ impl Ensemble {
         counts.into_iter().collect()
     }
 
-    /// The values of one output over the valid samples.
-    fn values(&self, output: usize) -> Vec<f64> {
-        self.valid()
-            .map(|(_, point)| point.values[output])
-            .collect()
+    /// The values of one result over the valid samples; none where a sample has none.
+    pub fn values(&self, of: Quantity) -> Option<Vec<f64>> {
+        self.valid().map(|(_, point)| point.values[of]).collect()
     }
 
-    /// The band of one of [`OUTPUTS`]; none where the scene has no such result, or no sample.
-    pub fn band(&self, output: usize) -> Option<Band> {
-        let mut values = self.values(output);
+    /// The band of a result; none where the scene has no such result, or no sample.
+    pub fn band(&self, of: Quantity) -> Option<Band> {
+        let mut values = self.values(of)?;
         values.sort_by(f64::total_cmp);
-        let of = |p| quantile(&values, p);
-        (!values.is_empty() && values.iter().all(|v| v.is_finite())).then(|| Band {
-            low: of(0.05),
-            median: of(0.5),
-            high: of(0.95),
+        let finite = values.iter().all(|v| v.is_finite());
+        let of = |p| quantile(&values, p).filter(|_| finite);
+        Some(Band {
+            low: of(0.05)?,
+            median: of(0.5)?,
+            high: of(0.95)?,
         })
     }
 
-    /// The outputs that have a band.
-    pub fn outputs(&self) -> Vec<usize> {
-        let has = |output: &usize| self.band(*output).is_some();
-        (0..OUTPUTS.len()).filter(has).collect()
+    /// The results that have a band.
+    pub fn results(&self) -> Vec<Quantity> {
+        let has = |of: &Quantity| self.band(*of).is_some();
+        Quantity::ALL.iter().copied().filter(has).collect()
     }
 
-    /// Rank correlation of each input with an output, the strongest first: index of the input and
-    /// correlation.
-    pub fn drivers(&self, output: usize) -> Vec<(usize, f64)> {
-        let values = self.values(output);
+    /// Rank correlation of each input with a result, the strongest first: index of the input and
+    /// correlation. None where the scene has no such result.
+    pub fn drivers(&self, of: Quantity) -> Vec<(usize, f64)> {
+        let Some(values) = self.values(of) else {
+            return Vec::new();
+        };
         let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
             .map(|input| {
                 let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();

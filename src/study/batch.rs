@@ -5,7 +5,7 @@
 //! order, so the results are the same bits for any number of threads.
 
 use super::case::{Case, Refusal, unwatched};
-use super::quantity::{PerQuantity, values};
+use super::results::Results;
 use crate::recording::Keep;
 use crate::scenario::Scenario;
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
     /// All results.
-    pub results: PerQuantity,
+    pub results: Results,
     /// When the mesh folded, in s.
     pub folded_at: Option<f64>,
 }
@@ -29,7 +29,7 @@ pub fn solve_one(scenario: &Scenario) -> Result<Outcome, Refusal> {
     let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
     let extremes = &solution.recording.extremes;
     Ok(Outcome {
-        results: values(extremes),
+        results: case.results(extremes),
         folded_at: extremes.folded_at,
     })
 }

@@ -1,12 +1,13 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
+use super::results::Results;
 use crate::dynamics::{
     ArcLoad, Cost, Coupled, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse,
     State, Survey, System, march, needed, stability,
 };
 use crate::eye::Eye;
 use crate::injury::Blow;
-use crate::recording::{Keep, Recorder, Recording};
+use crate::recording::{Extremes, Keep, Recorder, Recording};
 use crate::scenario::{Impact, Scenario};
 use std::ops::ControlFlow;
 
@@ -170,6 +171,11 @@ impl Case {
             system,
             window: scenario.window_ms * 1e-3,
         }
+    }
+
+    /// Every result of a march of it.
+    pub fn results(&self, extremes: &Extremes) -> Results {
+        Results::of(extremes, self.blow)
     }
 
     /// Largest stable step of `integrator`, in s.

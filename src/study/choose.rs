@@ -8,6 +8,7 @@
 use super::case::{Case, Refusal, Watch};
 use super::mesh_error::{at_level, between, rescaled};
 use super::quantity::Quantity;
+use super::results::Results;
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
@@ -31,8 +32,10 @@ pub struct Chosen {
     pub reasons: Vec<String>,
 }
 
-const DAMAGE: usize = 0;
-const _: () = assert!(matches!(Quantity::ALL[DAMAGE], Quantity::Damage));
+/// The error of the damage index, in %; one that is not known meets no tolerance.
+fn of_damage(errors: &Results) -> f64 {
+    errors[Quantity::Damage].unwrap_or(f64::INFINITY)
+}
 
 /// Answers `scenario` with damage within `percent` of its converged value, by step and mesh
 /// together; `level` and `numerics` of the scenario are chosen anew.
@@ -66,12 +69,12 @@ pub fn within(
         let finer_case = Case::new(&finer);
         let (finer_like_this, finer_folded) = at_level(&finer, level + 1, &case, watch)?;
         let mesh = between(level, &results, level + 1, &finer_like_this);
-        if mesh[DAMAGE] < percent {
+        let mesh_error = of_damage(&mesh);
+        if mesh_error < percent {
             at.eye.level = level;
-            let left = percent - mesh[DAMAGE];
+            let left = percent - mesh_error;
             reasons.push(format!(
-                "level {level}: mesh error {:.2} %, which leaves {left:.2} % for the step",
-                mesh[DAMAGE]
+                "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
             ));
             let mut answer = meet(&case, left, keep, watch, &mut reasons)?;
             answer.errors.mesh = Some(mesh);
@@ -81,10 +84,9 @@ pub fn within(
                 reasons,
             });
         }
-        best = best.min(mesh[DAMAGE]);
+        best = best.min(mesh_error);
         reasons.push(format!(
-            "level {level}: mesh error {:.2} %, too much",
-            mesh[DAMAGE]
+            "level {level}: mesh error {mesh_error:.2} %, too much"
         ));
         // The same run in terms of its own node mass.
         (results, folded) = (rescaled(finer_like_this, &case, &finer_case), finer_folded);
@@ -114,7 +116,7 @@ fn meet(
     };
     if percent >= VERLET_FROM_PERCENT {
         let answer = solve_by(case.clone(), plan(Integrator::VelocityVerlet), keep, watch)?;
-        let error = answer.errors.time_step[DAMAGE];
+        let error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
                 "velocity-verlet at {share} of its stability limit: step error {error:.3} %, the cheapest"
@@ -130,7 +132,7 @@ fn meet(
     let mut error = f64::INFINITY;
     for _ in 0..MOST_ATTEMPTS {
         let answer = solve_by(case.clone(), plan, keep, watch)?;
-        error = answer.errors.time_step[DAMAGE];
+        error = of_damage(&answer.errors.time_step);
         let share = plan.step / case.step_limit(plan.integrator);
         if error <= percent {
             reasons.push(format!(

@@ -6,9 +6,10 @@
 
 use super::case::{Refusal, unwatched};
 use super::flags::FlagKind;
-use super::median::median;
-use super::quantity::{PerQuantity, Quantity, difference_percent, values};
+use super::quantity::Quantity;
+use super::results::Results;
 use super::solve::solve;
+use super::statistics::median;
 use crate::dynamics::Plan;
 use crate::recording::Keep;
 use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
@@ -71,9 +72,9 @@ pub struct Checked {
     /// Number of the scene.
     pub index: u32,
     /// Stated step error of each result, in %.
-    pub claimed: PerQuantity,
+    pub claimed: Results,
     /// True error of each result, in %.
-    pub truth: PerQuantity,
+    pub truth: Results,
     /// Whether the mesh folded, so that nothing is promised.
     pub folded: bool,
 }
@@ -141,61 +142,52 @@ fn check_one(index: u32, seed: u32) -> Result<Checked, Refusal> {
     Ok(Checked {
         index,
         claimed: answer.errors.time_step,
-        truth: difference_percent(
-            &values(&answer.recording.extremes),
-            &values(&reference.recording.extremes),
-        ),
+        truth: answer
+            .results()
+            .difference_percent(&answer.case.results(&reference.recording.extremes)),
         folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
     })
 }
 
-/// A true error that is not a number holds no promise.
-fn holds(checked: &Checked, q: usize) -> bool {
-    checked.truth[q] <= checked.claimed[q]
-}
-
-fn promising(checked: &[Checked]) -> impl Iterator<Item = &Checked> {
-    checked.iter().filter(|c| !c.folded)
+/// Stated and true error of a result, in %, scene by scene, of those that promise something.
+fn promised(checked: &[Checked], of: Quantity) -> impl Iterator<Item = (u32, f64, f64)> {
+    let promising = checked.iter().filter(|c| !c.folded);
+    promising.filter_map(move |c| Some((c.index, c.claimed[of]?, c.truth[of]?)))
 }
 
 /// Coverage of each result over the scenes that promise something.
 pub fn coverage(checked: &[Checked]) -> Vec<Coverage> {
-    let promising: Vec<&Checked> = promising(checked).collect();
-    Quantity::ALL[..Quantity::COMMON]
-        .iter()
-        .enumerate()
-        .map(|(q, &quantity)| {
-            let within = promising.iter().filter(|c| holds(c, q)).count();
-            // A claim over no error at all is infinite, as no claim is zero.
-            let ratios = promising.iter().map(|c| c.claimed[q] / c.truth[q]);
-            let truths: Vec<f64> = promising.iter().map(|c| c.truth[q]).collect();
-            Coverage {
-                quantity,
-                within: 100.0 * within as f64 / promising.len().max(1) as f64,
-                median_ratio: median(ratios.collect()),
-                largest_truth: truths.iter().copied().fold(0.0, f64::max),
-                median_truth: median(truths),
-            }
+    let of = |&quantity: &Quantity| {
+        let all: Vec<_> = promised(checked, quantity).collect();
+        let truths: Vec<f64> = all.iter().map(|&(.., truth)| truth).collect();
+        let within = all.iter().filter(|(_, claimed, truth)| truth <= claimed);
+        // A claim over no error at all is infinite, as no claim is zero.
+        let ratios = all.iter().map(|(_, claimed, truth)| claimed / truth);
+        Some(Coverage {
+            quantity,
+            within: 100.0 * within.count() as f64 / all.len() as f64,
+            median_ratio: median(ratios.collect())?,
+            largest_truth: truths.iter().copied().fold(0.0, f64::max),
+            median_truth: median(truths)?,
         })
-        .collect()
+    };
+    Quantity::ALL.iter().filter_map(of).collect()
 }
 
-/// Every stated error that did not hold, result by result.
+/// Every stated error that did not hold, result by result. A true error that is not a number holds no
+/// promise.
 pub fn misses(checked: &[Checked]) -> Vec<Miss> {
-    Quantity::ALL[..Quantity::COMMON]
-        .iter()
-        .enumerate()
-        .flat_map(|(q, &quantity)| {
-            promising(checked)
-                .filter(move |c| !holds(c, q))
-                .map(move |c| Miss {
-                    index: c.index,
-                    quantity,
-                    claimed: c.claimed[q],
-                    truth: c.truth[q],
-                })
-        })
-        .collect()
+    let of = |&quantity: &Quantity| {
+        promised(checked, quantity)
+            .filter(|(_, claimed, truth)| truth.is_nan() || truth > claimed)
+            .map(move |(index, claimed, truth)| Miss {
+                index,
+                quantity,
+                claimed,
+                truth,
+            })
+    };
+    Quantity::ALL.iter().flat_map(of).collect()
 }
 
 #[cfg(test)]
@@ -205,8 +197,8 @@ mod tests {
     fn checked(index: u32, claimed: f64, truth: f64, folded: bool) -> Checked {
         Checked {
             index,
-            claimed: [claimed; Quantity::ALL.len()],
-            truth: [truth; Quantity::ALL.len()],
+            claimed: Results::from_fn(|_| Some(claimed)),
+            truth: Results::from_fn(|_| Some(truth)),
             folded,
         }
     }
@@ -225,7 +217,7 @@ mod tests {
             assert_eq!(row.largest_truth, 2.0);
         }
         let missed: Vec<u32> = misses(&all).iter().map(|m| m.index).collect();
-        assert_eq!(missed, [1, 4].repeat(Quantity::COMMON));
+        assert_eq!(missed, [1, 4].repeat(Quantity::ALL.len()));
         assert_eq!(coverage(&all[..4])[0].median_ratio, 4.0);
     }
 

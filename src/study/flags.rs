@@ -1,5 +1,6 @@
 //! What a reader must know before trusting a result, each by name.
 
+use super::case::Case;
 use crate::dynamics::ArcLoad;
 use crate::eye::GLOBE_RADIUS_M;
 use crate::recording::{Extremes, ShotExtremes};
@@ -100,20 +101,28 @@ const FLATTENED: f64 = 0.5;
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Flags of a result; times in s, angles in radians. `disagreement` is the largest difference, in %,
-/// between the leading results of the run and those of the second run.
-pub(super) fn raise(
-    extremes: &Extremes,
-    step_error_percent: f64,
-    disagreement: f64,
-    window: f64,
-    pulse: f64,
-    load: &ArcLoad,
-    spacing: f64,
-) -> Vec<Flag> {
+/// What flags are raised from.
+pub(super) struct Evidence<'a> {
+    /// What was moved.
+    pub case: &'a Case,
+    /// What its march left.
+    pub extremes: &'a Extremes,
+    /// Where there was a second run: the largest step error of a leading result, and the largest
+    /// difference of one between the two runs, both in %.
+    pub step_error: Option<(f64, f64)>,
+}
+
+/// Flags of a result.
+pub(super) fn raise(evidence: &Evidence) -> Vec<Flag> {
+    let Evidence { case, extremes, .. } = *evidence;
+    let (window, pulse) = (case.window, case.system.load().pulse.duration());
+    // The angle from one node of the shell to the next, in radians.
+    let spacing = std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64;
     let mut flags = Vec::new();
-    let split = disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan();
-    let predictable = extremes.folded_at.is_none() || !split;
+    let split = |disagreement: f64| disagreement > UNPREDICTABLE_PERCENT || disagreement.is_nan();
+    let unpredictable = evidence
+        .step_error
+        .filter(|(_, disagreement)| extremes.folded_at.is_some() && split(*disagreement));
     let mut raise = |kind, message: String, time| {
         flags.push(Flag {
             kind,
@@ -130,7 +139,7 @@ pub(super) fn raise(
             ),
             Some(time),
         );
-        if !predictable {
+        if let Some((_, disagreement)) = unpredictable {
             raise(
                 FlagKind::NotPredictable,
                 format!("two solutions disagree by {disagreement:.0} %: not predictable"),
@@ -158,11 +167,13 @@ pub(super) fn raise(
         );
     }
     // Where two solutions part for good, no step is small enough.
-    let converged = step_error_percent <= UNCONVERGED_PERCENT;
-    if predictable && !converged {
+    let unconverged = evidence.step_error.map(|(error, _)| error).filter(|error| {
+        unpredictable.is_none() && (*error > UNCONVERGED_PERCENT || error.is_nan())
+    });
+    if let Some(error) = unconverged {
         raise(
             FlagKind::Unconverged,
-            format!("the largest step error of any result is {step_error_percent:.1} %"),
+            format!("the largest step error of any result is {error:.1} %"),
             None,
         );
     }
@@ -188,7 +199,7 @@ pub(super) fn raise(
             Some(window),
         );
     }
-    of_load(load, spacing, &mut raise);
+    of_load(&case.load, spacing, &mut raise);
     if let Some(shot) = &extremes.shot {
         of_shot(shot, window, spacing, &mut raise);
     }
@@ -316,10 +327,13 @@ mod tests {
     fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
         let answer = solve(&Scenario::default(), Keep::default(), &mut unwatched).unwrap();
         let mut extremes = answer.recording.extremes;
-        let load = &answer.case.load;
         let mut kinds = |folded_at, error, disagreement| -> Vec<FlagKind> {
             extremes.folded_at = folded_at;
-            let flags = raise(&extremes, error, disagreement, 3e-3, 2e-4, load, 0.0);
+            let flags = raise(&Evidence {
+                case: &answer.case,
+                extremes: &extremes,
+                step_error: Some((error, disagreement)),
+            });
             flags.into_iter().map(|flag| flag.kind).collect()
         };
         let folded = Some(1e-4);

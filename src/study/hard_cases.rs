@@ -7,7 +7,7 @@
 
 use super::case::{Case, Refusal, unwatched};
 use super::flags::{Flag, FlagKind};
-use super::quantity::{PerQuantity, Quantity, difference_percent, headline, values};
+use super::results::Results;
 use super::solve::{Answer, solve_case};
 use crate::dynamics::{Integrator, Piece, Plan};
 use crate::recording::Keep;
@@ -266,22 +266,23 @@ impl HardCase {
         }
     }
 
-    fn judge(&self, answer: &Answer, first: &PerQuantity, second: &PerQuantity) -> Outcome {
-        let results = values(&answer.recording.extremes);
+    fn judge(&self, answer: &Answer, first: &Results, second: &Results) -> Outcome {
+        let results = answer.results();
         let claimed = &answer.errors.time_step;
-        let finite = |numbers: &PerQuantity| numbers.iter().all(|n| n.is_finite());
+        let finite = |numbers: &Results| numbers.present().all(|(_, n)| n.is_finite());
         if ![&results, claimed, first, second].into_iter().all(finite) {
             let note = "a result or its error is not a finite number".to_owned();
             return self.outcome(Verdict::Wrong, Some(answer), note);
         }
-        let between = headline(&difference_percent(second, first));
+        let between = second.difference_percent(first).headline();
         let known = between <= ACCURATE_PERCENT;
-        let truth = difference_percent(&results, first);
-        let beyond = |&q: &usize| truth[q] > claimed[q];
-        let worst = (0..Quantity::HEADLINE)
-            .filter(beyond)
-            .max_by(|&a, &b| truth[a].total_cmp(&truth[b]));
-        let within = worst.is_none_or(|q| truth[q] <= ACCURATE_PERCENT);
+        let truth = results.difference_percent(first);
+        let worst = truth
+            .leading()
+            .filter_map(|(quantity, truth)| Some((quantity, truth, claimed[quantity]?)))
+            .filter(|(_, truth, claimed)| truth > claimed)
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let within = worst.is_none_or(|(_, truth, _)| truth <= ACCURATE_PERCENT);
         let unproven = !known || !within;
         let verdict = if answer.flags.iter().any(of(FlagKind::NotPredictable)) {
             Verdict::NotPredictable
@@ -294,18 +295,16 @@ impl HardCase {
         };
         let note = if !known {
             format!("two references disagree by {between:.1} %")
-        } else if let Some(q) = worst {
+        } else if let Some((quantity, truth, claimed)) = worst {
             format!(
-                "{} is off by {:.1e} %, its claim is {:.1e} %",
-                Quantity::ALL[q].key(),
-                truth[q],
-                claimed[q]
+                "{} is off by {truth:.1e} %, its claim is {claimed:.1e} %",
+                quantity.key()
             )
         } else {
             String::new()
         };
         Outcome {
-            true_error: known.then(|| headline(&truth)),
+            true_error: known.then(|| truth.headline()),
             ..self.outcome(verdict, Some(answer), note)
         }
     }
@@ -327,18 +326,14 @@ fn doubts_numbers(flag: &Flag) -> bool {
 }
 
 /// Results of the answer's case in `fineness` times as many steps of `integrator`.
-fn reference(
-    answer: &Answer,
-    integrator: Integrator,
-    fineness: f64,
-) -> Result<PerQuantity, Refusal> {
+fn reference(answer: &Answer, integrator: Integrator, fineness: f64) -> Result<Results, Refusal> {
     let plan = Plan {
         integrator,
         multiple: fineness * answer.plan.multiple,
         ..answer.plan
     };
     let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
-    Ok(values(&solution.recording.extremes))
+    Ok(answer.case.results(&solution.recording.extremes))
 }
 
 /// Runs all cases on all cores, in their order; `done` is told how many of how many are.

@@ -8,6 +8,7 @@
 use super::case::Refusal;
 use super::ordered;
 use super::point::single;
+use super::quantity::Quantity;
 use super::sweep::spaced;
 use crate::scenario::check::check;
 use crate::scenario::fields::Field;
@@ -126,8 +127,11 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
         }
     };
     match single(scenario, None, &mut watch) {
-        Ok(point) if point.folded() => Some(Spot::Folded(point.values[0])),
-        Ok(point) => Some(Spot::Damage(point.values[0])),
+        Ok(point) => Some(match point.values[Quantity::Damage] {
+            Some(value) if point.folded() => Spot::Folded(value),
+            Some(value) => Spot::Damage(value),
+            None => Spot::Refused,
+        }),
         Err(Refusal::Cancelled) => None,
         Err(_) => Some(Spot::Refused),
     }

@@ -10,7 +10,8 @@
 
 use super::case::{Case, Refusal, Watch};
 use super::flags::{Flag, FlagKind};
-use super::quantity::{PerQuantity, Quantity, values};
+use super::quantity::Family;
+use super::results::Results;
 use super::solve::Answer;
 use crate::recording::Keep;
 use crate::scenario::{NumericsInput, Scenario};
@@ -29,7 +30,7 @@ pub(super) fn at_level(
     level: u32,
     like: &Case,
     watch: Watch,
-) -> Result<(PerQuantity, Option<f64>), Refusal> {
+) -> Result<(Results, Option<f64>), Refusal> {
     with_mass(scenario, level, node_mass(like), watch)
 }
 
@@ -38,7 +39,7 @@ fn with_mass(
     level: u32,
     mass: f64,
     watch: Watch,
-) -> Result<(PerQuantity, Option<f64>), Refusal> {
+) -> Result<(Results, Option<f64>), Refusal> {
     let mut other = scenario.clone();
     other.eye.level = level;
     // The mesh error is far larger than the step error of the automatic step.
@@ -47,39 +48,39 @@ fn with_mass(
     let plan = case.plan_alone(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
     let extremes = &solution.recording.extremes;
-    let results = with_forces_times(values(extremes), mass / node_mass(&case));
+    let results = with_forces_times(case.results(extremes), mass / node_mass(&case));
     Ok((results, extremes.folded_at))
 }
 
 /// `results` of `from` in terms of the node mass of `to`.
-pub(super) fn rescaled(results: PerQuantity, from: &Case, to: &Case) -> PerQuantity {
+pub(super) fn rescaled(results: Results, from: &Case, to: &Case) -> Results {
     with_forces_times(results, node_mass(to) / node_mass(from))
 }
 
-fn with_forces_times(mut results: PerQuantity, ratio: f64) -> PerQuantity {
-    for (value, quantity) in results.iter_mut().zip(Quantity::ALL) {
-        if matches!(quantity, Quantity::Force(_)) {
-            *value *= ratio;
-        }
-    }
-    results
+fn with_forces_times(results: Results, ratio: f64) -> Results {
+    results.map(|quantity, value| {
+        let ratio = if quantity.row().per_node_mass {
+            ratio
+        } else {
+            1.0
+        };
+        value.map(|value| value * ratio)
+    })
 }
 
 /// Mesh error in % of each result at `level`, from the results of a neighbouring level.
-pub(super) fn between(
-    level: u32,
-    results: &PerQuantity,
-    neighbour: u32,
-    others: &PerQuantity,
-) -> PerQuantity {
-    std::array::from_fn(|i| {
-        let difference = (results[i] - others[i]).abs();
-        if difference == 0.0 {
-            0.0
-        } else {
-            let steps = f64::from(neighbour) / f64::from(level.abs_diff(neighbour));
-            100.0 * steps * difference / results[i].abs()
-        }
+pub(super) fn between(level: u32, results: &Results, neighbour: u32, others: &Results) -> Results {
+    let steps = f64::from(neighbour) / f64::from(level.abs_diff(neighbour));
+    results.map(|quantity, value| {
+        let (value, other) = ((*value)?, others[quantity]?);
+        let difference = (value - other).abs();
+        (quantity.row().family != Family::Derived).then(|| {
+            if difference == 0.0 {
+                0.0
+            } else {
+                100.0 * steps * difference / value.abs()
+            }
+        })
     })
 }
 
@@ -88,7 +89,7 @@ pub(super) fn between(
 pub struct MeshQuery {
     level: u32,
     mass: f64,
-    results: PerQuantity,
+    results: Results,
     folded: bool,
 }
 
@@ -96,7 +97,7 @@ pub struct MeshQuery {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshError {
     /// In % of each result.
-    pub errors: PerQuantity,
+    pub errors: Results,
     /// Raised if the finer mesh folds and the answer's does not.
     pub flag: Option<Flag>,
 }
@@ -108,7 +109,7 @@ impl MeshQuery {
         Self {
             level: answer.case.eye.level,
             mass: node_mass(&answer.case),
-            results: values(extremes),
+            results: answer.results(),
             folded: extremes.folded_at.is_some(),
         }
     }

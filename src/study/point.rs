@@ -11,9 +11,8 @@
 //! comes from the comparisons of a few runs.
 
 use super::case::{Case, Refusal, Watch};
-use super::flags::{self, FlagKind};
-use super::outputs::{Ran, read};
-use super::quantity::{difference_percent, headline, values};
+use super::flags::{self, Evidence, FlagKind};
+use super::results::Results;
 use super::solve::solve_by;
 use crate::dynamics::Plan;
 use crate::recording::{Extremes, Keep};
@@ -29,8 +28,8 @@ const LONGEST_SHARE: f64 = 0.95;
 /// What a run among many gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// A value for each of [`super::outputs::OUTPUTS`].
-    pub values: Vec<f64>,
+    /// Every result.
+    pub values: Results,
     /// What limits them; flags that need the step error only where it was checked.
     pub flags: Vec<FlagKind>,
     /// The step error, where it was checked.
@@ -57,22 +56,14 @@ impl Point {
     }
 }
 
-fn point(scenario: &Scenario, case: &Case, extremes: &Extremes) -> Point {
-    let flags = flags::raise(
+fn point(case: &Case, extremes: &Extremes) -> Point {
+    let flags = flags::raise(&Evidence {
+        case,
         extremes,
-        0.0,
-        0.0,
-        case.window,
-        case.system.load().pulse.duration(),
-        &case.load,
-        std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64,
-    );
+        step_error: None,
+    });
     Point {
-        values: read(&Ran {
-            scenario,
-            case,
-            extremes,
-        }),
+        values: case.results(extremes),
         flags: flags.iter().map(|flag| flag.kind).collect(),
         check: None,
     }
@@ -99,7 +90,7 @@ pub fn single(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Poi
     let case = Case::new(scenario);
     let plan = plan(scenario, &case, cap)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
-    Ok(point(scenario, &case, &solution.recording.extremes))
+    Ok(point(&case, &solution.recording.extremes))
 }
 
 /// Runs it with its stated step error, and again with a shorter step while that is too large.
@@ -123,7 +114,7 @@ pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }
-    let mut point = point(scenario, &answer.case, &answer.recording.extremes);
+    let mut point = point(&answer.case, &answer.recording.extremes);
     point.flags = answer.flags.iter().map(|flag| flag.kind).collect();
     point.check = Some(Check {
         first,
@@ -149,14 +140,17 @@ pub fn compared(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<P
         plan.multiple *= 2.0;
         plan.local_tolerance *= 0.1;
         let fine = run(&plan)?.recording.extremes;
-        let error = headline(&difference_percent(&values(&coarse), &values(&fine)));
+        let difference = case
+            .results(&coarse)
+            .difference_percent(&case.results(&fine));
+        let error = difference.headline();
         let first = *first.get_or_insert(error);
         let done = error <= PROMISE_PERCENT
             || coarse.folded_at.is_some()
             || scenario.numerics.step_us.is_some()
             || attempt == MOST_ATTEMPTS;
         if done {
-            let mut point = point(scenario, &case, &coarse);
+            let mut point = point(&case, &coarse);
             point.check = Some(Check {
                 first,
                 tried: plan.step,
@@ -190,8 +184,8 @@ mod tests {
         let tight = compared(&scenario, Some(1e-6), &mut unwatched).unwrap();
         assert!(tight.check.unwrap().first < free.check.unwrap().first);
         for point in [&stated, &free] {
-            let pairs = point.values.iter().zip(&tight.values);
-            for (a, b) in pairs.filter(|(a, _)| !a.is_nan()) {
+            for (quantity, a) in point.values.present() {
+                let b = tight.values[quantity].unwrap();
                 assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
             }
         }
@@ -205,8 +199,8 @@ mod tests {
         let check = point.check.unwrap();
         assert!(check.first > PROMISE_PERCENT && check.last <= PROMISE_PERCENT);
         let exact = compared(&Scenario::default(), Some(1e-6), &mut unwatched).unwrap();
-        let pairs = point.values.iter().zip(&exact.values);
-        for (a, b) in pairs.filter(|(a, _)| !a.is_nan()) {
+        for (quantity, a) in point.values.present() {
+            let b = exact.values[quantity].unwrap();
             assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
         }
     }

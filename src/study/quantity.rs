@@ -1,149 +1,314 @@
-//! The results that errors are stated for, as one list.
+//! The table of results: one row for each, from which everything that lists results is made.
+//!
+//! Text, JSON, CSV, the comparison, the keys to the next peak, ensembles, sweeps and the reports of
+//! errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new result is a variant and its row here,
+//! beside the place in `recording` that measures it: the compiler asks for the row.
+//!
+//! A result that a scene does not have reads as `None`: the pressure where there is no fluid, the
+//! force of contact where there is no projectile.
 
 use crate::eye::Monitor;
-use crate::injury::DamageIndex;
-use crate::recording::Extremes;
+use crate::injury::{Blow, DamageIndex, Injury, Measure, Standing, curve_of, measured};
+use crate::recording::{Extremes, Peak, Traces};
+use strum::{EnumCount, VariantArray};
 
-/// One scalar result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// One scalar result, in the order of every table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumCount, VariantArray)]
 pub enum Quantity {
-    /// The damage index, %.
+    /// The damage index of the paper, %.
     Damage,
-    /// Corneal apex displacement, mm.
-    Apex,
-    /// Peak force at a monitored node, N.
-    Force(Monitor),
-    /// S, %.
+    /// S, growth of the shell's length, %.
     ShellGrowth,
-    /// M, %.
+    /// M, growth of the vertical diameter, %.
     MeridianGrowth,
-    /// E, J.
+    /// E, energy imparted, J.
     Energy,
-    /// Peak intraocular pressure, in megapascals; 0 without a fluid.
+    /// Displacement of the corneal apex, mm.
+    Apex,
+    /// Peak force at the node near the centre of the eye, N.
+    ForceCentre,
+    /// Peak force at the node of the cornea, N.
+    ForceFront,
+    /// Peak force at the node of the retina, N.
+    ForceRight,
+    /// Peak force at the node behind 12 o'clock, N.
+    ForceTop,
+    /// Peak intraocular pressure, MPa, where the eye holds a fluid.
     Pressure,
-    /// Peak force of contact, mean over 100 us, N; 0 without a projectile.
+    /// Peak force of contact, mean over 100 us, N, where a projectile hits.
     Contact,
+    /// Risk of rupture of the globe by peak pressure, %.
+    RuptureByPressure,
+    /// Risk of rupture of the globe by normalized energy, %.
+    RuptureByEnergy,
+    /// Risk of damage of the retina by normalized energy, %.
+    RetinaByEnergy,
+}
+
+/// In which scenes a result belongs to those that the one stated error covers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Leads {
+    /// Wherever the scene has it.
+    Always,
+    /// Not where a projectile hits: it makes the node forces those of lumps that are hit.
+    WithoutProjectile,
+    /// Nowhere.
+    Never,
+}
+
+/// Which results share the fate of their step errors: two runs may agree on one of them by chance,
+/// so none is claimed to be much better than the worst of its family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// Of the motion of the whole eye; its members hang together where a projectile, a fluid or
+    /// dashpots act.
+    Motion,
+    /// Forces of nodes on the shell, which come from the same waves.
+    ShellForces,
+    /// Stands for itself.
+    Alone,
+    /// Has no error of its own: a published curve turned another result, or the input, into it.
+    Derived,
+}
+
+/// How a result is read from what a march left.
+#[derive(Clone, Copy)]
+pub enum Read {
+    /// The largest value of something over time, SI.
+    Peak(fn(&Extremes) -> Option<Peak>),
+    /// A number without a time, SI; the damage index in its own %.
+    Number(fn(&Extremes) -> Option<f64>),
+    /// The risk, from 0 to 1, by the first published curve of this injury against this measure.
+    Risk(Injury, Measure),
+}
+
+/// All that is known of one result.
+#[derive(Clone, Copy)]
+pub struct Row {
+    /// Name with its unit, as in JSON and CSV: a contract.
+    pub key: &'static str,
+    /// Name for people, of at most 18 characters.
+    pub label: &'static str,
+    /// Name for narrow columns and beside curves.
+    pub short: &'static str,
+    /// Unit for people.
+    pub unit: &'static str,
+    /// From what is read to the unit.
+    pub factor: f64,
+    /// What rounding does to it, in the unit: a force is the small difference of large ones, which
+    /// leaves some 1e-10 N in an eye at rest.
+    pub rounding: f64,
+    /// Where it leads.
+    pub leads: Leads,
+    /// What its step error hangs together with.
+    pub family: Family,
+    /// Whether it grows with the mass of a node, so that levels of the mesh compare by acceleration.
+    pub per_node_mass: bool,
+    /// How it is read.
+    pub read: Read,
+    /// Its course over time, SI, if it is recorded; empty where the scene has none.
+    pub trace: Option<fn(&Traces) -> &[f64]>,
 }
 
 impl Quantity {
-    /// All of them; the first [`Self::HEADLINE`] are those that the stated error covers.
-    pub const ALL: [Self; 11] = [
-        Self::Damage,
-        Self::Apex,
-        Self::Force(Monitor::Centre),
-        Self::Force(Monitor::Front),
-        Self::Force(Monitor::Right),
-        Self::Force(Monitor::Top),
-        Self::ShellGrowth,
-        Self::MeridianGrowth,
-        Self::Energy,
-        Self::Pressure,
-        Self::Contact,
-    ];
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
 
-    /// How many of [`Self::ALL`] every scene has.
-    pub const COMMON: usize = 9;
-
-    /// How many lead: damage, apex displacement and the four peak forces.
-    /// Pressure and force of contact lead too, where they exist.
-    pub const HEADLINE: usize = 6;
-
-    /// Name with its unit, as used in JSON.
-    pub fn key(self) -> &'static str {
+    /// Its row.
+    pub fn row(self) -> Row {
         match self {
-            Self::Damage => "damage_percent",
-            Self::Apex => "apex_displacement_mm",
-            Self::Force(Monitor::Centre) => "peak_force_centre_n",
-            Self::Force(Monitor::Front) => "peak_force_front_n",
-            Self::Force(Monitor::Right) => "peak_force_right_n",
-            Self::Force(Monitor::Top) => "peak_force_top_n",
-            Self::ShellGrowth => "scleral_growth_percent",
-            Self::MeridianGrowth => "meridian_growth_percent",
-            Self::Energy => "energy_imparted_j",
-            Self::Pressure => "peak_pressure_mpa",
-            Self::Contact => "peak_contact_force_n",
+            Self::Damage => Row {
+                leads: Leads::Always,
+                read: Read::Number(|e| Some(DamageIndex::of(e).damage())),
+                ..number("damage_percent", "damage index", "damage", "%")
+            },
+            Self::ShellGrowth => Row {
+                factor: 1e2,
+                read: Read::Peak(|e| Some(e.shell_growth)),
+                trace: Some(|t| &t.shell_growth),
+                ..number("scleral_growth_percent", "S shell growth", "S", "%")
+            },
+            Self::MeridianGrowth => Row {
+                factor: 1e2,
+                read: Read::Peak(|e| Some(e.meridian_growth)),
+                trace: Some(|t| &t.meridian_growth),
+                ..number("meridian_growth_percent", "M meridian growth", "M", "%")
+            },
+            Self::Energy => Row {
+                rounding: 1e-16,
+                read: Read::Number(|e| Some(e.work)),
+                ..number("energy_imparted_j", "E energy imparted", "E", "J")
+            },
+            Self::Apex => Row {
+                factor: 1e3,
+                leads: Leads::Always,
+                read: Read::Peak(|e| Some(e.apex)),
+                trace: Some(|t| &t.apex),
+                ..number("apex_displacement_mm", "corneal apex", "apex", "mm")
+            },
+            Self::ForceCentre => Row {
+                // Far smoother than those of the shell, and really better.
+                family: Family::Alone,
+                read: Read::Peak(|e| Some(e.force[Monitor::Centre as usize])),
+                trace: Some(|t| &t.force[Monitor::Centre as usize]),
+                ..node_force("peak_force_centre_n", "peak force, centre", "centre")
+            },
+            Self::ForceFront => Row {
+                read: Read::Peak(|e| Some(e.force[Monitor::Front as usize])),
+                trace: Some(|t| &t.force[Monitor::Front as usize]),
+                ..node_force("peak_force_front_n", "peak force, front", "front")
+            },
+            Self::ForceRight => Row {
+                read: Read::Peak(|e| Some(e.force[Monitor::Right as usize])),
+                trace: Some(|t| &t.force[Monitor::Right as usize]),
+                ..node_force("peak_force_right_n", "peak force, right", "right")
+            },
+            Self::ForceTop => Row {
+                read: Read::Peak(|e| Some(e.force[Monitor::Top as usize])),
+                trace: Some(|t| &t.force[Monitor::Top as usize]),
+                ..node_force("peak_force_top_n", "peak force, top", "top")
+            },
+            Self::Pressure => Row {
+                factor: 1e-6,
+                leads: Leads::Always,
+                read: Read::Peak(|e| Some(e.fluid?.pressure)),
+                trace: Some(|t| &t.pressure),
+                ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
+            },
+            Self::Contact => Row {
+                rounding: FORCE_ROUNDING,
+                leads: Leads::Always,
+                read: Read::Peak(|e| Some(e.shot?.force)),
+                trace: Some(|t| &t.contact_force),
+                ..number("peak_contact_force_n", "contact force", "contact", "N")
+            },
+            Self::RuptureByPressure => Row {
+                read: Read::Risk(Injury::GlobeRupture, Measure::Pressure),
+                ..risk("rupture_by_pressure_percent", "rupture, pressure", "p rupt")
+            },
+            Self::RuptureByEnergy => Row {
+                read: Read::Risk(Injury::GlobeRupture, Measure::NormalizedEnergy),
+                ..risk("rupture_by_energy_percent", "rupture, energy", "E rupt")
+            },
+            Self::RetinaByEnergy => Row {
+                read: Read::Risk(Injury::RetinalDamage, Measure::NormalizedEnergy),
+                ..risk(
+                    "retinal_damage_by_energy_percent",
+                    "retina, energy",
+                    "E retina",
+                )
+            },
         }
+    }
+
+    /// Name with its unit, as in JSON and CSV.
+    pub fn key(self) -> &'static str {
+        self.row().key
     }
 
     /// Name for people.
     pub fn label(self) -> &'static str {
-        match self {
-            Self::Damage => "damage index",
-            Self::Apex => "apex displacement",
-            Self::Force(Monitor::Centre) => "peak force, centre",
-            Self::Force(Monitor::Front) => "peak force, front",
-            Self::Force(Monitor::Right) => "peak force, right",
-            Self::Force(Monitor::Top) => "peak force, top",
-            Self::ShellGrowth => "shell growth",
-            Self::MeridianGrowth => "meridian growth",
-            Self::Energy => "energy imparted",
-            Self::Pressure => "peak pressure",
-            Self::Contact => "peak contact force",
+        self.row().label
+    }
+
+    /// The value that a march left, in its unit; `blow` is the object that hit, if there is one.
+    pub fn of(self, extremes: &Extremes, blow: Option<Blow>) -> Option<f64> {
+        let row = self.row();
+        let value = match row.read {
+            Read::Peak(peak) => peak(extremes)?.value,
+            Read::Number(number) => number(extremes)?,
+            Read::Risk(injury, measure) => {
+                let pressure = extremes.fluid.map(|fluid| fluid.pressure.value);
+                let value = measured(measure, blow, pressure)?;
+                let risk = curve_of(injury, measure)?.risk(value);
+                if extremes.missed() { 0.0 } else { risk }
+            }
+        };
+        Some(value * row.factor)
+    }
+
+    /// The peak that it is, SI, with its time; none where it is a number without one.
+    pub fn peak(self, extremes: &Extremes) -> Option<Peak> {
+        match self.row().read {
+            Read::Peak(peak) => peak(extremes),
+            Read::Number(_) | Read::Risk(..) => None,
         }
     }
 
-    /// What rounding does to it, in the unit of [`Self::key`]: a force is the small difference of large
-    /// ones, which leaves some 1e-10 N in an eye at rest.
-    pub fn rounding(self) -> f64 {
-        match self {
-            Self::Force(_) | Self::Contact => 3e-10,
-            Self::Energy => 1e-16,
-            _ => 1e-12,
-        }
-    }
-
-    /// The value that a march left, in the unit of [`Self::key`].
-    pub fn of(self, extremes: &Extremes) -> f64 {
-        let index = DamageIndex::of(extremes);
-        match self {
-            Self::Damage => index.damage(),
-            Self::Apex => extremes.apex.value * 1e3,
-            Self::Force(monitor) => extremes.force[monitor as usize].value,
-            Self::ShellGrowth => index.shell_growth,
-            Self::MeridianGrowth => index.meridian_growth,
-            Self::Energy => index.energy,
-            Self::Pressure => extremes.fluid.map_or(0.0, |f| f.pressure.value * 1e-6),
-            Self::Contact => extremes.shot.map_or(0.0, |s| s.force.value),
-        }
+    /// The value in its unit again, for another slope of its curve; none where no slope was assumed.
+    pub fn with_slope(self, blow: Option<Blow>, slope: f64) -> Option<f64> {
+        let row = self.row();
+        let Read::Risk(injury, measure) = row.read else {
+            return None;
+        };
+        let curve = curve_of(injury, measure).filter(|c| c.standing == Standing::SlopeAssumed)?;
+        Some(curve.risk_with(measured(measure, blow, None)?, slope) * row.factor)
     }
 }
 
-/// One number for each of [`Quantity::ALL`].
-pub type PerQuantity = [f64; Quantity::ALL.len()];
+const FORCE_ROUNDING: f64 = 3e-10;
 
-/// All results of a march.
-pub fn values(extremes: &Extremes) -> PerQuantity {
-    Quantity::ALL.map(|q| q.of(extremes))
+/// A result of the whole motion that does not lead, to be filled in.
+const fn number(
+    key: &'static str,
+    label: &'static str,
+    short: &'static str,
+    unit: &'static str,
+) -> Row {
+    Row {
+        key,
+        label,
+        short,
+        unit,
+        factor: 1.0,
+        rounding: 1e-12,
+        leads: Leads::Never,
+        family: Family::Motion,
+        per_node_mass: false,
+        read: Read::Number(|_| None),
+        trace: None,
+    }
 }
 
-/// |a - b| in % of b for each result; 0 where both are nothing but rounding.
-pub fn difference_percent(a: &PerQuantity, b: &PerQuantity) -> PerQuantity {
-    std::array::from_fn(|i| {
-        let (difference, rounding) = ((a[i] - b[i]).abs(), Quantity::ALL[i].rounding());
-        if difference == 0.0 || b[i] == 0.0 && difference < rounding {
-            0.0
-        } else {
-            100.0 * difference / b[i].abs()
+/// The force of a node of the shell.
+const fn node_force(key: &'static str, label: &'static str, short: &'static str) -> Row {
+    Row {
+        rounding: FORCE_ROUNDING,
+        leads: Leads::WithoutProjectile,
+        family: Family::ShellForces,
+        per_node_mass: true,
+        ..number(key, label, short, "N")
+    }
+}
+
+/// A risk by a published curve.
+const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
+    Row {
+        factor: 1e2,
+        family: Family::Derived,
+        ..number(key, label, short, "%")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_differ_and_fit_their_columns_and_every_row_can_be_read() {
+        for (i, quantity) in Quantity::ALL.iter().enumerate() {
+            let row = quantity.row();
+            assert_eq!(*quantity as usize, i);
+            assert!(row.label.len() <= 18 && row.short.len() <= 8, "{}", row.key);
+            for other in &Quantity::ALL[..i] {
+                let other = other.row();
+                assert!(row.key != other.key && row.label != other.label);
+                assert!(row.short != other.short);
+            }
+            if let Read::Risk(injury, measure) = row.read {
+                assert!(curve_of(injury, measure).is_some(), "{}", row.key);
+                assert_eq!(row.family, Family::Derived);
+            }
         }
-    })
+    }
 }
-
-/// The largest of the leading results' numbers: damage, apex displacement and the four node forces,
-/// and peak pressure and force of contact where they exist.
-///
-/// A projectile, known by its force of contact, makes the node forces those of lumps that are hit:
-/// they do not lead then.
-pub fn headline(errors: &PerQuantity) -> f64 {
-    let shot = errors[CONTACT] != 0.0;
-    let leads = |q: Quantity| !(shot && matches!(q, Quantity::Force(_)));
-    let common = Quantity::ALL[..Quantity::HEADLINE].iter().zip(errors);
-    common
-        .filter(|(q, _)| leads(**q))
-        .map(|(_, error)| *error)
-        .chain(errors[Quantity::COMMON..].iter().copied())
-        .fold(0.0, f64::max)
-}
-
-/// Where the force of contact stands.
-const CONTACT: usize = 10;
-const _: () = assert!(matches!(Quantity::ALL[CONTACT], Quantity::Contact));

@@ -3,9 +3,9 @@
 //! The step error of each result comes from a second run with another step, see [`super::step_error`].
 
 use super::case::{Case, Refusal, Solution, Watch};
-use super::flags::{self, Flag};
-use super::quantity::{PerQuantity, Quantity, difference_percent, headline, values};
-use super::step_error::{akin, kin, second_plan};
+use super::flags::{self, Evidence, Flag};
+use super::results::Results;
+use super::step_error::{hanging_together, second_plan};
 use crate::dynamics::{Cost, Plan};
 use crate::injury::{DamageIndex, Risk, assess};
 use crate::recording::{Keep, Recording};
@@ -36,22 +36,22 @@ const FLOOR_PERCENT: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
     /// By the time step, in % of each result.
-    pub time_step: PerQuantity,
+    pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
-    pub mesh: Option<PerQuantity>,
+    pub mesh: Option<Results>,
     /// Energy residual, in % of the work in.
     pub energy_balance: f64,
 }
 
 impl Errors {
-    /// Step error of damage, apex displacement and peak forces, whichever is largest, in %.
+    /// Largest step error of a leading result, in %.
     pub fn time_step_percent(&self) -> f64 {
-        headline(&self.time_step)
+        self.time_step.headline()
     }
 
     /// The same for the mesh.
     pub fn mesh_percent(&self) -> Option<f64> {
-        self.mesh.as_ref().map(headline)
+        self.mesh.as_ref().map(Results::headline)
     }
 }
 
@@ -87,6 +87,11 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Every result.
+    pub fn results(&self) -> Results {
+        self.case.results(&self.recording.extremes)
+    }
+
     /// What the published injury curves say, beside the paper's index. An object that never
     /// touched the eye has none.
     pub fn risks(&self) -> Vec<Risk> {
@@ -160,8 +165,8 @@ pub(super) fn solve_case(
 /// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
 /// runs before.
 fn shorter(case: &Case, plan: &Plan, solved: &Measured, before: Option<&Measured>) -> Option<f64> {
-    let error = headline(&solved.errors.time_step);
-    let helped = before.is_none_or(|before| error < HELPED * headline(&before.errors.time_step));
+    let error = solved.errors.time_step_percent();
+    let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
     let folded = solved.solution.recording.extremes.folded_at.is_some();
     if solved.errors.energy_balance > AUTO_BALANCE_PERCENT {
         Some(0.5)
@@ -203,7 +208,7 @@ impl Measured {
     /// By its energy where one of them does not keep it, else by its step error.
     fn is_better_than(&self, other: &Self) -> bool {
         let balance = |run: &Self| run.errors.energy_balance.max(AUTO_BALANCE_PERCENT);
-        let error = |run: &Self| headline(&run.errors.time_step);
+        let error = |run: &Self| run.errors.time_step_percent();
         (balance(self), error(self)) <= (balance(other), error(other))
     }
 }
@@ -233,9 +238,11 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     });
     let solution = first?;
     let extremes = &solution.recording.extremes;
-    let results = values(extremes);
-    let difference = difference_percent(&values(&second?.recording.extremes), &results);
-    let disagreement = headline(&difference);
+    let results = case.results(extremes);
+    let difference = case
+        .results(&second?.recording.extremes)
+        .difference_percent(&results);
+    let disagreement = difference.headline();
     let coupled = case.system.coupled();
     let floor = if coupled.is_some_and(|c| c.contact.is_some()) {
         let step = plan.step / plan.multiple;
@@ -244,20 +251,11 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         FLOOR_PERCENT
     };
     let missed = extremes.missed();
-    let stated = std::array::from_fn(|i| {
-        // What a scene has not is exactly 0 and stays so; of an eye that is not hit, all is.
-        if missed || i >= Quantity::COMMON && results[i] == 0.0 {
-            0.0
-        } else {
-            factor * difference[i] + floor
-        }
-    });
+    // All of an eye that is not hit is exactly 0.
+    let state = |d: f64| if missed { 0.0 } else { factor * d + floor };
+    let stated = difference.map(|_, difference| difference.map(state));
     let errors = Errors {
-        time_step: if coupled.is_some() {
-            kin(stated)
-        } else {
-            akin(stated)
-        },
+        time_step: hanging_together(stated, coupled.is_some()),
         mesh: None,
         energy_balance: 100.0 * extremes.energy_residual,
     };
@@ -283,15 +281,11 @@ fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
         cost,
         simulated,
     } = solution;
-    let flags = flags::raise(
-        &recording.extremes,
-        errors.time_step_percent(),
-        disagreement,
-        case.window,
-        case.system.load().pulse.duration(),
-        &case.load,
-        std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64,
-    );
+    let flags = flags::raise(&Evidence {
+        case: &case,
+        extremes: &recording.extremes,
+        step_error: Some((errors.time_step_percent(), disagreement)),
+    });
     Answer {
         step: plan.longest_step(&case.system.load().pulse),
         step_limit: case.step_limit(plan.integrator),

@@ -6,15 +6,20 @@
 //! Left out: confidence intervals of either. The draws are of low discrepancy, not independent, so the
 //! usual ones do not hold.
 
-/// The value below which the share `p` lies; not a number if there is none.
-pub fn quantile(sorted: &[f64], p: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else {
-        return f64::NAN;
-    };
+/// The value below which the share `p` of sorted numbers lies; none of nothing.
+pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
+    let last = sorted.len().checked_sub(1)?;
     let at = last as f64 * p;
     let low = at.floor() as usize;
     let (a, b) = (sorted[low], sorted[(low + 1).min(last)]);
-    a + (b - a) * at.fract()
+    // Two infinite ones have no difference.
+    Some(if a == b { a } else { a + (b - a) * at.fract() })
+}
+
+/// The value below which half lies; none of nothing.
+pub fn median(mut of: Vec<f64>) -> Option<f64> {
+    of.sort_by(f64::total_cmp);
+    quantile(&of, 0.5)
 }
 
 /// The rank of each number, from 0; equal ones share the mean of their ranks.
@@ -61,11 +66,13 @@ mod tests {
     #[test]
     fn quantiles_interpolate() {
         let of = [1.0, 2.0, 4.0, 8.0, 16.0];
-        assert_eq!(quantile(&of, 0.0), 1.0);
-        assert_eq!(quantile(&of, 0.5), 4.0);
-        assert_eq!(quantile(&of, 1.0), 16.0);
-        assert_eq!(quantile(&of, 0.875), 12.0);
-        assert!(quantile(&[], 0.5).is_nan());
+        assert_eq!(quantile(&of, 0.0), Some(1.0));
+        assert_eq!(quantile(&of, 0.5), Some(4.0));
+        assert_eq!(quantile(&of, 1.0), Some(16.0));
+        assert_eq!(quantile(&of, 0.875), Some(12.0));
+        assert_eq!(quantile(&[], 0.5), None);
+        assert_eq!(median(vec![9.0, 1.0, 4.0, 2.0]), Some(3.0));
+        assert_eq!(median(vec![f64::INFINITY; 2]), Some(f64::INFINITY));
     }
 
     #[test]

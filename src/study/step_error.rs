@@ -5,9 +5,9 @@
 //! coarser. Peaks do not always follow the order, so the estimate is multiplied by a safety factor.
 
 use super::case::{AUTO_SHARE, Case, LONE_SHARE};
-use super::quantity::{PerQuantity, Quantity};
+use super::quantity::Family;
+use super::results::Results;
 use crate::dynamics::{Plan, Pulse};
-use crate::eye::Monitor;
 
 /// For scenes with a projectile, a fluid or dashpots, for which first order is assumed where order
 /// two is mostly seen. The worst stated error of a scene is then mostly several times the true one.
@@ -79,31 +79,12 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     }
 }
 
-/// Raises errors that are small by chance where a projectile, a fluid or dashpots act: all results but
-/// the node forces come from the same motion.
-pub(super) fn kin(mut errors: PerQuantity) -> PerQuantity {
-    let whole = |i: &usize| !matches!(Quantity::ALL[*i], Quantity::Force(_)) && errors[*i] != 0.0;
-    let which: Vec<usize> = (0..errors.len()).filter(whole).collect();
-    let least = COUPLED_KINSHIP * which.iter().map(|&i| errors[i]).fold(0.0, f64::max);
-    for i in which {
-        if errors[i] < least {
-            errors[i] = least;
-        }
+/// Raises errors that are small by chance: where a projectile, a fluid or dashpots act, all results but
+/// the node forces come from the same motion; else the forces on the shell from the same waves.
+pub(super) fn hanging_together(errors: Results, coupled: bool) -> Results {
+    if coupled {
+        errors.raised(Family::Motion, COUPLED_KINSHIP)
+    } else {
+        errors.raised(Family::ShellForces, KINSHIP)
     }
-    errors
-}
-
-/// Raises errors of forces on the shell that are small by chance; what is no number stays so.
-pub(super) fn akin(mut errors: PerQuantity) -> PerQuantity {
-    let on_shell = |q: Quantity| matches!(q, Quantity::Force(m) if m != Monitor::Centre);
-    let shell: Vec<usize> = (0..errors.len())
-        .filter(|&i| on_shell(Quantity::ALL[i]))
-        .collect();
-    let least = KINSHIP * shell.iter().map(|&i| errors[i]).fold(0.0, f64::max);
-    for i in shell {
-        if errors[i] < least {
-            errors[i] = least;
-        }
-    }
-    errors
 }

@@ -7,9 +7,9 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use super::case::{Refusal, Watch};
-use super::outputs::{OUTPUTS, caution};
 use super::point::{Point, checked};
-use crate::injury::Caution;
+use super::quantity::Quantity;
+use crate::injury::{Blow, Caution};
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
 use crate::scenario::fields;
@@ -171,7 +171,8 @@ impl Sweep {
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
         let scenario = self.scenario(number);
-        let caution = scenario.as_ref().ok().and_then(caution);
+        let blow = scenario.as_ref().ok().and_then(Blow::of);
+        let caution = blow.and_then(|blow| blow.caution());
         let outcome = match scenario {
             Err(error) => Err(error.to_string()),
             Ok(scenario) => match checked(&scenario, watch) {
@@ -194,7 +195,7 @@ impl Sweep {
             let axis = format!("{}={:?}\n", axis.path, axis.values);
             text.push_str(&axis);
         }
-        let keys = OUTPUTS.iter().map(|output| output.key);
+        let keys = Quantity::ALL.iter().map(|quantity| quantity.key());
         for part in keys.chain([env!("CARGO_PKG_VERSION")]) {
             text += part;
             text.push('\n');
@@ -253,7 +254,7 @@ mod tests {
         assert_eq!(sweep.values(3), ["200", "HalfSine"]);
         let row = sweep.run(3, &mut unwatched).unwrap();
         let point = row.outcome.unwrap();
-        assert!(point.values[0] > 0.0 && point.check.unwrap().last <= 0.1);
+        assert!(point.values[Quantity::Damage].unwrap() > 0.0 && point.check.unwrap().last <= 0.1);
     }
 
     #[test]

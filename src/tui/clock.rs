@@ -1,10 +1,9 @@
 //! The one clock that every picture follows.
 
 use super::action::Step;
-use crate::eye::Monitor;
-use crate::recording::{Frame, Peak, nearest};
+use crate::recording::{Frame, nearest};
 use crate::report::text::significant;
-use crate::study::Answer;
+use crate::study::{Answer, Quantity};
 
 /// Speeds in ms of impact a second.
 const SPEEDS: [f64; 13] = [
@@ -173,25 +172,15 @@ pub struct Visit {
 
 /// Every peak of an answer in the order of time.
 pub fn peaks(answer: &Answer) -> Vec<Visit> {
-    let extremes = &answer.recording.extremes;
-    let visit = |label: &str, peak: Peak, factor: f64, unit: &str| Visit {
-        label: format!("{label} {} {unit}", significant(peak.value * factor)),
-        time: peak.time,
+    let visit = |of: &Quantity| {
+        let (row, peak) = (of.row(), of.peak(&answer.recording.extremes)?);
+        let value = significant(peak.value * row.factor);
+        Some(Visit {
+            label: format!("{} {value} {}", row.short, row.unit),
+            time: peak.time,
+        })
     };
-    let mut peaks: Vec<Visit> = Monitor::ALL
-        .iter()
-        .zip(extremes.force)
-        .map(|(monitor, peak)| visit(monitor.name(), peak, 1.0, "N"))
-        .collect();
-    peaks.push(visit("apex", extremes.apex, 1e3, "mm"));
-    peaks.push(visit("S", extremes.shell_growth, 1e2, "%"));
-    peaks.push(visit("M", extremes.meridian_growth, 1e2, "%"));
-    if let Some(fluid) = &extremes.fluid {
-        peaks.push(visit("pressure", fluid.pressure, 1e-6, "MPa"));
-    }
-    if let Some(shot) = &extremes.shot {
-        peaks.push(visit("contact", shot.force, 1.0, "N"));
-    }
+    let mut peaks: Vec<Visit> = Quantity::ALL.iter().filter_map(visit).collect();
     peaks.sort_by(|a, b| a.time.total_cmp(&b.time));
     peaks
 }

@@ -300,7 +300,7 @@ mod tests {
         worker.submit(1, Scenario::default());
         loop {
             if let Report::Done(1, mesh) = heard.recv_timeout(PATIENCE).unwrap() {
-                let damage = mesh.unwrap().errors[0];
+                let damage = mesh.unwrap().errors[crate::study::Quantity::Damage].unwrap();
                 assert!((20.0..40.0).contains(&damage), "{damage}");
                 break;
             }

@@ -2,7 +2,7 @@
 
 use super::{SIZES, line_from, model, open_sampled, picture, press};
 use contrecoup::study::ensemble::Ensemble;
-use contrecoup::study::unwatched;
+use contrecoup::study::{Quantity, unwatched};
 use contrecoup::tui::ensemble::{Sampling, ensemble};
 use contrecoup::tui::model::Model;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
@@ -54,7 +54,7 @@ fn bands_of_the_scenario_before_are_not_shown() {
 fn what_the_bands_hold_is_said_beside_many_results() {
     let mut model = model(&["bb-56"], Depth::Mono);
     open_changed(&mut model, 24, |_| {});
-    let results = model.ensemble.of(&model.work.scenario).unwrap().outputs();
+    let results = model.ensemble.of(&model.work.scenario).unwrap().results();
     assert!(results.len() > 13);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjj"] {
         press(&mut model, keys);
@@ -87,9 +87,13 @@ fn numbers_of_any_length_stand_apart() {
     open_changed(&mut model, 8, |ensemble| {
         for sample in &mut ensemble.samples {
             let point = sample.outcome.as_mut().unwrap();
-            let long = [3.482e-16, -0.0063, -1.016e-13, 123_456.7];
-            for (value, long) in point.values.iter_mut().zip(long) {
-                *value = long;
+            for (of, long) in [
+                (Quantity::Damage, 3.482e-16),
+                (Quantity::ShellGrowth, -0.0063),
+                (Quantity::MeridianGrowth, -1.016e-13),
+                (Quantity::Energy, 123_456.7),
+            ] {
+                point.values[of] = Some(long);
             }
         }
     });

@@ -73,7 +73,7 @@ pub(super) fn step_here(model: &mut Model, step: Step, effects: &mut Vec<Effect>
         Context::Table => {
             let by = if step.up { 1 } else { -1 };
             let column = model.compare.column.saturating_add_signed(by);
-            model.compare.column = column.min(COLUMNS.len() - 1);
+            model.compare.column = column.min(model.compare.columns().len() - 1);
         }
         _ => step_time(model, step),
     }

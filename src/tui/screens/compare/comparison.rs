@@ -21,28 +21,13 @@ pub enum Column {
     Error,
 }
 
-/// The columns, from the left.
-pub const COLUMNS: [Column; 11] = [
-    Column::Name,
-    Column::Result(Quantity::Damage),
-    Column::Result(Quantity::ShellGrowth),
-    Column::Result(Quantity::MeridianGrowth),
-    Column::Result(Quantity::Energy),
-    Column::Result(Quantity::Apex),
-    Column::Result(Quantity::Force(crate::eye::Monitor::Centre)),
-    Column::Result(Quantity::Force(crate::eye::Monitor::Front)),
-    Column::Result(Quantity::Force(crate::eye::Monitor::Right)),
-    Column::Result(Quantity::Force(crate::eye::Monitor::Top)),
-    Column::Error,
-];
-
 impl Column {
-    /// The value of an answer in this column.
-    pub fn of(self, answer: &Answer) -> f64 {
+    /// The value of an answer in this column, where it has one.
+    pub fn of(self, answer: &Answer) -> Option<f64> {
         match self {
-            Self::Name => 0.0,
-            Self::Result(quantity) => quantity.of(&answer.recording.extremes),
-            Self::Error => answer.errors.time_step_percent(),
+            Self::Name => None,
+            Self::Result(quantity) => quantity.of(&answer.recording.extremes, answer.case.blow),
+            Self::Error => Some(answer.errors.time_step_percent()),
         }
     }
 }
@@ -89,7 +74,7 @@ pub struct Comparison {
     /// The column with the cursor.
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.
-    pub sort: Option<(usize, bool)>,
+    pub sort: Option<(Column, bool)>,
     /// The curve below the table.
     pub curve: usize,
     /// The job under way: its ticket and its entry's name.
@@ -155,11 +140,31 @@ impl Comparison {
         }
     }
 
+    /// The columns, from the left: the results that some answer has, each in every scene that has it.
+    pub fn columns(&self) -> Vec<Column> {
+        let answers = || self.entries.iter().filter_map(Entry::answer);
+        let none = answers().next().is_none();
+        let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
+        let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
+        let results = results.filter(there);
+        std::iter::once(Column::Name)
+            .chain(results)
+            .chain([Column::Error])
+            .collect()
+    }
+
+    /// The column with the cursor.
+    pub fn here(&self) -> Column {
+        let columns = self.columns();
+        columns[self.column.min(columns.len() - 1)]
+    }
+
     /// Sorts by the column with the cursor; a second time, the other way round.
     pub fn sort_here(&mut self) {
+        let here = self.here();
         self.sort = match self.sort {
-            Some((column, largest)) if column == self.column => Some((column, !largest)),
-            _ => Some((self.column, self.column != 0)),
+            Some((column, largest)) if column == here => Some((column, !largest)),
+            _ => Some((here, here != Column::Name)),
         };
     }
 
@@ -170,9 +175,10 @@ impl Comparison {
             return entries;
         };
         entries.sort_by(|a, b| {
-            let order = match (COLUMNS[column], a.answer(), b.answer()) {
+            let value = |entry: &Entry| column.of(entry.answer()?);
+            let order = match (column, value(a), value(b)) {
                 (Column::Name, ..) => a.name.cmp(&b.name),
-                (column, Some(a), Some(b)) => column.of(a).total_cmp(&column.of(b)),
+                (_, Some(a), Some(b)) => a.total_cmp(&b),
                 // What has no value comes last either way.
                 (_, a, b) => return b.is_some().cmp(&a.is_some()),
             };
@@ -230,12 +236,14 @@ mod tests {
             order(&comparison),
             ["paper-100n", "paper-300n", "paper-600n"]
         );
-        for (index, column) in COLUMNS.iter().enumerate().skip(1) {
+        let columns = comparison.columns();
+        assert_eq!(columns.len(), 11, "what no scene has takes no column");
+        for (index, column) in columns.iter().enumerate().skip(1) {
             comparison.column = index;
             comparison.sort_here();
             let values = |c: &Comparison| -> Vec<f64> {
                 let sorted = c.sorted();
-                let value = |e: &&Entry| column.of(e.answer().unwrap());
+                let value = |e: &&Entry| column.of(e.answer().unwrap()).unwrap();
                 sorted.iter().map(value).collect()
             };
             assert!(values(&comparison).is_sorted_by(|a, b| a >= b));

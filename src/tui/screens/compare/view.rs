@@ -3,11 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::eye::Monitor;
-use crate::study::{Flag, Quantity};
+use crate::study::Flag;
 use crate::tui::keys::Context;
 use crate::tui::model::{FORM, Model};
-use crate::tui::screens::compare::comparison::{COLUMNS, Column, Entry, Found};
+use crate::tui::screens::compare::comparison::{Column, Entry, Found};
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::main::score::name as flag_name;
 use crate::tui::view::text::{fitted, numeral, put, put_right, width};
@@ -123,19 +122,7 @@ fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
 fn title(column: Column) -> (&'static str, &'static str) {
     match column {
         Column::Name => ("preset", ""),
-        Column::Result(Quantity::Damage) => ("damage", "%"),
-        Column::Result(Quantity::ShellGrowth) => ("S", "%"),
-        Column::Result(Quantity::MeridianGrowth) => ("M", "%"),
-        Column::Result(Quantity::Energy) => ("E", "J"),
-        Column::Result(Quantity::Pressure) => ("pressure", "MPa"),
-        Column::Result(Quantity::Contact) => ("contact", "N"),
-        Column::Result(Quantity::Apex) => ("apex", "mm"),
-        Column::Result(Quantity::Force(monitor)) => match monitor {
-            Monitor::Centre => ("cent.", "N"),
-            Monitor::Front => ("front", "N"),
-            Monitor::Right => ("right", "N"),
-            Monitor::Top => ("top", "N"),
-        },
+        Column::Result(quantity) => (quantity.row().short, quantity.row().unit),
         Column::Error => ("error", "%"),
     }
 }
@@ -145,19 +132,28 @@ const CELLS: u16 = 5;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 18;
 
+/// Columns from the end of a number to that of the next.
+fn number_columns(area: Rect) -> u16 {
+    if area.width >= 110 { 9 } else { 6 }
+}
+
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
-fn columns(model: &Model, area: Rect) -> Vec<(usize, u16)> {
-    let each = if area.width >= 110 { 9 } else { 6 };
-    let numbers = COLUMNS.len() - 1;
-    let count = usize::from((area.width - NAME) / each).min(numbers);
-    let first = (model.compare.column + 1).saturating_sub(count).max(1);
+fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
+    let each = number_columns(area);
+    let columns = model.compare.columns();
+    let count = usize::from((area.width - NAME) / each).min(columns.len() - 1);
+    let last = model.compare.column.clamp(count, columns.len() - 1);
     let right = |i: usize| area.width - each * (count - 1 - i) as u16;
-    (0..count).map(|i| (first + i, right(i))).collect()
+    let shown = columns.into_iter().skip(last + 1 - count).take(count);
+    shown
+        .enumerate()
+        .map(|(i, column)| (column, right(i)))
+        .collect()
 }
 
 /// Where the name ends.
 fn name_room(model: &Model, area: Rect) -> usize {
-    let each = if area.width >= 110 { 9 } else { 6 };
+    let each = number_columns(area);
     let taken = columns(model, area).len() as u16 * each;
     usize::from(area.width - taken).saturating_sub(4)
 }
@@ -167,27 +163,32 @@ fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
     let compare = &model.compare;
     let focused = model.context() == Context::Table;
     let numbers = columns(model, area);
-    let name = (0, 0);
-    for (i, right) in std::iter::once(name).chain(numbers) {
-        let (name, unit) = title(COLUMNS[i]);
+    let each_number = number_columns(area);
+    let first = numbers.first().map(|(column, _)| *column);
+    let name = (Column::Name, 0);
+    for (column, right) in std::iter::once(name).chain(numbers) {
+        // Beside the name there is a gap already.
+        let gap = u16::from(Some(column) != first);
+        let room = usize::from(each_number - gap);
+        let (name, unit) = title(column);
         let sign = match compare.sort {
-            Some((by, true)) if by == i => "▾",
-            Some((by, false)) if by == i => "▴",
+            Some((by, true)) if by == column => "▾",
+            Some((by, false)) if by == column => "▴",
             _ => "",
         };
-        let style = if focused && i == compare.column {
+        let style = if focused && column == compare.here() {
             theme.focus()
         } else {
             theme.heading()
         };
         let text = format!("{sign}{name}");
-        if i == 0 {
+        if column == Column::Name {
             put(buffer, area, (1, 0), &text, style);
             if each > 1 {
                 put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
             }
         } else {
-            let text = fitted(&text, 6);
+            let text = fitted(&text, room);
             put_right(buffer, area, (right, 0), &text, style);
             put_right(buffer, area, (right, 1), unit, theme.quiet());
         }
@@ -242,9 +243,11 @@ fn row(
         }
         Found::Answer(answer, _) => answer,
     };
-    for (i, right) in columns(model, area) {
-        let column = COLUMNS[i];
-        let value = column.of(answer);
+    for (column, right) in columns(model, area) {
+        let Some(value) = column.of(answer) else {
+            put_right(buffer, area, (right, 0), "-", theme.quiet());
+            continue;
+        };
         put_right(
             buffer,
             area,
@@ -254,8 +257,8 @@ fn row(
         );
         // An error that is larger by so many percent says little.
         let first = base.filter(|_| place > 0 && column != Column::Error);
-        if let Some(first) = first.and_then(Entry::answer) {
-            let text = difference(value, column.of(first));
+        if let Some(first) = first.and_then(Entry::answer).and_then(|a| column.of(a)) {
+            let text = difference(value, first);
             put_right(buffer, area, (right, 1), &text, theme.quiet());
         }
     }

@@ -82,7 +82,7 @@ pub(crate) fn go(model: &mut Model, down: bool) {
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         return;
     };
-    let count = ensemble.outputs().len();
+    let count = ensemble.results().len();
     let at = &mut model.ensemble.output;
     *at = if down {
         (*at + 1).min(count.saturating_sub(1))
@@ -119,7 +119,7 @@ fn take(model: &mut Model, asked: crate::scenario::Scenario, ensemble: Ensemble)
         model.ensemble.complaint = Some((asked.clone(), text));
     }
     if ensemble.samples.len() > known {
-        let last = ensemble.outputs().len().saturating_sub(1);
+        let last = ensemble.results().len().saturating_sub(1);
         model.ensemble.output = model.ensemble.output.min(last);
         model.ensemble.done = Some((asked, Arc::new(ensemble)));
     }

@@ -9,9 +9,9 @@ use ratatui::style::Style;
 
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::text::percent;
+use crate::study::Quantity;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
-use crate::study::outputs::OUTPUTS;
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::Model;
 use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
@@ -49,8 +49,8 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
         return;
     };
-    let outputs = ensemble.outputs();
-    let chosen = model.ensemble.output.min(outputs.len().saturating_sub(1));
+    let results = ensemble.results();
+    let chosen = model.ensemble.output.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
     let notes = Notes::of(ensemble, usize::from(area.width - 2));
     let least = notes
@@ -59,23 +59,23 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         .min(usize::from(NOTES.max(area.height / 6)));
     // The results scroll where the notes and what drives the chosen one would find no room.
     let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
-    let shown = outputs.len().min(free);
+    let shown = results.len().min(free);
     let first = (chosen + 1).saturating_sub(shown);
-    for (row, index) in outputs.iter().skip(first).take(shown).enumerate() {
+    for (row, of) in results.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        result(ensemble, *index, first + row == chosen, theme, line, buffer);
+        result(ensemble, *of, first + row == chosen, theme, line, buffer);
     }
-    let text = seen(first, shown, outputs.len());
+    let text = seen(first, shown, results.len());
     put(buffer, area, (1, 1), &text, theme.quiet());
     let gap = u16::from(shown < free);
     let top = 2 + shown as u16 + gap;
     let below = area.height.saturating_sub(top);
     let notes = notes.within(usize::from(below.saturating_sub(DRIVERS)).max(least));
     let kept = notes.len() as u16;
-    if let Some(output) = outputs.get(chosen) {
+    if let Some(of) = results.get(chosen) {
         let height = below.saturating_sub(kept);
         let field = Rect::new(area.x, area.y + top, area.width, height);
-        drivers(ensemble, *output, theme, field, buffer);
+        drivers(ensemble, *of, theme, field, buffer);
     }
     let first = area.height.saturating_sub(kept);
     for (i, line) in notes.iter().enumerate() {
@@ -116,14 +116,13 @@ fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
 
 fn result(
     ensemble: &Ensemble,
-    index: usize,
+    of: Quantity,
     chosen: bool,
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let output = &OUTPUTS[index];
-    let Some(band) = ensemble.band(index) else {
+    let Some(band) = ensemble.band(of) else {
         return;
     };
     let style = if chosen { theme.strong() } else { theme.text() };
@@ -134,7 +133,7 @@ fn result(
         if chosen { "▸" } else { " " },
         theme.strong(),
     );
-    let name = format!("{} {}", output.label, output.unit);
+    let name = format!("{} {}", of.label(), of.row().unit);
     put(
         buffer,
         area,
@@ -151,7 +150,7 @@ fn result(
     let left = LABEL + 4 + 3 * NUMBER;
     if left + 8 < area.width {
         let field = Rect::new(area.x + left, area.y, area.width - left - 1, 1);
-        let nominal = ensemble.nominal.as_ref().map(|n| n[index]);
+        let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
         strip(band, nominal, theme, field, buffer);
     }
 }
@@ -182,8 +181,8 @@ fn strip(band: Band, nominal: Option<f64>, theme: Theme, area: Rect, buffer: &mu
     }
 }
 
-fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let text = format!("What drives {}: rank correlation", OUTPUTS[output].label);
+fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let text = format!("What drives {}: rank correlation", result.label());
     let end = put(buffer, area, (1, 0), &text, theme.heading());
     let rows = usize::from(area.height.saturating_sub(1));
     let all = ensemble.inputs.len();
@@ -206,7 +205,7 @@ fn drivers(ensemble: &Ensemble, output: usize, theme: Theme, area: Rect, buffer:
     let said = if wide >= 70 { 40 } else { 0 };
     let half = (wide - said) / 2;
     let middle = LABEL + 9 + half;
-    for (row, (input, correlation)) in (1..).zip(ensemble.drivers(output).into_iter().take(rows)) {
+    for (row, (input, correlation)) in (1..).zip(ensemble.drivers(result).into_iter().take(rows)) {
         let of = &ensemble.inputs[input];
         let style = if of.source.is_none() {
             theme.strong()

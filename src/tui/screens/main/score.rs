@@ -5,8 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
-use crate::report::text::{digits, percent, significant};
-use crate::study::{Flag, FlagKind};
+use crate::report::errors::{of_damage, worst};
+use crate::report::text::{digits, significant};
+use crate::study::{Flag, FlagKind, Quantity};
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};
 use crate::tui::view::text::{fitted, numeral, put, put_right, width, wrapped};
@@ -95,8 +96,9 @@ fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let errors = &shown.answer.errors;
     let mesh = errors
         .mesh
-        .map_or_else(|| "…".to_owned(), |mesh| percent(mesh[0]));
-    let step = percent(errors.time_step[0]);
+        .as_ref()
+        .map_or_else(|| "…".to_owned(), of_damage);
+    let step = of_damage(&errors.time_step);
     let apex = shown.answer.recording.extremes.apex;
     let apex = format!("apex {} mm", significant(apex.value * 1e3));
     let beside = width(&apex) + 1;
@@ -104,7 +106,10 @@ fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let tight = full.replace(" %", "%").replace("< ", "<");
     let brief = tight.replace(" error:", " ±");
     let bare = brief.replace("Index ", "");
+    // The index may be the least of the errors: where there is room, the largest is named too.
+    let whole = format!("{full}; largest step {}", worst(&errors.time_step));
     let candidates = [
+        (&whole, beside + 1),
         (&full, beside + 1),
         (&tight, beside),
         (&brief, beside),
@@ -127,7 +132,7 @@ fn band(model: &Model, shown: &Shown, room: u16) -> String {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         return String::new();
     };
-    let Some(band) = ensemble.band(0) else {
+    let Some(band) = ensemble.band(Quantity::Damage) else {
         return String::new();
     };
     let span = |count| {

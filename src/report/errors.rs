@@ -1,0 +1,43 @@
+//! How an error is said, on every page and screen alike: that of the damage index, and the largest of a
+//! leading result with the name of that result.
+
+use super::text::percent;
+use crate::study::{Quantity, Results};
+
+/// The error of the damage index, in words.
+pub fn of_damage(errors: &Results) -> String {
+    errors[Quantity::Damage].map_or_else(|| "unknown".to_owned(), percent)
+}
+
+/// The largest error of a leading result, and of which.
+pub fn worst(errors: &Results) -> String {
+    errors.worst().map_or_else(
+        || "unknown".to_owned(),
+        |(of, error)| format!("{} ({})", percent(error), of.label()),
+    )
+}
+
+/// The results that lead, by their short names.
+pub fn leading(errors: &Results) -> String {
+    let names: Vec<&str> = errors.leading().map(|(of, _)| of.row().short).collect();
+    names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_is_named_and_the_leading_ones_are_those_of_the_scene() {
+        let mut errors = Results::from_fn(|_| None);
+        assert_eq!(worst(&errors), "unknown");
+        errors[Quantity::Damage] = Some(0.5);
+        errors[Quantity::ForceTop] = Some(2.0);
+        assert_eq!(worst(&errors), "2.0 % (peak force, top)");
+        assert_eq!(leading(&errors), "damage, top");
+        errors[Quantity::Contact] = Some(1.0);
+        assert_eq!(worst(&errors), "1.0 % (contact force)");
+        assert_eq!(leading(&errors), "damage, contact");
+        assert_eq!(of_damage(&errors), "0.50 %");
+    }
+}

@@ -1,0 +1,160 @@
+//! One thing for each result, and what is computed over all of them.
+
+use super::quantity::{Family, Leads, Quantity};
+use crate::injury::Blow;
+use crate::recording::Extremes;
+use std::ops::{Index, IndexMut};
+use strum::EnumCount;
+
+/// One `T` for each [`Quantity`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PerQuantity<T>([T; Quantity::COUNT]);
+
+/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such result.
+pub type Results = PerQuantity<Option<f64>>;
+
+impl<T> PerQuantity<T> {
+    /// What `of` gives for each.
+    pub fn from_fn(mut of: impl FnMut(Quantity) -> T) -> Self {
+        Self(std::array::from_fn(|i| of(Quantity::ALL[i])))
+    }
+
+    /// Each result with what belongs to it, in the order of the table.
+    pub fn iter(&self) -> impl Iterator<Item = (Quantity, &T)> {
+        Quantity::ALL.iter().copied().zip(&self.0)
+    }
+
+    /// The same for something else.
+    pub fn map<U>(&self, mut of: impl FnMut(Quantity, &T) -> U) -> PerQuantity<U> {
+        PerQuantity::from_fn(|quantity| of(quantity, &self[quantity]))
+    }
+}
+
+impl<T> Index<Quantity> for PerQuantity<T> {
+    type Output = T;
+
+    fn index(&self, quantity: Quantity) -> &T {
+        &self.0[quantity as usize]
+    }
+}
+
+impl<T> IndexMut<Quantity> for PerQuantity<T> {
+    fn index_mut(&mut self, quantity: Quantity) -> &mut T {
+        &mut self.0[quantity as usize]
+    }
+}
+
+impl Results {
+    /// All results of a march; `blow` is the object that hit, if there is one.
+    pub fn of(extremes: &Extremes, blow: Option<Blow>) -> Self {
+        Self::from_fn(|quantity| quantity.of(extremes, blow))
+    }
+
+    /// The results that there are.
+    pub fn present(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        self.iter()
+            .filter_map(|(quantity, value)| Some((quantity, (*value)?)))
+    }
+
+    /// Those of them that lead: damage, apex displacement and, in general, the four node forces, the
+    /// peak pressure and the force of contact. The scene is known by the results that it has.
+    pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        let projectile = self[Quantity::Contact].is_some();
+        self.present()
+            .filter(move |(quantity, _)| match quantity.row().leads {
+                Leads::Always => true,
+                Leads::WithoutProjectile => !projectile,
+                Leads::Never => false,
+            })
+    }
+
+    /// Of errors: the largest of a leading result, and of which. One that is not a number is the
+    /// largest of all.
+    pub fn worst(&self) -> Option<(Quantity, f64)> {
+        self.leading()
+            .reduce(|worst, next| if next.1 <= worst.1 { worst } else { next })
+    }
+
+    /// Of errors: the largest of a leading result, in %.
+    pub fn headline(&self) -> f64 {
+        self.worst().map_or(0.0, |(_, error)| error)
+    }
+
+    /// |self - b| in % of b for each result that both have; 0 where both are nothing but rounding.
+    /// Risks have none: what they rest on has.
+    #[must_use]
+    pub fn difference_percent(&self, b: &Self) -> Self {
+        self.map(|quantity, a| {
+            let (a, b) = ((*a)?, b[quantity]?);
+            let row = quantity.row();
+            let difference = (a - b).abs();
+            (row.family != Family::Derived).then(|| {
+                if difference == 0.0 || b == 0.0 && difference < row.rounding {
+                    0.0
+                } else {
+                    100.0 * difference / b.abs()
+                }
+            })
+        })
+    }
+
+    /// Of errors: none of `family` is below `share` of the worst of it. What is no number stays so.
+    #[must_use]
+    pub(super) fn raised(mut self, family: Family, share: f64) -> Self {
+        let member = |quantity: Quantity| quantity.row().family == family;
+        let members = self.present().filter(|(quantity, _)| member(*quantity));
+        let least = share * members.map(|(_, error)| error).fold(0.0, f64::max);
+        for &quantity in Quantity::ALL.iter().filter(|q| member(**q)) {
+            if let Some(error) = &mut self[quantity]
+                && *error < least
+            {
+                *error = least;
+            }
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, RuptureByPressure};
+
+    fn with(known: &[(Quantity, f64)]) -> Results {
+        Results::from_fn(|q| known.iter().find(|(of, _)| *of == q).map(|(_, v)| *v))
+    }
+
+    #[test]
+    fn node_forces_lead_unless_a_projectile_hits_even_where_its_error_is_zero() {
+        let mut errors = with(&[(Damage, 1.0), (Apex, 2.0), (ForceTop, 5.0)]);
+        assert_eq!(errors.worst(), Some((ForceTop, 5.0)));
+        errors[Contact] = Some(0.0);
+        assert_eq!(errors.worst(), Some((Apex, 2.0)));
+        errors[Pressure] = Some(3.0);
+        assert_eq!(errors.headline(), 3.0);
+        errors[Damage] = Some(f64::NAN);
+        assert!(errors.headline().is_nan());
+    }
+
+    #[test]
+    fn differences_are_of_what_both_have_and_not_of_risks() {
+        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (RuptureByPressure, 4.0)]);
+        let b = with(&[(Damage, 10.0), (Contact, 1.0), (RuptureByPressure, 8.0)]);
+        let difference = a.difference_percent(&b);
+        let found: Vec<(Quantity, f64)> = difference.present().collect();
+        assert_eq!(found, [(Damage, 10.0)]);
+        let rest = with(&[(ForceTop, 1e-10), (Damage, 0.0)]);
+        let nothing = with(&[(ForceTop, 0.0), (Damage, 0.0)]);
+        assert_eq!(rest.difference_percent(&nothing), nothing);
+    }
+
+    #[test]
+    fn a_family_is_raised_to_a_share_of_its_worst_and_others_stay() {
+        let errors = with(&[(Damage, 0.1), (ForceTop, 0.1), (ForceRight, 10.0)]);
+        let raised = errors.raised(Family::ShellForces, 0.03);
+        assert_eq!(
+            raised,
+            with(&[(Damage, 0.1), (ForceTop, 0.3), (ForceRight, 10.0)])
+        );
+    }
+}
