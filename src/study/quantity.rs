@@ -33,7 +33,7 @@ pub enum Quantity {
     ForceRight,
     /// Peak force at the node behind 12 o'clock, N.
     ForceTop,
-    /// Peak intraocular pressure, MPa, where the eye holds a fluid.
+    /// Peak intraocular pressure, in megapascals, where the eye holds a fluid.
     Pressure,
     /// Peak force of contact, mean over 100 us, N, where a projectile hits.
     Contact,

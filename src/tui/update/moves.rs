@@ -9,7 +9,6 @@ use crate::tui::form::{Row, allowed, nudged};
 use crate::tui::keys::{BINDINGS, Context};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::Screen;
-use crate::tui::screens::compare::comparison::COLUMNS;
 use crate::tui::screens::forces;
 
 /// Rows of a page.
