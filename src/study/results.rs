@@ -71,8 +71,9 @@ impl Results {
     /// Of errors: the largest of a leading result, and of which. One that is not a number is the
     /// largest of all.
     pub fn worst(&self) -> Option<(Quantity, f64)> {
+        let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
         self.leading()
-            .reduce(|worst, next| if next.1 <= worst.1 { worst } else { next })
+            .reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })
     }
 
     /// Of errors: the largest of a leading result, in %.

@@ -12,8 +12,9 @@ pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let at = last as f64 * p;
     let low = at.floor() as usize;
     let (a, b) = (sorted[low], sorted[(low + 1).min(last)]);
-    // Two infinite ones have no difference.
-    Some(if a == b { a } else { a + (b - a) * at.fract() })
+    // The difference of infinite ones is no number.
+    let between = at.fract() > 0.0 && a != b;
+    Some(if between { a + (b - a) * at.fract() } else { a })
 }
 
 /// The value below which half lies; none of nothing.
