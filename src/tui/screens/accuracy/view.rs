@@ -9,7 +9,7 @@ use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
 use crate::dynamics::Integrator;
-use crate::report::errors::{of_damage, worst};
+use crate::report::errors::{of_damage, worst_in_short};
 use crate::report::text::significant;
 use crate::study::accuracy::{Point, TARGETS};
 use crate::tui::model::{Look, Model};
@@ -147,7 +147,7 @@ fn levels(measured: &Measured) -> Vec<String> {
     };
     let mut parts = vec![format!("mesh against level {}", finest.level)];
     for level in others {
-        let error = worst(&level.errors);
+        let error = worst_in_short(&level.errors);
         parts.push(format!("level {}: {error}", level.level));
     }
     parts
@@ -177,7 +177,7 @@ fn named(model: &Model, point: &Point) -> Vec<String> {
         parts.push(format!("tolerance {:e}", point.plan.local_tolerance));
     }
     parts.push(format!("{} ms", ms(point.seconds)));
-    parts.push(format!("error {}", worst(&point.errors)));
+    parts.push(format!("error {}", worst_in_short(&point.errors)));
     parts.push(format!("damage error {}", of_damage(&point.errors)));
     let springs = point.spring_evaluations as f64 * 1e-6;
     parts.push(format!("{} evaluations", point.evaluations));
