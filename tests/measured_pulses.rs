@@ -9,7 +9,7 @@ use contrecoup::recording::Keep;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Scenario};
-use contrecoup::study::{Answer, difference_percent, headline, solve, unwatched, values};
+use contrecoup::study::{Answer, solve, unwatched};
 
 /// 300 N over 0.2 ms in the given shape.
 fn blow(shape: PulseShape) -> Scenario {
@@ -65,8 +65,7 @@ fn answer(scenario: &Scenario) -> Answer {
 
 /// The largest relative difference of any leading result.
 fn apart(a: &Answer, b: &Answer) -> f64 {
-    let of = |answer: &Answer| values(&answer.recording.extremes);
-    headline(&difference_percent(&of(a), &of(b))) / 100.0
+    a.results().difference_percent(&b.results()).headline() / 100.0
 }
 
 #[test]
