@@ -25,6 +25,8 @@ use ratatui::style::Style;
 mod accuracy;
 #[path = "screens/doubt.rs"]
 mod doubt;
+#[path = "support/svg.rs"]
+mod svg;
 
 const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
 
@@ -171,6 +173,25 @@ fn screens_of_256_colours() {
         press(&mut model, keys);
         insta::assert_snapshot!(format!("many_colours_{name}"), picture(&model, (80, 24)));
     }
+}
+
+#[test]
+fn the_picture_of_the_readme_shows_the_main_screen() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pictures/main.svg");
+    let model = model(&[], Depth::TwoFiveSix);
+    let mut buffer = Buffer::empty(Rect::new(0, 0, 100, 30));
+    view::draw(&model, &mut buffer);
+    let drawn = svg::svg(&buffer, "contrecoup, main screen");
+    // As for the figures: `FIGURES=all`, or the name of the picture, takes what is drawn now for right.
+    if matches!(std::env::var("FIGURES").as_deref(), Ok("all" | "picture")) {
+        std::fs::write(file, &drawn).unwrap();
+    }
+    let kept = std::fs::read_to_string(file).unwrap_or_default();
+    let renew = "FIGURES=picture cargo test --release --test tui_screens the_picture";
+    assert!(
+        kept == drawn,
+        "the screen has changed; `{renew}` draws it again"
+    );
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod ensemble;
 mod error;
 mod export;
 mod generate;
+mod guide;
 mod interrupt;
 mod presets;
 mod progress;
@@ -77,6 +78,12 @@ pub enum Command {
     Ensemble(EnsembleArgs),
     /// Run a grid over some fields, in shards for a cluster, and go on after a kill
     Sweep(SweepArgs),
+    /// Read the guide: keys, glossary, accuracy, evidence and more; lists its topics by itself
+    Guide {
+        /// The topic
+        #[arg(value_parser = guide::topics())]
+        topic: Option<String>,
+    },
     /// Print a script that completes commands in a shell
     Completions {
         /// The shell
@@ -311,6 +318,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Ensemble(args)) => ensemble::run(args, out),
         Some(Command::Sweep(args)) => sweep::run(args, out),
+        Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),
         // The app has been run already.

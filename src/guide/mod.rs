@@ -1,0 +1,114 @@
+//! The guide: one page a topic, which `contrecoup guide TOPIC` prints and which stands below.
+//!
+//! A page is a Markdown file beside this one that reads well as plain text in 80 columns: no links, tables only where
+//! their rows line up. A new page costs its file and a line in the list of topics; its title is its first line.
+//! Tables of figures stand between comments that name where they come from: `tests/figures.rs` makes them.
+
+use std::fmt::Write;
+
+/// A page of the guide.
+#[derive(Debug, Clone, Copy)]
+pub struct Topic {
+    /// What to ask for.
+    pub name: &'static str,
+    /// The page, in Markdown.
+    pub page: &'static str,
+}
+
+macro_rules! topics {
+    ($($module:ident = $name:literal),* $(,)?) => {
+        /// Every page, in the order in which a newcomer might read them.
+        pub static TOPICS: &[Topic] = &[$(Topic {
+            name: $name,
+            page: include_str!(concat!($name, ".md")),
+        }),*];
+        $(#[doc = include_str!(concat!($name, ".md"))] pub mod $module {})*
+    };
+}
+
+topics! {
+    app = "app",
+    keys = "keys",
+    ssh = "ssh",
+    scenarios = "scenarios",
+    model = "model",
+    glossary = "glossary",
+    accuracy = "accuracy",
+    hard_cases = "hard-cases",
+    evidence = "evidence",
+    injury = "injury",
+    doubt = "doubt",
+    sweeps = "sweeps",
+    speed = "speed",
+}
+
+impl Topic {
+    /// The first line of the page.
+    pub fn title(&self) -> &'static str {
+        let first = self.page.lines().next().unwrap_or_default();
+        first.trim_start_matches("# ")
+    }
+
+    /// The page without what only a renderer of Markdown needs: comments and fences.
+    pub fn plain(&self) -> String {
+        let mut text = String::new();
+        let mut blank = true;
+        for line in self.page.lines() {
+            if line.starts_with("<!--") || line.starts_with("```") {
+                continue;
+            }
+            // Where a comment stood between two blank lines, one of them is enough.
+            if !(blank && line.is_empty()) {
+                text.push_str(line);
+                text.push('\n');
+            }
+            blank = line.is_empty();
+        }
+        text
+    }
+}
+
+/// The topics, one a line with the title of its page.
+pub fn contents() -> String {
+    let width = TOPICS.iter().map(|topic| topic.name.len()).max();
+    let width = width.unwrap_or_default();
+    TOPICS.iter().fold(String::new(), |mut text, topic| {
+        // A string takes whatever it is given.
+        let _ = writeln!(text, "{:width$}  {}", topic.name, topic.title());
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_page_has_a_title_and_fits_into_80_columns() {
+        for topic in TOPICS {
+            assert!(topic.page.starts_with("# "), "{}", topic.name);
+            for line in topic.plain().lines().chain(contents().lines()) {
+                assert!(line.chars().count() <= 80, "{}: {line}", topic.name);
+            }
+        }
+    }
+
+    #[test]
+    fn every_file_beside_this_one_is_a_topic() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/guide");
+        for file in std::fs::read_dir(folder).unwrap() {
+            let path = file.unwrap().path();
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            let listed = TOPICS.iter().any(|topic| topic.name == name);
+            assert!(listed || name == "mod", "{name} is not listed");
+        }
+    }
+
+    #[test]
+    fn fences_and_comments_are_for_markdown_only() {
+        let page =
+            "# A\n\n<!-- figures: x -->\n\n```text\n  1\n```\n\n<!-- end of figures -->\n\nB\n";
+        let topic = Topic { name: "a", page };
+        assert_eq!(topic.plain(), "# A\n\n  1\n\nB\n");
+    }
+}
