@@ -248,15 +248,13 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
 /// The table of keys for the guide: a heading and a block of text for each context.
 pub fn markdown() -> String {
     use strum::IntoEnumIterator;
-    let mut table = String::new();
-    for context in Context::iter() {
-        table += &format!("\n## {}\n\n```text\n", context.title());
-        for binding in BINDINGS.iter().filter(|b| b.context == context) {
-            table += &format!("{:<15} {}\n", binding.names().join(" "), binding.help);
-        }
-        table += "```\n";
-    }
-    table
+    let context = |context: Context| {
+        let own = BINDINGS.iter().filter(|b| b.context == context);
+        let rows = own.map(|b| format!("{:<15} {}\n", b.names().join(" "), b.help));
+        let rows: String = rows.collect();
+        format!("\n## {}\n\n```text\n{rows}```\n", context.title())
+    };
+    Context::iter().map(context).collect()
 }
 
 #[cfg(test)]
