@@ -4,7 +4,10 @@
 //! their rows line up. A new page costs its file and a line in the list of topics; its title is its first line.
 //! Tables of figures stand between comments that name where they come from: `tests/figures.rs` makes them.
 
-#![allow(clippy::doc_markdown, reason = "pages are prose, in which methods and units are words")]
+#![allow(
+    clippy::doc_markdown,
+    reason = "pages are prose, in which methods and units are words"
+)]
 
 use std::fmt::Write;
 
