@@ -9,6 +9,8 @@
 
 #[path = "support/figures.rs"]
 mod figures;
+#[path = "support/renew.rs"]
+mod renew;
 
 use std::collections::HashMap;
 use std::fs;
@@ -71,23 +73,24 @@ fn find(name: &str) -> &'static Figures {
 }
 
 /// Puts what the program prints now in the place of the figures that are asked for.
-fn renew(page: &Path, asked: &[&str], outputs: &mut Outputs) {
+fn write_again(page: &Path, outputs: &mut Outputs) {
     let mut text = read(page);
     // From the end, so that the places before stay where they are.
     for (name, at) in blocks(&text.clone()).into_iter().rev() {
-        if asked.contains(&"all") || asked.contains(&name) {
-            let content = match name {
-                "keys" => keys::markdown() + "\n",
-                _ => {
-                    let figures = find(name);
-                    let found = (figures.excerpt)(outputs.of(figures.command));
-                    format!("\n```text\n{found}```\n\n")
-                }
+        if renew::is_asked(name) {
+            let content = if name == "keys" {
+                keys::markdown() + "\n"
+            } else {
+                let figures = find(name);
+                let found = (figures.excerpt)(outputs.of(figures.command));
+                format!("\n```text\n{found}```\n\n")
             };
             text.replace_range(at, &content);
         }
     }
-    fs::write(page, text).unwrap();
+    if text != read(page) {
+        fs::write(page, text).unwrap();
+    }
 }
 
 /// What commands print, each of which is run once.
@@ -103,11 +106,8 @@ impl Outputs {
 #[test]
 fn figures_have_the_form_of_what_their_command_prints() {
     let mut outputs = Outputs::default();
-    if let Ok(asked) = std::env::var("FIGURES") {
-        let asked: Vec<&str> = asked.split(',').collect();
-        for page in pages() {
-            renew(&page, &asked, &mut outputs);
-        }
+    for page in pages() {
+        write_again(&page, &mut outputs);
     }
     for page in pages() {
         let text = read(&page);

@@ -25,6 +25,8 @@ use ratatui::style::Style;
 mod accuracy;
 #[path = "screens/doubt.rs"]
 mod doubt;
+#[path = "support/renew.rs"]
+mod renew;
 #[path = "support/svg.rs"]
 mod svg;
 
@@ -182,8 +184,7 @@ fn the_picture_of_the_readme_shows_the_main_screen() {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 100, 30));
     view::draw(&model, &mut buffer);
     let drawn = svg::svg(&buffer, "contrecoup, main screen");
-    // As for the figures: `FIGURES=all`, or the name of the picture, takes what is drawn now for right.
-    if matches!(std::env::var("FIGURES").as_deref(), Ok("all" | "picture")) {
+    if renew::is_asked("picture") {
         std::fs::write(file, &drawn).unwrap();
     }
     let kept = std::fs::read_to_string(file).unwrap_or_default();
