@@ -23,6 +23,7 @@ mod march;
 mod method;
 mod object_spring;
 pub mod plain;
+pub mod revolution;
 mod ring;
 mod runge_kutta;
 pub mod stability;

@@ -9,6 +9,7 @@
 
 mod landmarks;
 mod mesh;
+pub mod revolution;
 mod springs;
 
 pub use landmarks::{Landmarks, Monitor};

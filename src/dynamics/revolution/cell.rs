@@ -1,0 +1,271 @@
+//! One cell: a ring with the section of a quad and one pressure.
+//!
+//! * Pressure of the whole cell, p = K (1/J - 1) with J = V/V0, from the energy K V0 (J - 1 - ln J).
+//! * Artificial viscosity q = -a rho l c D + (b rho l^2 D^2 where D < 0) with D = V'/V, which carries a
+//!   shock over a few cells (von Neumann and Richtmyer 1950; the linear term is Landshoff's, 1955).
+//!   l is the area of the section over its longest diagonal.
+//! * Subzonal pressures (Caramana and Shashkov 1998): each corner with its two neighbours is a ring
+//!   with a triangle for a section. As j = VT/VT0 comes to 0, pT = (Ks/3)(j^-3 - 1) grows without end
+//!   and no corner can fold. The four triangles cover the quad twice, so each counts half. They have
+//!   a viscosity of their own against changes of shape.
+//! * Shear: (G/2) V0 (J^(-2/3) I1 - 3) on the gradient in the middle of the quad, where J is that
+//!   gradient's, and a Newtonian viscosity.
+//!
+//! This is the plain form: [`super::lanes`] computes the same of many cells at once and is tested
+//! against it.
+
+use crate::eye::revolution::{Cell, RevolutionEye};
+use std::f64::consts::FRAC_PI_3;
+
+/// Linear and quadratic artificial viscosity.
+pub(super) const LINEAR: f64 = 0.1;
+pub(super) const QUADRATIC: f64 = 2.25;
+/// Viscosity of the corner triangles, and the bulk modulus in Pa whose sound speed it takes.
+pub(super) const SUBZONAL_VISCOSITY: f64 = 0.05;
+pub(super) const SUBZONAL_BULK: f64 = 100e6;
+/// Share of a triangle's volume at rest below which its pressure grows only linearly.
+pub(super) const SQUEEZED: f64 = 0.05;
+/// Share of area or volume that a cell which has folded is taken to have, so that all stays finite.
+pub(super) const FLAT: f64 = 1e-3;
+
+type Point = (f64, f64);
+
+/// What one cell is at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rest {
+    pub volume: f64,
+    pub triangles: [f64; 4],
+    /// Inverse of the matrix whose columns are the diagonals, row by row.
+    pub diagonals: [f64; 4],
+    pub radius: f64,
+    pub area: f64,
+    pub density: f64,
+    pub bulk: f64,
+    pub shear: f64,
+    pub viscosity: f64,
+    pub subzonal: f64,
+}
+
+/// What a cell does at some instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Response {
+    /// On each corner, N.
+    pub force: [Point; 4],
+    /// Pa.
+    pub pressure: f64,
+    /// m3.
+    pub volume: f64,
+    /// Stored, J.
+    pub energy: f64,
+    /// Lost to viscosity, W.
+    pub loss: f64,
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Smallest volume of a corner triangle over its volume at rest.
+    pub least_triangle: f64,
+}
+
+/// Volume of a ring whose section has corners anticlockwise, and its gradient.
+pub(super) fn volume<const N: usize>(p: [Point; N]) -> (f64, [Point; N]) {
+    let mut sum = 0.0;
+    let mut gradient = [(0.0, 0.0); N];
+    for i in 0..N {
+        let k = (i + 1) % N;
+        let (a, b) = (p[i], p[k]);
+        let square = a.1 * a.1 + a.1 * b.1 + b.1 * b.1;
+        let along = b.0 - a.0;
+        sum -= FRAC_PI_3 * along * square;
+        gradient[i].0 += FRAC_PI_3 * square;
+        gradient[k].0 -= FRAC_PI_3 * square;
+        gradient[i].1 -= FRAC_PI_3 * along * (2.0 * a.1 + b.1);
+        gradient[k].1 -= FRAC_PI_3 * along * (a.1 + 2.0 * b.1);
+    }
+    (sum, gradient)
+}
+
+fn rate<const N: usize>(gradient: &[Point; N], v: &[Point; N]) -> f64 {
+    gradient
+        .iter()
+        .zip(v)
+        .map(|(g, v)| g.0 * v.0 + g.1 * v.1)
+        .sum()
+}
+
+/// The corner i and its neighbours, in order.
+const fn triangle(i: usize) -> [usize; 3] {
+    [(i + 3) % 4, i, (i + 1) % 4]
+}
+
+/// Pressure of a corner triangle over Ks, and the energy over Ks VT0 that it comes from.
+fn subzonal(j: f64) -> (f64, f64) {
+    let at = j.max(SQUEEZED);
+    let below = at - j;
+    let pressure = (at.powi(-3) - 1.0) / 3.0;
+    let slope = at.powi(-4);
+    let energy = (0.5 * at.powi(-2) + at - 1.5) / 3.0;
+    (
+        pressure + slope * below,
+        energy + below * (pressure + 0.5 * slope * below),
+    )
+}
+
+impl Rest {
+    pub fn new(eye: &RevolutionEye, cell: &Cell) -> Self {
+        let p = cell.corners.map(|node| eye.at(node));
+        let (a, b) = (
+            (p[2].0 - p[0].0, p[2].1 - p[0].1),
+            (p[3].0 - p[1].0, p[3].1 - p[1].1),
+        );
+        let det = a.0 * b.1 - b.0 * a.1;
+        Self {
+            volume: volume(p).0,
+            triangles: std::array::from_fn(|i| volume(triangle(i).map(|k| p[k])).0),
+            diagonals: [b.1 / det, -b.0 / det, -a.1 / det, a.0 / det],
+            radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
+            area: 0.5 * det,
+            density: cell.material.density,
+            bulk: cell.material.bulk,
+            shear: cell.material.shear,
+            viscosity: cell.material.viscosity,
+            subzonal: cell.subzonal,
+        }
+    }
+
+    /// What a cell with its corners at `p` (m) and of velocities `v` (m/s) does.
+    pub fn respond(&self, p: [Point; 4], v: [Point; 4]) -> Response {
+        let mut force = [(0.0, 0.0); 4];
+        let mut push = |corner: usize, pressure: f64, gradient: Point| {
+            force[corner].0 += pressure * gradient.0;
+            force[corner].1 += pressure * gradient.1;
+        };
+        let (a, b) = (
+            (p[2].0 - p[0].0, p[2].1 - p[0].1),
+            (p[3].0 - p[1].0, p[3].1 - p[1].1),
+        );
+        let det = (a.0 * b.1 - b.0 * a.1).max(FLAT * 2.0 * self.area);
+        let longest = a.0.hypot(a.1).max(b.0.hypot(b.1));
+        let length = 0.5 * det / longest;
+
+        let (true_volume, gradient) = volume(p);
+        let v_now = true_volume.max(FLAT * self.volume);
+        let j = v_now / self.volume;
+        let expansion = rate(&gradient, &v) / v_now;
+        let pressure = self.bulk * (1.0 / j - 1.0);
+        let sound = (self.bulk / self.density).sqrt();
+        let mass_length = self.density * length;
+        let quadratic = QUADRATIC * mass_length * length * expansion * expansion.min(0.0);
+        let artificial = -LINEAR * mass_length * sound * expansion + quadratic;
+        for i in 0..4 {
+            push(i, pressure + artificial, gradient[i]);
+        }
+        let mut energy = self.bulk * self.volume * (j - 1.0 - j.ln());
+        let mut loss = -artificial * expansion * v_now;
+
+        let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();
+        let eta = SUBZONAL_VISCOSITY * mass_length * subzonal_sound;
+        let mut least_triangle = f64::INFINITY;
+        for i in 0..4 {
+            let corners = triangle(i);
+            let (vt, slope) = volume(corners.map(|k| p[k]));
+            let jt = vt / self.triangles[i];
+            least_triangle = least_triangle.min(jt);
+            let v_t = vt.max(SQUEEZED * self.triangles[i]);
+            let shape_rate = rate(&slope, &corners.map(|k| v[k])) / v_t - expansion;
+            let (over, stored) = subzonal(jt);
+            let viscous = 0.5 * eta * shape_rate;
+            for (k, &corner) in corners.iter().enumerate() {
+                push(corner, 0.5 * self.subzonal * over - viscous, slope[k]);
+            }
+            for k in 0..4 {
+                push(k, viscous * v_t / v_now, gradient[k]);
+            }
+            energy += 0.5 * self.subzonal * self.triangles[i] * stored;
+            loss += viscous * shape_rate * v_t;
+        }
+
+        // Gradient of position and of velocity in the middle: the diagonals are mapped exactly.
+        let d = &self.diagonals;
+        let f = [
+            a.0 * d[0] + b.0 * d[2],
+            a.0 * d[1] + b.0 * d[3],
+            a.1 * d[0] + b.1 * d[2],
+            a.1 * d[1] + b.1 * d[3],
+        ];
+        let radius = 0.25 * (p[0].1 + p[1].1 + p[2].1 + p[3].1);
+        let hoop = radius / self.radius;
+        let jf = det / (2.0 * self.area) * hoop;
+        let (xx, xr, rr, hh) = (
+            f[0] * f[0] + f[1] * f[1],
+            f[0] * f[2] + f[1] * f[3],
+            f[2] * f[2] + f[3] * f[3],
+            hoop * hoop,
+        );
+        let third = (xx + rr + hh) / 3.0;
+        let isochoric = jf.powf(-2.0 / 3.0);
+        let g = self.shear * isochoric * self.volume;
+        energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
+
+        let (va, vb) = (
+            (v[2].0 - v[0].0, v[2].1 - v[0].1),
+            (v[3].0 - v[1].0, v[3].1 - v[1].1),
+        );
+        let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
+        let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;
+        let l_rx = (va.1 * b.1 - vb.1 * a.1) / det;
+        let l_rr = (vb.1 * a.0 - va.1 * b.0) / det;
+        let l_hh = 0.25 * (v[0].1 + v[1].1 + v[2].1 + v[3].1) / radius;
+        let mean = (l_xx + l_rr + l_hh) / 3.0;
+        let shearing = 0.5 * (l_xr + l_rx);
+        let n = 2.0 * self.viscosity * v_now;
+        let s_xx = g * (xx - third) + n * (l_xx - mean);
+        let s_xr = g * xr + n * shearing;
+        let s_rr = g * (rr - third) + n * (l_rr - mean);
+        let s_hh = g * (hh - third) + n * (l_hh - mean);
+        loss += n
+            * ((l_xx - mean).powi(2)
+                + (l_rr - mean).powi(2)
+                + (l_hh - mean).powi(2)
+                + 2.0 * shearing * shearing);
+        let on_a = (
+            (s_xx * b.1 - s_xr * b.0) / det,
+            (s_xr * b.1 - s_rr * b.0) / det,
+        );
+        let on_b = (
+            (s_xr * a.0 - s_xx * a.1) / det,
+            (s_rr * a.0 - s_xr * a.1) / det,
+        );
+        let out = 0.25 * s_hh / radius;
+        let corners = [(-on_a.0, -on_a.1), (-on_b.0, -on_b.1), on_a, on_b];
+        for (i, corner) in corners.into_iter().enumerate() {
+            force[i].0 -= corner.0;
+            force[i].1 -= corner.1 + out;
+        }
+        Response {
+            force,
+            pressure,
+            volume: true_volume,
+            energy,
+            loss,
+            limit: self.limit(j, length, sound, subzonal_sound, expansion),
+            least_triangle,
+        }
+    }
+
+    /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and
+    /// damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is l/(sqrt(c^2 + s^2) + s).
+    fn limit(&self, j: f64, length: f64, sound: f64, subzonal_sound: f64, expansion: f64) -> f64 {
+        let stiffness = self.bulk / (j * j) + 4.0 / 3.0 * self.shear + self.subzonal;
+        let kinematic = self.viscosity / self.density;
+        let s = LINEAR * sound
+            + 4.0 * SUBZONAL_VISCOSITY * subzonal_sound
+            + 2.0 * kinematic / length
+            + QUADRATIC * length * expansion.abs();
+        let waves = length / ((stiffness / self.density + s * s).sqrt() + s);
+        let diffusion = if kinematic > 0.0 {
+            length * length / (4.0 * kinematic)
+        } else {
+            f64::INFINITY
+        };
+        waves.min(diffusion)
+    }
+}

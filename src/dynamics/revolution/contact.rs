@@ -1,0 +1,157 @@
+//! Contact between an object and the shell, without friction, and the load of a pulse.
+//!
+//! Each segment carries four points of its area at rest; a point below the object's surface is pushed
+//! out along its normal by the foundation's traction, so force and energy are exact to each other.
+//! The front edge of the orbit pushes back on a large object as a ring.
+
+use super::object::{Flight, Object};
+use crate::eye::revolution::RevolutionEye;
+use std::f64::consts::PI;
+
+/// Points in a segment.
+const POINTS: usize = 4;
+/// Mass per area that a point of contact moves at least, in kg/m2: a shell of 0.4 mm.
+const SHELL_AREAL: f64 = 0.44;
+/// And its share of what lies behind, per length of a segment, in kg/m3.
+const ENTRAINED: f64 = 0.1 * 1000.0;
+/// Courant number of contact over that of the cells.
+const COURANT: f64 = 0.4 / 0.6;
+/// Contact shortens the step when the surface comes this near, in m.
+const NEAR: f64 = 2e-5;
+
+/// The shell as contact sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Target {
+    /// Area of each point at rest, m2, segment by segment.
+    area: Vec<[f64; POINTS]>,
+    /// Areal mass of each segment, kg/m2.
+    areal: Vec<f64>,
+    rim: Option<(f64, f64, f64)>,
+}
+
+/// What contact does at some instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Touch {
+    /// Along the flight, on the eye, N.
+    pub force: f64,
+    /// On the object by the rim, N.
+    pub rim: f64,
+    /// Stored, J.
+    pub energy: f64,
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Largest traction, Pa.
+    pub traction: f64,
+}
+
+/// Where the points lie along a segment, as shares of it.
+pub(super) fn share(point: usize) -> f64 {
+    (point as f64 + 0.5) / POINTS as f64
+}
+
+impl Target {
+    pub fn new(eye: &RevolutionEye) -> Self {
+        let surround = eye.parameters.surround.as_ref();
+        let rim = surround.and_then(|s| eye.rim().map(|(x, r)| (x, r, s.rim_stiffness)));
+        let mut target = Self {
+            area: Vec::new(),
+            areal: Vec::new(),
+            rim,
+        };
+        for ends in eye.mesh.shell.windows(2) {
+            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = (xb - xa).hypot(rb - ra);
+            target.area.push(std::array::from_fn(|i| {
+                let radius = ra + share(i) * (rb - ra);
+                2.0 * PI * radius * length / POINTS as f64
+            }));
+            target.areal.push(SHELL_AREAL + ENTRAINED * length);
+        }
+        target
+    }
+
+    /// Adds the forces of contact to the shell's `fx`, `fr` and to the flight's.
+    pub fn forces(
+        &self,
+        object: &Object,
+        flight: &mut Flight,
+        x: &[f64],
+        r: &[f64],
+        fx: &mut [f64],
+        fr: &mut [f64],
+    ) -> Touch {
+        let mut touch = Touch {
+            force: 0.0,
+            rim: 0.0,
+            energy: 0.0,
+            limit: f64::INFINITY,
+            traction: 0.0,
+        };
+        let centre = flight.x[0];
+        let front = centre + object.reach() + NEAR;
+        for (i, areas) in self.area.iter().enumerate() {
+            if x[i].min(x[i + 1]) > front {
+                continue;
+            }
+            let mut steepest: f64 = 0.0;
+            for (point, area) in areas.iter().enumerate() {
+                let s = share(point);
+                let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
+                let (gap, nx, nr) = object.gap(px - centre, pr);
+                if gap <= -NEAR {
+                    continue;
+                }
+                let pressed = object.surface.at(gap.max(0.0));
+                steepest = steepest.max(pressed.slope);
+                if gap <= 0.0 {
+                    continue;
+                }
+                let force = area * pressed.traction;
+                touch.energy += area * pressed.energy;
+                touch.traction = touch.traction.max(pressed.traction);
+                touch.force += force * nx;
+                fx[i] += (1.0 - s) * force * nx;
+                fr[i] += (1.0 - s) * force * nr;
+                fx[i + 1] += s * force * nx;
+                fr[i + 1] += s * force * nr;
+            }
+            if steepest > 0.0 {
+                touch.limit = touch.limit.min(COURANT * (self.areal[i] / steepest).sqrt());
+            }
+        }
+        if let Some((x, r, stiffness)) = self.rim {
+            let (gap, nx, _) = object.gap(x - centre, r);
+            if gap > 0.0 {
+                touch.rim = -stiffness * gap * nx;
+                touch.energy += 0.5 * stiffness * gap * gap;
+            }
+        }
+        flight.force[0] += touch.rim - touch.force;
+        touch
+    }
+
+    /// Share of a pulse that each node of the shell takes: the area at rest within the front angle
+    /// `half_width` (rad), a uniform traction along the axis. They add up to 1.
+    pub fn shares(eye: &RevolutionEye, half_width: f64) -> Vec<f64> {
+        /// Pieces of a segment, each loaded or not.
+        const PIECES: usize = 1000;
+        let mut shares = vec![0.0; eye.mesh.shell.len()];
+        for (i, ends) in eye.mesh.shell.windows(2).enumerate() {
+            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = (xb - xa).hypot(rb - ra);
+            for piece in 0..PIECES {
+                let s = (piece as f64 + 0.5) / PIECES as f64;
+                let (x, r) = (xa + s * (xb - xa), ra + s * (rb - ra));
+                if r.atan2(-x) < half_width {
+                    shares[i] += (1.0 - s) * r * length;
+                    shares[i + 1] += s * r * length;
+                }
+            }
+        }
+        let total: f64 = shares.iter().sum();
+        if total > 0.0 {
+            shares.iter_mut().for_each(|s| *s /= total);
+        }
+        shares
+    }
+}

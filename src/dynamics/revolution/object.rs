@@ -1,0 +1,295 @@
+//! What hits the eye: its outline, how its surface gives way, and its mass on a spring.
+//!
+//! The surface is an elastic foundation (Winkler; Johnson 1985, section 4.3): the traction depends on
+//! the gap at that point alone. A plain foundation would let light soft things fly through the eye, so
+//! it stiffens as its depth h is used up: k g/(1 - g/h). A hollow ball holds its gas pressure up against
+//! the eye, whatever its wall does: the traction then saturates at that cap before it stiffens.
+//! Beyond 0.9 h both go on linearly.
+//!
+//! The whole ball is a core on a spring behind a surface of a twentieth of its mass, with a dashpot
+//! that gives the published coefficient of restitution against a rigid wall.
+
+use std::f64::consts::PI;
+
+/// Stiffness of contact between hard things, in Pa/m.
+pub const HARD: f64 = 2e12;
+/// Share of the mass that is the surface of an object on a spring.
+const SURFACE_SHARE: f64 = 0.05;
+/// Share of a foundation's depth beyond which it goes on linearly.
+const LINEAR_BEYOND: f64 = 0.9;
+
+/// Outline, with the axis of revolution along the flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outline {
+    /// A ball of this radius, in m.
+    Sphere(f64),
+    /// A flat cylinder of this radius with an edge rounded by this radius, in m.
+    Cylinder(f64, f64),
+}
+
+/// How a surface gives way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// At small gaps, in Pa/m.
+    pub stiffness: f64,
+    /// Depth of the foundation, in m; `None` is as deep as it needs to be.
+    pub depth: Option<f64>,
+    /// Traction at which a hollow or crushable object gives way, in Pa.
+    pub cap: Option<f64>,
+}
+
+/// Traction of a foundation at some gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pressed {
+    /// J/m2.
+    pub energy: f64,
+    /// Pa.
+    pub traction: f64,
+    /// Pa/m.
+    pub slope: f64,
+}
+
+impl Surface {
+    /// A surface that hardly gives way.
+    pub const RIGID: Self = Self {
+        stiffness: HARD,
+        depth: None,
+        cap: None,
+    };
+
+    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E, and
+    /// a depth of 0.7 R.
+    pub fn elastic(modulus: f64, radius: f64) -> Self {
+        Self::foundation(modulus / radius, radius)
+    }
+
+    /// A foundation of this stiffness (Pa/m) on a body of this radius (m).
+    pub fn foundation(stiffness: f64, radius: f64) -> Self {
+        Self {
+            stiffness: 1.0 / (1.0 / HARD + 1.0 / stiffness),
+            depth: Some(0.7 * radius),
+            cap: None,
+        }
+    }
+
+    /// The same, giving way at `cap` Pa.
+    #[must_use]
+    pub fn capped(self, cap: f64) -> Self {
+        Self {
+            cap: Some(cap),
+            ..self
+        }
+    }
+
+    pub(super) fn at(&self, gap: f64) -> Pressed {
+        let Some(depth) = self.depth else {
+            return self.within(gap);
+        };
+        let end = LINEAR_BEYOND * depth;
+        if gap <= end {
+            return self.within(gap);
+        }
+        let (at, beyond) = (self.within(end), gap - end);
+        Pressed {
+            energy: at.energy + beyond * (at.traction + 0.5 * at.slope * beyond),
+            traction: at.traction + at.slope * beyond,
+            slope: at.slope,
+        }
+    }
+
+    fn within(&self, gap: f64) -> Pressed {
+        let k = self.stiffness;
+        let Some(cap) = self.cap else {
+            let Some(depth) = self.depth else {
+                return Pressed {
+                    energy: 0.5 * k * gap * gap,
+                    traction: k * gap,
+                    slope: k,
+                };
+            };
+            let left = 1.0 - gap / depth;
+            return Pressed {
+                energy: k * depth * depth * (left - 1.0 - left.ln()),
+                traction: k * gap / left,
+                slope: k / (left * left),
+            };
+        };
+        // cap k g/(cap + k g), which comes to the cap, and cap u^2/(1 - u) of u = g/h, which ends in a wall.
+        let over = 1.0 + k * gap / cap;
+        let mut pressed = Pressed {
+            energy: cap * (gap - cap / k * over.ln()),
+            traction: k * gap / over,
+            slope: k / (over * over),
+        };
+        if let Some(depth) = self.depth {
+            let u = gap / depth;
+            let left = 1.0 - u;
+            pressed.energy -= cap * depth * (0.5 * u * u + u + left.ln());
+            pressed.traction += cap * u * u / left;
+            pressed.slope += cap * u * (2.0 - u) / (depth * left * left);
+        }
+        pressed
+    }
+}
+
+/// The spring of a whole ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallSpring {
+    /// N/m.
+    pub stiffness: f64,
+    /// Coefficient of restitution against a rigid wall, 0 to 1.
+    pub restitution: f64,
+}
+
+/// What hits the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Object {
+    /// Outline.
+    pub outline: Outline,
+    /// kg.
+    pub mass: f64,
+    /// Towards the eye, in m/s.
+    pub speed: f64,
+    /// How its surface gives way.
+    pub surface: Surface,
+    /// How the whole gives way, if it does.
+    pub spring: Option<BallSpring>,
+}
+
+impl Object {
+    /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in m.
+    pub fn reach(&self) -> f64 {
+        match self.outline {
+            Outline::Sphere(radius) => radius,
+            Outline::Cylinder(..) => 0.0,
+        }
+    }
+
+    /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
+    /// the outward normal there.
+    #[inline]
+    pub(super) fn gap(&self, x: f64, r: f64) -> (f64, f64, f64) {
+        match self.outline {
+            Outline::Sphere(radius) => {
+                let distance = x.hypot(r);
+                (radius - distance, x / distance, r / distance)
+            }
+            Outline::Cylinder(radius, edge) => {
+                let (x, r) = (x + edge, r - (radius - edge));
+                if r <= 0.0 {
+                    (edge - x, 1.0, 0.0)
+                } else if x <= 0.0 {
+                    (edge - r, 0.0, 1.0)
+                } else {
+                    let distance = x.hypot(r);
+                    (edge - distance, x / distance, r / distance)
+                }
+            }
+        }
+    }
+}
+
+/// The moving object: surface and core.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Flight {
+    /// Place of the surface's and the core's centre, m.
+    pub x: [f64; 2],
+    /// m/s, half a step before.
+    pub v: [f64; 2],
+    /// On each, N.
+    pub force: [f64; 2],
+    mass: [f64; 2],
+    stiffness: f64,
+    damping: f64,
+    /// Longest stable step of the spring, s.
+    pub limit: f64,
+    /// Energy lost in the dashpot, J.
+    pub lost: f64,
+}
+
+impl Flight {
+    /// An object whose frontmost point is at `front`.
+    pub fn new(object: &Object, front: f64) -> Self {
+        let x = front - object.reach();
+        let (mass, stiffness, damping) = match object.spring {
+            None => ([object.mass, 0.0], 0.0, 0.0),
+            Some(spring) => {
+                let surface = SURFACE_SHARE * object.mass;
+                // The damping ratio whose half cycle leaves the share e of the speed: -ln e/sqrt(pi^2 + ln^2 e).
+                let log = -spring.restitution.max(1e-6).ln();
+                let ratio = log / (PI * PI + log * log).sqrt();
+                (
+                    [surface, object.mass - surface],
+                    spring.stiffness,
+                    2.0 * ratio * (spring.stiffness * (object.mass - surface)).sqrt(),
+                )
+            }
+        };
+        let limit = if stiffness > 0.0 {
+            let reduced = mass[0] * mass[1] / object.mass;
+            let (w, z) = (
+                (stiffness / reduced).sqrt(),
+                0.5 * damping / (stiffness * reduced).sqrt(),
+            );
+            2.0 / w * ((1.0 + z * z).sqrt() - z)
+        } else {
+            f64::INFINITY
+        };
+        Self {
+            x: [x; 2],
+            v: [object.speed; 2],
+            force: [0.0; 2],
+            mass,
+            stiffness,
+            damping,
+            limit,
+            lost: 0.0,
+        }
+    }
+
+    /// Forces of spring and dashpot; returns the loss in W.
+    pub fn inner(&mut self) -> f64 {
+        let closing = self.v[1] - self.v[0];
+        let viscous = self.damping * closing;
+        let force = self.stiffness * (self.x[1] - self.x[0]) + viscous;
+        self.force = [force, -force];
+        viscous * closing
+    }
+
+    /// Energy of the spring, J.
+    pub fn stored(&self) -> f64 {
+        0.5 * self.stiffness * (self.x[1] - self.x[0]).powi(2)
+    }
+
+    /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
+    pub fn kinetic(&self, kick: f64) -> f64 {
+        (0..2)
+            .filter(|&i| self.mass[i] > 0.0)
+            .map(|i| {
+                let after = self.v[i] + kick * self.force[i] / self.mass[i];
+                0.5 * self.mass[i] * self.v[i] * after
+            })
+            .sum()
+    }
+
+    pub fn momentum(&self) -> f64 {
+        self.mass[0] * self.v[0] + self.mass[1] * self.v[1]
+    }
+
+    /// Velocity of the whole, m/s.
+    pub fn velocity(&self) -> f64 {
+        self.momentum() / (self.mass[0] + self.mass[1])
+    }
+
+    pub fn advance(&mut self, kick: f64, drift: f64) {
+        for i in 0..2 {
+            if self.mass[i] > 0.0 {
+                self.v[i] += kick * self.force[i] / self.mass[i];
+                self.x[i] += drift * self.v[i];
+            }
+        }
+        if self.mass[1] == 0.0 {
+            (self.x[1], self.v[1]) = (self.x[0], self.v[0]);
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! What a run leaves: extremes over every step, traces, frames, and its balance of energy.
+
+/// A largest value and when it was reached.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Peak {
+    /// In the unit of what it is the peak of.
+    pub value: f64,
+    /// s.
+    pub time: f64,
+}
+
+impl Peak {
+    pub(super) fn raise(&mut self, value: f64, time: f64) {
+        if value > self.value {
+            *self = Self { value, time };
+        }
+    }
+}
+
+/// Largest values over every step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremes {
+    /// Force of contact or of the pulse on the eye, along the blow, N.
+    pub force: Peak,
+    /// The same through a low pass of 20 us, N.
+    pub filtered_force: Peak,
+    /// Force of the orbit's front edge on the object, N.
+    pub rim_force: Peak,
+    /// Mean pressure of the globe through a low pass of 20 us, Pa.
+    pub pressure: Peak,
+    /// Pressure at the back, through the same, Pa.
+    pub back_pressure: Peak,
+    /// Tension of the sclera, along or around, whichever is larger, Pa.
+    pub scleral_stress: Peak,
+    /// Front angle of the place of that stress, rad.
+    pub stress_angle: f64,
+    /// Loss of the distance between the poles over the diameter at rest.
+    pub shortening: Peak,
+    /// Growth of the largest radius over that at rest.
+    pub equator_growth: Peak,
+    /// Growth of the meridian's length over that at rest.
+    pub meridian_growth: Peak,
+    /// Way of the object's surface from the first touch, m.
+    pub intrusion: Peak,
+    /// Way of the front pole, m.
+    pub apex: Peak,
+    /// Way of the lens's centre of mass along the axis, m.
+    pub lens: Peak,
+    /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
+    pub node_force: [Peak; 4],
+    /// Volume of the globe over that at rest.
+    pub least_volume: f64,
+    /// Volume of the globe over that at rest.
+    pub most_volume: f64,
+    /// Smallest corner triangle over its volume at rest: below 0 the mesh has folded.
+    pub least_triangle: f64,
+    /// When that first fell below 0, s.
+    pub folded_at: Option<f64>,
+    /// Energy that the eye was given, J.
+    pub energy_imparted: f64,
+    /// Speed at which the object ends, away from the eye, m/s.
+    pub rebound: Option<f64>,
+    /// Largest error of the balance of energy over the energy that came in.
+    pub energy_residual: f64,
+}
+
+/// Where the energy is at some instant, in J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Of the nodes.
+    pub kinetic: f64,
+    /// In cells and shell.
+    pub elastic: f64,
+    /// In the contact.
+    pub contact: f64,
+    /// Kinetic and in the spring of the object.
+    pub object: f64,
+    /// Lost to all viscosities and dashpots of the eye so far.
+    pub lost: f64,
+    /// Lost within the object so far.
+    pub lost_in_object: f64,
+    /// Work of a pulse so far.
+    pub work: f64,
+}
+
+impl Energy {
+    /// All of it, less what a pulse put in.
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.contact + self.object + self.lost + self.lost_in_object
+            - self.work
+    }
+}
+
+/// Values at some instants, each of the same length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Traces {
+    /// s.
+    pub time: Vec<f64>,
+    /// N.
+    pub force: Vec<f64>,
+    /// Through a low pass of 20 us, Pa.
+    pub pressure: Vec<f64>,
+    /// Through a low pass of 20 us, Pa.
+    pub back_pressure: Vec<f64>,
+    /// Pa.
+    pub scleral_stress: Vec<f64>,
+    /// Shares of the lengths at rest.
+    pub shortening: Vec<f64>,
+    /// Shares of the lengths at rest.
+    pub equator_growth: Vec<f64>,
+    /// Shares of the lengths at rest.
+    pub meridian_growth: Vec<f64>,
+    /// m.
+    pub intrusion: Vec<f64>,
+    /// m.
+    pub apex: Vec<f64>,
+    /// m.
+    pub lens: Vec<f64>,
+    /// Centre or face of the object, m.
+    pub object: Vec<f64>,
+    /// N.
+    pub node_force: [Vec<f64>; 4],
+    /// J.
+    pub energy: Vec<Energy>,
+}
+
+/// The eye at some instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// s.
+    pub time: f64,
+    /// Nodes, m.
+    pub x: Vec<f64>,
+    /// Nodes, m.
+    pub r: Vec<f64>,
+    /// Pressure of each cell, Pa.
+    pub pressure: Vec<f64>,
+    /// Centre or face of the object, m.
+    pub object: Option<f64>,
+}
+
+/// What to keep beside the extremes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Keep {
+    /// Least time between values of the traces, s.
+    pub traces: Option<f64>,
+    /// Least time between frames, s.
+    pub frames: Option<f64>,
+}
+
+/// One run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Over every step.
+    pub extremes: Extremes,
+    /// If they were asked for.
+    pub traces: Option<Traces>,
+    /// If they were asked for.
+    pub frames: Vec<Frame>,
+    /// At the end.
+    pub energy: Energy,
+    /// Along the blow at the end, of eye and object, kg m/s.
+    pub momentum: f64,
+    /// Steps taken.
+    pub steps: usize,
+    /// Simulated time, s.
+    pub simulated: f64,
+    /// Evaluations of cells, and of segments against an object.
+    pub cell_evaluations: usize,
+}

@@ -1,0 +1,160 @@
+//! What is read off the moving eye as instruments would: a pressure sensor at the back, and
+//! accelerometers at the four monitored places.
+
+use super::state::State;
+use crate::eye::revolution::{Region, RevolutionEye, volume};
+use std::collections::VecDeque;
+
+/// Where the sensor sits, on the axis behind the centre, and how far around it takes a mean, in m.
+const SENSOR_X: f64 = 8e-3;
+const SENSOR_REACH: f64 = 3e-3;
+/// Time constant of the sensor, and time over which accelerations are averaged, in s.
+pub const SMOOTHING_S: f64 = 20e-6;
+
+/// Weight of each cell in the mean pressure of the globe, and in the sensor's: volume at rest.
+pub(super) fn weights(eye: &RevolutionEye) -> Vec<(f64, f64)> {
+    let mut weights: Vec<(f64, f64)> = eye
+        .cells
+        .iter()
+        .map(|cell| {
+            let p = cell.corners.map(|n| eye.at(n));
+            let x = 0.25 * p.iter().map(|p| p.0).sum::<f64>();
+            let r = 0.25 * p.iter().map(|p| p.1).sum::<f64>();
+            let volume = volume(&p);
+            let globe = if cell.region == Region::Globe {
+                volume
+            } else {
+                0.0
+            };
+            let near = (x - SENSOR_X).hypot(r) <= SENSOR_REACH;
+            (globe, if near { globe } else { 0.0 })
+        })
+        .collect();
+    let total = weights
+        .iter()
+        .fold((0.0, 0.0), |t, w| (t.0 + w.0, t.1 + w.1));
+    for w in &mut weights {
+        *w = (w.0 / total.0, w.1 / total.1);
+    }
+    weights
+}
+
+/// A first-order low pass.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct LowPass(pub f64);
+
+impl LowPass {
+    pub fn pass(&mut self, value: f64, step: f64) -> f64 {
+        self.0 += (value - self.0) * -(-step / SMOOTHING_S).exp_m1();
+        self.0
+    }
+}
+
+/// Velocities of the four monitored places over the last while.
+#[derive(Debug, Clone)]
+pub(super) struct Accelerometers {
+    places: [Vec<(usize, f64)>; 4],
+    past: VecDeque<(f64, [(f64, f64); 4])>,
+}
+
+impl Accelerometers {
+    /// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell 5 degrees
+    /// above the front pole, 5 degrees above the back pole, and 5 degrees behind the top. Between nodes, the
+    /// velocity is linear.
+    pub fn new(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> Self {
+        let on_shell = |angle: f64| {
+            let fronts: Vec<f64> = eye
+                .mesh
+                .shell
+                .iter()
+                .map(|&n| eye.at(n).1.atan2(-eye.at(n).0))
+                .collect();
+            let after = fronts.iter().position(|&f| f > angle);
+            let i = after.unwrap_or(fronts.len() - 1).max(1);
+            let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
+            vec![
+                (place(eye.mesh.shell[i - 1]), 1.0 - s),
+                (place(eye.mesh.shell[i]), s),
+            ]
+        };
+        let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
+        Self {
+            places: [
+                between(eye, aim, &place),
+                on_shell(5f64.to_radians()),
+                on_shell(175f64.to_radians()),
+                on_shell(95f64.to_radians()),
+            ],
+            past: VecDeque::new(),
+        }
+    }
+
+    /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
+    pub fn read(&mut self, state: &State, time: f64) -> [f64; 4] {
+        let now = std::array::from_fn(|i| {
+            self.places[i]
+                .iter()
+                .fold((0.0, 0.0), |v, &(place, share)| {
+                    (v.0 + share * state.vx[place], v.1 + share * state.vr[place])
+                })
+        });
+        self.past.push_back((time, now));
+        let start = time - SMOOTHING_S;
+        while self.past.len() > 2 && self.past[1].0 <= start {
+            self.past.pop_front();
+        }
+        let (t0, first) = self.past[0];
+        let (t1, second) = self.past[1.min(self.past.len() - 1)];
+        // Before the first step all was at rest.
+        let s = if t1 > t0 {
+            ((start - t0) / (t1 - t0)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        std::array::from_fn(|i| {
+            let old = if start < t0 {
+                (0.0, 0.0)
+            } else {
+                (
+                    first[i].0 + s * (second[i].0 - first[i].0),
+                    first[i].1 + s * (second[i].1 - first[i].1),
+                )
+            };
+            (now[i].0 - old.0).hypot(now[i].1 - old.1) / SMOOTHING_S
+        })
+    }
+}
+
+/// Corners of the cell around (`aim`, `aim`) with bilinear shares.
+fn between(eye: &RevolutionEye, aim: f64, place: impl Fn(usize) -> usize) -> Vec<(usize, f64)> {
+    for cell in &eye.cells {
+        let p = cell.corners.map(|n| eye.at(n));
+        // Newton's method on the bilinear map; cells are convex, so it converges.
+        let (mut s, mut t) = (0.5, 0.5);
+        let shares = |s: f64, t: f64| [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
+        for _ in 0..20 {
+            let w = shares(s, t);
+            let (mut x, mut r) = (-aim, -aim);
+            for i in 0..4 {
+                x += w[i] * p[i].0;
+                r += w[i] * p[i].1;
+            }
+            let ds = |f: fn(&(f64, f64)) -> f64| {
+                (1.0 - t) * (f(&p[1]) - f(&p[0])) + t * (f(&p[2]) - f(&p[3]))
+            };
+            let dt = |f: fn(&(f64, f64)) -> f64| {
+                (1.0 - s) * (f(&p[3]) - f(&p[0])) + s * (f(&p[2]) - f(&p[1]))
+            };
+            let (xs, rs, xt, rt) = (ds(|p| p.0), ds(|p| p.1), dt(|p| p.0), dt(|p| p.1));
+            let det = xs * rt - xt * rs;
+            s -= (x * rt - r * xt) / det;
+            t -= (r * xs - x * rs) / det;
+        }
+        let inside = -1e-9..=1.0 + 1e-9;
+        if inside.contains(&s) && inside.contains(&t) {
+            let w = shares(s, t);
+            return (0..4).map(|i| (place(cell.corners[i]), w[i])).collect();
+        }
+    }
+    Vec::new()
+}

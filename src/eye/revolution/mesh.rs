@@ -1,0 +1,153 @@
+//! The half section in quads: a core, layers around it to the shell, and layers from there to the wall.
+//!
+//! A square mapped to a disc would have corners near 180 degrees on its diagonals. Here only a core
+//! of half the radius is mapped, and mildly; straight rays lead from its border to the shell and on
+//! to the wall. Rays are counted from the front of the eye, and lie closer there.
+
+use super::parameters::Wall;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// Radius of the core's map as a share of the globe's.
+const CORE: f64 = 0.55;
+/// How much of the core's border is a square's, and how much a circle's.
+const SQUARE: f64 = 0.425;
+const CIRCLE: f64 = 0.5;
+/// How much closer rays lie in front.
+const GRADING: f64 = 0.2;
+/// Layers of cells between core and shell, and between shell and wall, per half side of the core.
+const GLOBE_LAYERS: f64 = 0.8;
+const AROUND_LAYERS: f64 = 0.9;
+
+/// Rows of nodes with the same number of nodes each; between four neighbours lies a cell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    /// Nodes in a row.
+    pub columns: usize,
+    /// Node of each place, row by row.
+    pub nodes: Vec<usize>,
+}
+
+impl Block {
+    /// Corners of the cells in order, anticlockwise.
+    pub fn cells(&self) -> impl Iterator<Item = [usize; 4]> + '_ {
+        let columns = self.columns;
+        (columns..self.nodes.len())
+            .step_by(columns)
+            .flat_map(move |up| (0..columns - 1).map(move |i| (up - columns + i, up + i)))
+            .map(|(low, up)| [low, low + 1, up + 1, up].map(|place| self.nodes[place]))
+    }
+}
+
+/// Nodes at rest, in m, and the blocks they lie in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Along the line of the blow, towards the back.
+    pub x: Vec<f64>,
+    /// Distance from that line.
+    pub r: Vec<f64>,
+    /// Core, layers to the shell, and layers to the wall if there is one.
+    pub blocks: Vec<Block>,
+    /// Nodes of the shell from the front to the back.
+    pub shell: Vec<usize>,
+    /// Nodes of the wall from its front edge to the back.
+    pub wall: Vec<usize>,
+}
+
+/// Angle from the back at place (u, v) of the core, graded.
+fn angle(u: i64, v: i64) -> f64 {
+    let (uf, vf) = (u as f64, v as f64);
+    let plain = if u.abs() >= v {
+        let base = if u < 0 { PI } else { 0.0 };
+        base + FRAC_PI_4 * vf / uf
+    } else {
+        FRAC_PI_2 - FRAC_PI_4 * uf / vf
+    };
+    plain + GRADING * plain.sin()
+}
+
+/// Builds the mesh of a core 2 `half` by `half` cells, with a wall beyond the front angle `opening`.
+pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> Mesh {
+    let m = half as i64;
+    let mut mesh = Mesh {
+        x: Vec::new(),
+        r: Vec::new(),
+        blocks: Vec::new(),
+        shell: Vec::new(),
+        wall: Vec::new(),
+    };
+    for v in 0..=m {
+        for u in -m..=m {
+            let q = u.abs().max(v) as f64;
+            let t = if q > 0.0 { angle(u, v) } else { 0.0 };
+            let scale = CORE * radius * q / m as f64;
+            let over = if q > 0.0 { SQUARE / q } else { 0.0 };
+            mesh.x.push(scale * (over * u as f64 + CIRCLE * t.cos()));
+            mesh.r.push(if v == 0 {
+                0.0
+            } else {
+                scale * (over * v as f64 + CIRCLE * t.sin())
+            });
+        }
+    }
+    let columns = 2 * half + 1;
+    mesh.blocks.push(Block {
+        columns,
+        nodes: (0..mesh.x.len()).collect(),
+    });
+
+    // The border from the front pole up, over the top, and down to the back pole.
+    let place = |u: i64, v: i64| v as usize * columns + (u + m) as usize;
+    let border: Vec<(i64, i64)> = (0..m)
+        .map(|v| (-m, v))
+        .chain((-m..m).map(|u| (u, m)))
+        .chain((0..=m).rev().map(|v| (m, v)))
+        .collect();
+    let rays: Vec<f64> = border.iter().map(|&(u, v)| angle(u, v)).collect();
+    let border: Vec<usize> = border.iter().map(|&(u, v)| place(u, v)).collect();
+    let on_shell: Vec<(f64, f64)> = rays
+        .iter()
+        .map(|t| (radius * t.cos(), radius * t.sin()))
+        .collect();
+    let layers = (GLOBE_LAYERS * half as f64).round() as usize;
+    mesh.shell = mesh.layers(border, &on_shell, layers);
+
+    if let Some((wall, opening)) = surround {
+        let front = |i: usize| PI - 0.5 * (rays[i] + rays[i + 1]);
+        let first = (0..rays.len() - 1).find(|&i| front(i) >= opening);
+        if let Some(first) = first {
+            let on_wall: Vec<(f64, f64)> = rays[first..]
+                .iter()
+                .map(|&t| (wall.distance(t) * t.cos(), wall.distance(t) * t.sin()))
+                .collect();
+            let layers = (AROUND_LAYERS * half as f64).round() as usize;
+            mesh.wall = mesh.layers(mesh.shell[first..].to_vec(), &on_wall, layers);
+        }
+    }
+    mesh
+}
+
+impl Mesh {
+    /// Adds a block of straight rays from the nodes `inner` to the points `outer`; returns its last row.
+    fn layers(&mut self, inner: Vec<usize>, outer: &[(f64, f64)], layers: usize) -> Vec<usize> {
+        let columns = inner.len();
+        let mut nodes = inner;
+        for layer in 1..=layers {
+            let share = layer as f64 / layers as f64;
+            for i in 0..columns {
+                let (x, r) = (self.x[nodes[i]], self.r[nodes[i]]);
+                // The rays at both ends of a whole row lie on the axis.
+                let on_axis = r == 0.0;
+                nodes.push(self.x.len());
+                self.x.push(x + share * (outer[i].0 - x));
+                self.r.push(if on_axis {
+                    0.0
+                } else {
+                    r + share * (outer[i].1 - r)
+                });
+            }
+        }
+        let last = nodes[layers * columns..].to_vec();
+        self.blocks.push(Block { columns, nodes });
+        last
+    }
+}

@@ -1,0 +1,335 @@
+//! The eye as a body of revolution about the line of the blow.
+//!
+//! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it, and
+//! the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe; a
+//! chain of segments carries cornea and sclera.
+//!
+//! A blow at an angle turns the eye within its own axis of revolution: the shell's thickness and
+//! stiffness, and the share of lens in a cell, are means over the azimuth. Left out: muscles, nerve,
+//! iris, zonules, the chambers' fluid as a body of its own, and the pressure of a living eye.
+
+mod mesh;
+mod parameters;
+
+pub use mesh::{Block, Mesh};
+pub use parameters::{LensParameters, Material, Parameters, ShellParameters, Surround, Wall};
+
+use std::f64::consts::{FRAC_PI_3, PI};
+
+/// Points around the axis that means over the azimuth take.
+const AZIMUTHS: usize = 64;
+
+/// What a cell belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Region {
+    /// Vitreous, aqueous and lens.
+    Globe,
+    /// Fat or gelatin.
+    Surround,
+}
+
+/// A ring with the section of a quad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cell {
+    /// Anticlockwise.
+    pub corners: [usize; 4],
+    /// Where it lies.
+    pub region: Region,
+    /// Share of lens, 0 to 1.
+    pub lens: f64,
+    /// What fills it.
+    pub material: Material,
+    /// Stiffness against folding, in Pa.
+    pub subzonal: f64,
+}
+
+/// A piece of cornea or sclera, between node i and node i + 1 of the shell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// m.
+    pub thickness: f64,
+    /// Pa; of a mixture the one that gives the mean of modulus times thickness.
+    pub modulus: f64,
+    /// Share of sclera, 0 to 1.
+    pub sclera: f64,
+    /// Front angle of its middle at rest, in rad.
+    pub front_angle: f64,
+}
+
+/// The eye at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RevolutionEye {
+    /// Refinement level.
+    pub level: u32,
+    /// What it was made from.
+    pub parameters: Parameters,
+    /// Nodes and rows.
+    pub mesh: Mesh,
+    /// Block by block, row by row.
+    pub cells: Vec<Cell>,
+    /// From the front to the back.
+    pub segments: Vec<Segment>,
+    /// kg, of each node.
+    pub mass: Vec<f64>,
+    /// Whether a node never moves.
+    pub fixed: Vec<bool>,
+}
+
+/// (pi/3) (b - a) (ra^2 + ra rb + rb^2): the volume between an edge and the axis, signed.
+fn frustum(a: (f64, f64), b: (f64, f64)) -> f64 {
+    FRAC_PI_3 * (b.0 - a.0) * (a.1 * a.1 + a.1 * b.1 + b.1 * b.1)
+}
+
+/// Volume of the ring whose section is a polygon with corners anticlockwise.
+pub fn volume(corners: &[(f64, f64)]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    -corners
+        .iter()
+        .zip(next)
+        .map(|(&a, &b)| frustum(a, b))
+        .sum::<f64>()
+}
+
+fn middle(points: &[(f64, f64)]) -> (f64, f64) {
+    let n = points.len() as f64;
+    let sum = points
+        .iter()
+        .fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
+    (sum.0 / n, sum.1 / n)
+}
+
+/// Angle from the axis of the eye at `front` rad from the line of the blow, for all azimuths.
+fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
+    (0..AZIMUTHS).map(move |i| {
+        if axis == 0.0 {
+            return front;
+        }
+        let azimuth = (i as f64 + 0.5) * 2.0 * PI / AZIMUTHS as f64;
+        let cosine = front.cos() * axis.cos() + front.sin() * axis.sin() * azimuth.cos();
+        cosine.clamp(-1.0, 1.0).acos()
+    })
+}
+
+impl Parameters {
+    fn segment(&self, front_angle: f64) -> Segment {
+        let count = AZIMUTHS as f64;
+        let shell = &self.shell;
+        let own = || own_angles(front_angle, self.axis_angle);
+        let thickness = own().map(|a| shell.at(a).0).sum::<f64>() / count;
+        let stiffness = own().map(|a| shell.at(a).0 * shell.at(a).1).sum::<f64>() / count;
+        Segment {
+            thickness,
+            modulus: stiffness / thickness,
+            sclera: own().filter(|&a| a >= shell.limbus).count() as f64 / count,
+            front_angle,
+        }
+    }
+
+    fn lens_share(&self, (x, r): (f64, f64)) -> f64 {
+        let (along, across) = self.lens.half_axes;
+        let distance = x.hypot(r);
+        let inside = own_angles(r.atan2(-x), self.axis_angle).filter(|a| {
+            let (x, r) = (-distance * a.cos(), distance * a.sin());
+            ((x - self.lens.centre) / along).powi(2) + (r / across).powi(2) <= 1.0
+        });
+        inside.count() as f64 / AZIMUTHS as f64
+    }
+}
+
+impl RevolutionEye {
+    /// Finest level.
+    pub const FINEST: u32 = 5;
+
+    /// Builds the eye at `level` 1 to [`Self::FINEST`].
+    pub fn new(parameters: &Parameters, level: u32) -> Self {
+        let surround = parameters.surround.as_ref();
+        let half = 2 * level as usize + 2;
+        let mesh = mesh::build(
+            half,
+            parameters.radius,
+            surround.map(|s| (s.wall, s.opening)),
+        );
+        let at = |node: usize| (mesh.x[node], mesh.r[node]);
+
+        let mut cells = Vec::new();
+        for (i, block) in mesh.blocks.iter().enumerate() {
+            for corners in block.cells() {
+                let lens = parameters.lens_share(middle(&corners.map(at)));
+                let cell = match surround.filter(|_| i == 2) {
+                    Some(around) => Cell {
+                        corners,
+                        region: Region::Surround,
+                        lens: 0.0,
+                        material: around.material,
+                        subzonal: around.subzonal,
+                    },
+                    None => Cell {
+                        corners,
+                        region: Region::Globe,
+                        lens,
+                        material: parameters.lens.material.mixed(parameters.vitreous, lens),
+                        subzonal: parameters.subzonal,
+                    },
+                };
+                cells.push(cell);
+            }
+        }
+        let segments: Vec<Segment> = mesh
+            .shell
+            .windows(2)
+            .map(|ends| {
+                let (x, r) = middle(&[at(ends[0]), at(ends[1])]);
+                parameters.segment(r.atan2(-x))
+            })
+            .collect();
+        let mut fixed = vec![false; mesh.x.len()];
+        for &node in &mesh.wall {
+            fixed[node] = true;
+        }
+        let mut eye = Self {
+            level,
+            parameters: *parameters,
+            mass: vec![0.0; mesh.x.len()],
+            mesh,
+            cells,
+            segments,
+            fixed,
+        };
+        eye.spread_mass();
+        eye
+    }
+
+    /// Each corner gets the quarter of a cell next to it, and each end of a segment the mass that a
+    /// function linear along it gives.
+    fn spread_mass(&mut self) {
+        for cell in &self.cells {
+            let points = cell.corners.map(|node| self.at(node));
+            let centre = middle(&points);
+            for i in 0..4 {
+                let (before, after) = (points[(i + 3) % 4], points[(i + 1) % 4]);
+                let quarter = [
+                    points[i],
+                    middle(&[points[i], after]),
+                    centre,
+                    middle(&[points[i], before]),
+                ];
+                self.mass[cell.corners[i]] += cell.material.density * volume(&quarter);
+            }
+        }
+        for (i, segment) in self.segments.iter().enumerate() {
+            let (a, b) = (self.mesh.shell[i], self.mesh.shell[i + 1]);
+            let ((xa, ra), (xb, rb)) = (self.at(a), self.at(b));
+            let length = (xb - xa).hypot(rb - ra);
+            let per_radius = self.parameters.shell.density * segment.thickness * PI * length / 3.0;
+            self.mass[a] += per_radius * (2.0 * ra + rb);
+            self.mass[b] += per_radius * (ra + 2.0 * rb);
+        }
+    }
+
+    /// x and r of a node at rest, in m.
+    pub fn at(&self, node: usize) -> (f64, f64) {
+        (self.mesh.x[node], self.mesh.r[node])
+    }
+
+    /// The front edge of the wall, in m.
+    pub fn rim(&self) -> Option<(f64, f64)> {
+        self.mesh.wall.first().map(|&node| self.at(node))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> RevolutionEye {
+        let parameters = Parameters {
+            surround,
+            axis_angle,
+            ..Parameters::default()
+        };
+        RevolutionEye::new(&parameters, level)
+    }
+
+    #[test]
+    fn cells_turn_anticlockwise_and_no_corner_is_near_flat() {
+        for level in 1..=RevolutionEye::FINEST {
+            for surround in [None, Some(Surround::orbit()), Some(Surround::gelatin())] {
+                let eye = eye(level, surround, 0.0);
+                for cell in &eye.cells {
+                    let p = cell.corners.map(|node| eye.at(node));
+                    for i in 0..4 {
+                        let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
+                        let (u, v) = ((c.0 - b.0, c.1 - b.1), (a.0 - b.0, a.1 - b.1));
+                        let corner = (u.0 * v.1 - u.1 * v.0).atan2(u.0 * v.0 + u.1 * v.1);
+                        let degrees = corner.to_degrees();
+                        assert!(degrees > 25.0 && degrees < 160.0, "{level} {p:?} {degrees}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_globe_weighs_what_its_volumes_weigh_and_comes_near_a_ball() {
+        for level in 1..=RevolutionEye::FINEST {
+            let eye = eye(level, None, 0.0);
+            let cells: f64 = eye
+                .cells
+                .iter()
+                .map(|cell| cell.material.density * volume(&cell.corners.map(|node| eye.at(node))))
+                .sum();
+            let shell: f64 = eye
+                .segments
+                .iter()
+                .zip(eye.mesh.shell.windows(2))
+                .map(|(s, ends)| {
+                    let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+                    1100.0 * s.thickness * PI * (ra + rb) * (xb - xa).hypot(rb - ra)
+                })
+                .sum();
+            let mass: f64 = eye.mass.iter().sum();
+            assert!((mass / (cells + shell) - 1.0).abs() < 1e-12);
+            assert!(eye.mass.iter().all(|&m| m > 0.0));
+            assert!(mass > 8e-3 && mass < 8.5e-3, "{mass}");
+        }
+    }
+
+    #[test]
+    fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
+        let straight = eye(5, None, 0.0);
+        let turned = eye(5, None, 0.7);
+        let area = |eye: &RevolutionEye, of: fn(&Segment) -> f64| -> f64 {
+            let ends = eye.mesh.shell.windows(2);
+            eye.segments
+                .iter()
+                .zip(ends)
+                .map(|(s, ends)| {
+                    let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+                    of(s) * (ra + rb) * (xb - xa).hypot(rb - ra)
+                })
+                .sum()
+        };
+        for of in [
+            |s: &Segment| s.thickness,
+            |s: &Segment| s.thickness * s.modulus,
+        ] {
+            let ratio = area(&turned, of) / area(&straight, of);
+            assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+        }
+        assert!(turned.segments.last().is_some_and(|s| s.sclera == 1.0));
+        assert!(
+            turned
+                .segments
+                .iter()
+                .any(|s| s.sclera > 0.2 && s.sclera < 0.8)
+        );
+    }
+
+    #[test]
+    fn the_orbits_rim_lies_where_its_opening_ends() {
+        let rim = eye(1, Some(Surround::orbit()), 0.0).rim().unwrap();
+        let angle = rim.1.atan2(-rim.0).to_degrees();
+        assert!((55.0..80.0).contains(&angle), "{angle}");
+        assert!(eye(1, None, 0.0).rim().is_none());
+    }
+}
