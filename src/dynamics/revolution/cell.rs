@@ -65,6 +65,30 @@ pub(super) struct Response {
     pub least_triangle: f64,
 }
 
+/// A quad's section: its diagonals, twice its area (above 0), its length, and its mean radius.
+struct Section {
+    a: Point,
+    b: Point,
+    det: f64,
+    length: f64,
+    radius: f64,
+}
+
+impl Response {
+    fn push(&mut self, corner: usize, pressure: f64, gradient: Point) {
+        self.force[corner].0 += pressure * gradient.0;
+        self.force[corner].1 += pressure * gradient.1;
+    }
+}
+
+/// From the first corner to the third, and from the second to the fourth.
+fn diagonals(p: [Point; 4]) -> (Point, Point) {
+    (
+        (p[2].0 - p[0].0, p[2].1 - p[0].1),
+        (p[3].0 - p[1].0, p[3].1 - p[1].1),
+    )
+}
+
 /// Volume of a ring whose section has corners anticlockwise, and its gradient.
 pub(super) fn volume<const N: usize>(p: [Point; N]) -> (f64, [Point; N]) {
     let mut sum = 0.0;
@@ -133,57 +157,69 @@ impl Rest {
 
     /// What a cell with its corners at `p` (m) and of velocities `v` (m/s) does.
     pub fn respond(&self, p: [Point; 4], v: [Point; 4]) -> Response {
-        let mut force = [(0.0, 0.0); 4];
-        let mut push = |corner: usize, pressure: f64, gradient: Point| {
-            force[corner].0 += pressure * gradient.0;
-            force[corner].1 += pressure * gradient.1;
-        };
-        let (a, b) = (
-            (p[2].0 - p[0].0, p[2].1 - p[0].1),
-            (p[3].0 - p[1].0, p[3].1 - p[1].1),
-        );
-        let det = (a.0 * b.1 - b.0 * a.1).max(FLAT * 2.0 * self.area);
-        let longest = a.0.hypot(a.1).max(b.0.hypot(b.1));
-        let length = 0.5 * det / longest;
-
+        let section = self.section(p);
         let (true_volume, gradient) = volume(p);
-        let v_now = true_volume.max(FLAT * self.volume);
-        let j = v_now / self.volume;
-        let expansion = rate(&gradient, &v) / v_now;
+        let now = true_volume.max(FLAT * self.volume);
+        let j = now / self.volume;
+        let expansion = rate(&gradient, &v) / now;
         let pressure = self.bulk * (1.0 / j - 1.0);
         let sound = (self.bulk / self.density).sqrt();
+        let length = section.length;
         let mass_length = self.density * length;
         let quadratic = QUADRATIC * mass_length * length * expansion * expansion.min(0.0);
         let artificial = -LINEAR * mass_length * sound * expansion + quadratic;
-        for i in 0..4 {
-            push(i, pressure + artificial, gradient[i]);
-        }
-        let mut energy = self.bulk * self.volume * (j - 1.0 - j.ln());
-        let mut loss = -artificial * expansion * v_now;
 
-        let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();
-        let eta = SUBZONAL_VISCOSITY * mass_length * subzonal_sound;
-        let mut least_triangle = f64::INFINITY;
-        for i in 0..4 {
+        let mut response = Response {
+            force: [(0.0, 0.0); 4],
+            pressure,
+            volume: true_volume,
+            energy: self.bulk * self.volume * (j - 1.0 - j.ln()),
+            loss: -artificial * expansion * now,
+            limit: self.limit(j, length, expansion),
+            least_triangle: f64::INFINITY,
+        };
+        // Pressure on the whole quad, to which the corners' viscosity adds.
+        let mut whole = pressure + artificial;
+        let eta = SUBZONAL_VISCOSITY * mass_length * (SUBZONAL_BULK / self.density).sqrt();
+        for (i, at_rest) in self.triangles.iter().enumerate() {
             let corners = triangle(i);
             let (vt, slope) = volume(corners.map(|k| p[k]));
-            let jt = vt / self.triangles[i];
-            least_triangle = least_triangle.min(jt);
-            let v_t = vt.max(SQUEEZED * self.triangles[i]);
-            let shape_rate = rate(&slope, &corners.map(|k| v[k])) / v_t - expansion;
+            let jt = vt / at_rest;
+            response.least_triangle = response.least_triangle.min(jt);
+            let vt = vt.max(SQUEEZED * at_rest);
+            let shape_rate = rate(&slope, &corners.map(|k| v[k])) / vt - expansion;
             let (over, stored) = subzonal(jt);
             let viscous = 0.5 * eta * shape_rate;
-            for (k, &corner) in corners.iter().enumerate() {
-                push(corner, 0.5 * self.subzonal * over - viscous, slope[k]);
+            for (corner, slope) in corners.into_iter().zip(slope) {
+                response.push(corner, 0.5 * self.subzonal * over - viscous, slope);
             }
-            for k in 0..4 {
-                push(k, viscous * v_t / v_now, gradient[k]);
-            }
-            energy += 0.5 * self.subzonal * self.triangles[i] * stored;
-            loss += viscous * shape_rate * v_t;
+            whole += viscous * vt / now;
+            response.energy += 0.5 * self.subzonal * at_rest * stored;
+            response.loss += viscous * shape_rate * vt;
         }
+        for (corner, slope) in gradient.into_iter().enumerate() {
+            response.push(corner, whole, slope);
+        }
+        self.shear(&section, v, now, &mut response);
+        response
+    }
 
-        // Gradient of position and of velocity in the middle: the diagonals are mapped exactly.
+    fn section(&self, p: [Point; 4]) -> Section {
+        let (a, b) = diagonals(p);
+        let det = (a.0 * b.1 - b.0 * a.1).max(FLAT * 2.0 * self.area);
+        Section {
+            a,
+            b,
+            det,
+            length: 0.5 * det / a.0.hypot(a.1).max(b.0.hypot(b.1)),
+            radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
+        }
+    }
+
+    /// Adds what resists shear, with the gradients of position and velocity in the middle of the quad: the
+    /// diagonals are mapped exactly by them.
+    fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
+        let Section { a, b, det, .. } = *section;
         let d = &self.diagonals;
         let f = [
             a.0 * d[0] + b.0 * d[2],
@@ -191,8 +227,7 @@ impl Rest {
             a.1 * d[0] + b.1 * d[2],
             a.1 * d[1] + b.1 * d[3],
         ];
-        let radius = 0.25 * (p[0].1 + p[1].1 + p[2].1 + p[3].1);
-        let hoop = radius / self.radius;
+        let hoop = section.radius / self.radius;
         let jf = det / (2.0 * self.area) * hoop;
         let (xx, xr, rr, hh) = (
             f[0] * f[0] + f[1] * f[1],
@@ -203,29 +238,23 @@ impl Rest {
         let third = (xx + rr + hh) / 3.0;
         let isochoric = jf.powf(-2.0 / 3.0);
         let g = self.shear * isochoric * self.volume;
-        energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
+        response.energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
 
-        let (va, vb) = (
-            (v[2].0 - v[0].0, v[2].1 - v[0].1),
-            (v[3].0 - v[1].0, v[3].1 - v[1].1),
-        );
+        let (va, vb) = diagonals(v);
         let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
         let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;
         let l_rx = (va.1 * b.1 - vb.1 * a.1) / det;
         let l_rr = (vb.1 * a.0 - va.1 * b.0) / det;
-        let l_hh = 0.25 * (v[0].1 + v[1].1 + v[2].1 + v[3].1) / radius;
+        let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / section.radius;
         let mean = (l_xx + l_rr + l_hh) / 3.0;
         let shearing = 0.5 * (l_xr + l_rx);
-        let n = 2.0 * self.viscosity * v_now;
+        let n = 2.0 * self.viscosity * now;
         let s_xx = g * (xx - third) + n * (l_xx - mean);
         let s_xr = g * xr + n * shearing;
         let s_rr = g * (rr - third) + n * (l_rr - mean);
         let s_hh = g * (hh - third) + n * (l_hh - mean);
-        loss += n
-            * ((l_xx - mean).powi(2)
-                + (l_rr - mean).powi(2)
-                + (l_hh - mean).powi(2)
-                + 2.0 * shearing * shearing);
+        let squares = (l_xx - mean).powi(2) + (l_rr - mean).powi(2) + (l_hh - mean).powi(2);
+        response.loss += n * (squares + 2.0 * shearing * shearing);
         let on_a = (
             (s_xx * b.1 - s_xr * b.0) / det,
             (s_xr * b.1 - s_rr * b.0) / det,
@@ -234,26 +263,19 @@ impl Rest {
             (s_xr * a.0 - s_xx * a.1) / det,
             (s_rr * a.0 - s_xr * a.1) / det,
         );
-        let out = 0.25 * s_hh / radius;
+        let out = 0.25 * s_hh / section.radius;
         let corners = [(-on_a.0, -on_a.1), (-on_b.0, -on_b.1), on_a, on_b];
-        for (i, corner) in corners.into_iter().enumerate() {
-            force[i].0 -= corner.0;
-            force[i].1 -= corner.1 + out;
-        }
-        Response {
-            force,
-            pressure,
-            volume: true_volume,
-            energy,
-            loss,
-            limit: self.limit(j, length, sound, subzonal_sound, expansion),
-            least_triangle,
+        for (force, corner) in response.force.iter_mut().zip(corners) {
+            force.0 -= corner.0;
+            force.1 -= corner.1 + out;
         }
     }
 
     /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and
     /// damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is l/(sqrt(c^2 + s^2) + s).
-    fn limit(&self, j: f64, length: f64, sound: f64, subzonal_sound: f64, expansion: f64) -> f64 {
+    fn limit(&self, j: f64, length: f64, expansion: f64) -> f64 {
+        let sound = (self.bulk / self.density).sqrt();
+        let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();
         let stiffness = self.bulk / (j * j) + 4.0 / 3.0 * self.shear + self.subzonal;
         let kinematic = self.viscosity / self.density;
         let s = LINEAR * sound

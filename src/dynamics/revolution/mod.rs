@@ -12,6 +12,8 @@ mod run;
 mod sensor;
 mod shell;
 mod state;
+#[cfg(test)]
+mod tests;
 
 pub use object::{BallSpring, HARD, Object, Outline, Surface};
 pub use results::{Energy, Extremes, Frame, Keep, Peak, Run, Traces};

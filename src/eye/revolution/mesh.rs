@@ -67,7 +67,7 @@ fn angle(u: i64, v: i64) -> f64 {
 
 /// Builds the mesh of a core 2 `half` by `half` cells, with a wall beyond the front angle `opening`.
 pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> Mesh {
-    let m = half as i64;
+    let m = i64::try_from(half).expect("a mesh that fits in memory");
     let mut mesh = Mesh {
         x: Vec::new(),
         r: Vec::new(),
@@ -112,7 +112,8 @@ pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> 
     mesh.shell = mesh.layers(border, &on_shell, layers);
 
     if let Some((wall, opening)) = surround {
-        let front = |i: usize| PI - 0.5 * (rays[i] + rays[i + 1]);
+        // A cell is kept if all of it lies behind the opening.
+        let front = |i: usize| PI - rays[i];
         let first = (0..rays.len() - 1).find(|&i| front(i) >= opening);
         if let Some(first) = first {
             let on_wall: Vec<(f64, f64)> = rays[first..]

@@ -243,8 +243,8 @@ mod tests {
 
     fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> RevolutionEye {
         let parameters = Parameters {
-            surround,
             axis_angle,
+            surround,
             ..Parameters::default()
         };
         RevolutionEye::new(&parameters, level)

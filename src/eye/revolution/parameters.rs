@@ -21,7 +21,7 @@ pub struct Material {
 impl Material {
     /// The gel inside the globe. G 10 Pa and 0.1 Pa s are in the range of rheometry of the vitreous
     /// (Nickerson et al. 2008). Its bulk modulus is that of water over 22, which costs a fifth of the
-    /// time steps; from 30 MPa to 2.2 GPa deformed shapes change by 6 %.
+    /// time steps; from 30 `MPa` to 2.2 `GPa` deformed shapes change by 6 %.
     pub const VITREOUS: Self = Self {
         density: 1000.0,
         bulk: 100e6,
@@ -53,6 +53,7 @@ impl Material {
     };
 
     /// `share` of this and the rest of `other`.
+    #[must_use]
     pub fn mixed(self, other: Self, share: f64) -> Self {
         let mix = |a: f64, b: f64| if share == 1.0 { a } else { b + share * (a - b) };
         Self {
@@ -167,9 +168,9 @@ pub struct ShellParameters {
     pub density: f64,
     /// Poisson ratio, nearly incompressible.
     pub poisson: f64,
-    /// Secant modulus of the cornea at failure, in Pa: 9.4 MPa at 18 % (Uchio et al. 1999).
+    /// Secant modulus of the cornea at failure, in Pa: 9.4 `MPa` at 18 % (Uchio et al. 1999).
     pub cornea_modulus: f64,
-    /// Secant modulus of the sclera at failure, in Pa: 9.4 MPa at 6.8 % (Uchio et al. 1999).
+    /// Secant modulus of the sclera at failure, in Pa: 9.4 `MPa` at 6.8 % (Uchio et al. 1999).
     pub sclera_modulus: f64,
     /// Front angle of the limbus, in rad.
     pub limbus: f64,

@@ -1,0 +1,217 @@
+//! Forces against differences of energy, and closed forms.
+
+use super::cell::{Rest, volume};
+use super::contact::Target;
+use super::object::{Flight, HARD, Object, Outline, Surface};
+use super::shell::Shell;
+use crate::eye::revolution::{Parameters, RevolutionEye, ShellParameters};
+use proptest::prelude::*;
+
+fn free_eye(level: u32) -> RevolutionEye {
+    let parameters = Parameters {
+        surround: None,
+        ..Parameters::default()
+    };
+    RevolutionEye::new(&parameters, level)
+}
+
+fn sphere(surface: Surface) -> Object {
+    Object {
+        outline: Outline::Sphere(5e-3),
+        mass: 1e-3,
+        speed: 10.0,
+        surface,
+        spring: None,
+    }
+}
+
+/// Largest difference of `forces` from minus the slope of `energy`, over the largest force.
+fn worst(at: &[f64], h: f64, forces: &[f64], energy: impl Fn(&[f64]) -> f64) -> f64 {
+    let largest = forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+    let error = (0..at.len()).fold(0.0, |m: f64, i| {
+        let mut moved = at.to_vec();
+        moved[i] = at[i] + h;
+        let above = energy(&moved);
+        moved[i] = at[i] - h;
+        let slope = (above - energy(&moved)) / (2.0 * h);
+        m.max((forces[i] + slope).abs())
+    });
+    error / largest
+}
+
+fn corners(of: &[f64]) -> [(f64, f64); 4] {
+    std::array::from_fn(|i| (of[2 * i], of[2 * i + 1]))
+}
+
+proptest! {
+    #[test]
+    fn a_cells_force_is_minus_the_slope_of_its_energy_and_its_loss_the_power_of_its_viscosity(
+        index in 0usize..110,
+        shifts in prop::array::uniform8(-2e-4..2e-4),
+        speeds in prop::array::uniform8(-20.0..20.0),
+    ) {
+        let eye = RevolutionEye::new(&Parameters::default(), 1);
+        let cell = &eye.cells[index];
+        let rest = Rest::new(&eye, cell);
+        let at: Vec<f64> = cell
+            .corners
+            .iter()
+            .flat_map(|&n| [eye.at(n).0, eye.at(n).1])
+            .zip(shifts)
+            .map(|(x, shift)| x + shift)
+            .collect();
+        let still = rest.respond(corners(&at), [(0.0, 0.0); 4]);
+        let forces: Vec<f64> = still.force.iter().flat_map(|f| [f.0, f.1]).collect();
+        let energy = |at: &[f64]| rest.respond(corners(at), [(0.0, 0.0); 4]).energy;
+        let error = worst(&at, 1e-8, &forces, energy);
+        prop_assert!(error < 1e-5, "{error:e}");
+        prop_assert_eq!(still.loss, 0.0);
+
+        let v = corners(&speeds);
+        let moving = rest.respond(corners(&at), v);
+        let power: f64 = (0..4)
+            .map(|i| {
+                (still.force[i].0 - moving.force[i].0) * v[i].0
+                    + (still.force[i].1 - moving.force[i].1) * v[i].1
+            })
+            .sum();
+        prop_assert!((power / moving.loss - 1.0).abs() < 1e-8, "{power} {}", moving.loss);
+        prop_assert!(moving.loss > 0.0);
+    }
+
+    #[test]
+    fn the_shells_force_is_minus_the_slope_of_its_energy(
+        shifts in prop::array::uniform32(-1e-4..1e-4),
+    ) {
+        let eye = free_eye(1);
+        let shell = Shell::new(&eye);
+        let n = eye.mesh.shell.len();
+        let shift = |i: usize| shifts[i % 32];
+        let at: Vec<f64> = eye
+            .mesh
+            .shell
+            .iter()
+            .map(|&node| eye.at(node).0)
+            .chain(eye.mesh.shell.iter().map(|&node| eye.at(node).1))
+            .enumerate()
+            .map(|(i, x)| x + shift(i))
+            .collect();
+        let respond = |at: &[f64]| {
+            let mut f = vec![0.0; 2 * n];
+            let (fx, fr) = f.split_at_mut(n);
+            let energy = shell.forces(&at[..n], &at[n..], fx, fr).energy;
+            (energy, f)
+        };
+        let error = worst(&at, 1e-9, &respond(&at).1, |at| respond(at).0);
+        prop_assert!(error < 1e-5, "{error:e}");
+    }
+}
+
+#[test]
+fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surface() {
+    let eye = free_eye(2);
+    let target = Target::new(&eye);
+    let n = eye.mesh.shell.len();
+    let rest: Vec<f64> = eye
+        .mesh
+        .shell
+        .iter()
+        .map(|&node| eye.at(node).0)
+        .chain(eye.mesh.shell.iter().map(|&node| eye.at(node).1))
+        .collect();
+    let cylinder = Outline::Cylinder(5e-3, 1e-3);
+    let soft = Surface::foundation(1e9, 5e-3);
+    for outline in [Outline::Sphere(5e-3), cylinder] {
+        for surface in [Surface::RIGID, soft, soft.capped(2e5)] {
+            for depth in [0.3e-3, 1e-3, 3.4e-3] {
+                let object = Object {
+                    outline,
+                    ..sphere(surface)
+                };
+                let respond = |at: &[f64]| {
+                    let mut flight = Flight::new(&object, -12e-3 + depth);
+                    flight.inner();
+                    let mut f = vec![0.0; 2 * n];
+                    let (fx, fr) = f.split_at_mut(n);
+                    let touch = target.forces(&object, &mut flight, &at[..n], &at[n..], fx, fr);
+                    let sum: f64 = fx.iter().sum();
+                    assert!((sum + flight.force[0]).abs() <= 1e-9 * sum.abs());
+                    assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
+                    (touch.energy, f)
+                };
+                let error = worst(&rest, 1e-9, &respond(&rest).1, |at| respond(at).0);
+                assert!(error < 1e-4, "{outline:?} {surface:?} {depth} {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_foundation_is_smooth_stiffens_and_keeps_to_its_cap_halfway() {
+    let soft = Surface::foundation(1e8, 20e-3);
+    let hollow = soft.capped(1.5e5);
+    for surface in [soft, hollow, Surface::elastic(50e6, 36e-3)] {
+        for gap in [1e-5, 1e-3, 7e-3, 0.0125, 0.0127, 0.02] {
+            let h = 1e-9;
+            let (below, here, above) = (surface.at(gap - h), surface.at(gap), surface.at(gap + h));
+            let traction = (above.energy - below.energy) / (2.0 * h);
+            let slope = (above.traction - below.traction) / (2.0 * h);
+            assert!((traction / here.traction - 1.0).abs() < 1e-4, "{gap}");
+            assert!((slope / here.slope - 1.0).abs() < 1e-4, "{gap}");
+        }
+    }
+    assert!(hollow.at(7e-3).traction < 1.5e5 * 1.5);
+    assert!(soft.at(0.0126).traction > 9.0 * 1e8 * 0.0126);
+    assert_eq!(Surface::RIGID.stiffness, HARD);
+}
+
+#[test]
+fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
+    let mut shell = ShellParameters::human();
+    shell.limbus = 0.0;
+    for point in &mut shell.sclera_thickness {
+        point.1 = 0.5e-3;
+    }
+    let parameters = Parameters {
+        shell,
+        surround: None,
+        ..Parameters::default()
+    };
+    let mut last = f64::INFINITY;
+    for level in [1, 3, 5] {
+        let eye = RevolutionEye::new(&parameters, level);
+        let grown = 1.01;
+        let nodes = &eye.mesh.shell;
+        let x: Vec<f64> = nodes.iter().map(|&n| eye.at(n).0 * grown).collect();
+        let r: Vec<f64> = nodes.iter().map(|&n| eye.at(n).1 * grown).collect();
+        let (mut fx, mut fr) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        let state = Shell::new(&eye).forces(&x, &r, &mut fx, &mut fr);
+        let stress = 138e6 / (1.0 - 0.49) * 0.01;
+        assert!((state.stress / stress - 1.0).abs() < 1e-9);
+        // The law is per area at rest: on the grown ball the same tension is spread over more length.
+        let pressure = 2.0 * stress * 0.5e-3 / (12e-3 * grown * grown);
+        let mut worst: f64 = 0.0;
+        for i in 1..x.len() - 1 {
+            // Work of the pressure on the two cones beside the node, moved outward.
+            let out = (x[i] / (12e-3 * grown), r[i] / (12e-3 * grown));
+            let cones = |at: (f64, f64)| {
+                volume([
+                    (x[i - 1], r[i - 1]),
+                    (x[i - 1], 0.0),
+                    (x[i + 1], 0.0),
+                    (x[i + 1], r[i + 1]),
+                    at,
+                ])
+                .0
+            };
+            let h = 1e-7;
+            let rate = (cones((x[i] + h * out.0, r[i] + h * out.1))
+                - cones((x[i] - h * out.0, r[i] - h * out.1)))
+                / (2.0 * h);
+            let inward = -(fx[i] * out.0 + fr[i] * out.1);
+            worst = worst.max((inward / (pressure * rate) - 1.0).abs());
+        }
+        assert!(worst < 0.02 && worst < last, "{level} {worst}");
+        last = worst;
+    }
+}
