@@ -26,7 +26,7 @@ const BALANCES: f64 = 200.0;
 const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Blow {
     /// It touches the front pole at the start.
     Object(Object),
@@ -143,13 +143,14 @@ struct Instant {
 
 impl<'a, C: Cells> Motion<'a, C> {
     fn new(eye: &'a RevolutionEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
-        let (object, load) = match *blow {
+        let (object, load) = match blow {
             Blow::Object(object) => {
-                let flight = Flight::new(&object, -eye.parameters.radius);
-                (Some((object, flight)), None)
+                let flight = Flight::new(object, -eye.parameters.radius);
+                (Some((*object, flight)), None)
             }
             Blow::Pulse(pulse, half_width) => {
-                let shares = Target::shares(eye, half_width);
+                let shares = Target::shares(eye, *half_width);
+                let pulse = pulse.clone();
                 (None, Some(Load { pulse, shares }))
             }
         };
