@@ -21,7 +21,3 @@ pub mod scenario;
 pub mod study;
 pub mod tui;
 mod whole_file;
-
-// What tests share names the library as a test outside it does.
-#[cfg(test)]
-extern crate self as contrecoup;

@@ -5,14 +5,18 @@ mod support;
 
 use std::time::Duration;
 
-use contrecoup::study::{Refusal, solve, unwatched};
-use contrecoup::tui::model::{Look, Model, Overlay, Run};
+use contrecoup::scenario::Scenario;
+use contrecoup::study::{Answer, Refusal, unwatched};
+use contrecoup::tui::model::{Look, Model, Overlay};
 use contrecoup::tui::prepare;
 use contrecoup::tui::save::SaveError;
+use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
+use contrecoup::tui::screens::compare::SimulateMarked;
+use contrecoup::tui::simulation::Simulate;
+use contrecoup::tui::task::{Question, Report, Request};
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
-use contrecoup::tui::worker::{Report, keep};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -107,32 +111,45 @@ fn message(dice: &mut Dice, now: &mut Duration, size: (u16, u16)) -> Message {
     }
 }
 
+fn quick(scenario: &Scenario) -> Result<Answer, Refusal> {
+    let fast =
+        scenario.eye.level == 1 && scenario.window_ms <= 3.0 && scenario.numerics.step_us.is_none();
+    if fast {
+        Simulate(scenario.clone()).answer(&mut unwatched)
+    } else {
+        Err(Refusal::Cancelled)
+    }
+}
+
+/// What a worker says of a request, if it says anything in time.
+fn report(request: &Request, dice: &mut Dice) -> Option<Report> {
+    let ticket = request.ticket;
+    if let Some(Simulate(scenario)) = request.question() {
+        // Most answers are late: the next edit has come before them.
+        (dice.below(6) == 0).then(|| Report::done::<Simulate>(ticket, quick(scenario)))
+    } else if let Some(marked) = request.question::<SimulateMarked>() {
+        let outcome = quick(&marked.scenario);
+        Some(Report::done::<SimulateMarked>(ticket, outcome))
+    } else if request.question::<MeasureAccuracy>().is_some() {
+        Some(if dice.below(2) == 0 {
+            Report::done::<MeasureAccuracy>(ticket, Ok(accuracy::made_up()))
+        } else {
+            Report::progress(ticket, 0.5)
+        })
+    } else {
+        None
+    }
+}
+
 /// Does what threads and disk would, as fast as a test must be: what would take long is cancelled.
 fn settle(model: &mut Model, dice: &mut Dice, effects: Vec<Effect>) {
     let mut open = effects;
     while let Some(effect) = open.pop() {
-        let quick = |scenario: &contrecoup::scenario::Scenario| {
-            if scenario.eye.level == 1
-                && scenario.window_ms <= 3.0
-                && scenario.numerics.step_us.is_none()
-            {
-                solve(scenario, keep(scenario), &mut unwatched)
-            } else {
-                Err(Refusal::Cancelled)
-            }
-        };
         let message = match effect {
-            // Most answers are late: the next edit has come before them.
-            Effect::Solve(ticket, scenario) if dice.below(6) == 0 => {
-                Message::Form(Report::Done(ticket, Box::new(quick(&scenario))))
-            }
-            Effect::Compare(ticket, scenario) => {
-                Message::Comparison(Report::Done(ticket, Box::new(quick(&scenario))))
-            }
-            Effect::Measure(ticket, _) if dice.below(2) == 0 => {
-                Message::Accuracy(Report::Done(ticket, Box::new(Ok(accuracy::made_up()))))
-            }
-            Effect::Measure(ticket, _) => Message::Accuracy(Report::Progress(ticket, 0.5)),
+            Effect::Start(request) => match report(&request, dice) {
+                Some(report) => Message::News(report),
+                None => continue,
+            },
             Effect::Save(name, ..) => {
                 let outcomes = [
                     Ok(()),
@@ -171,7 +188,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             view::draw(&model, &mut buffer);
             // What is worked on is always something that can be worked on.
             contrecoup::scenario::check::check(&model.work.scenario).unwrap();
-            assert!(model.compare.entries.len() <= 6);
+            assert!(model.screens.compare.entries.len() <= 6);
         }
         // From wherever it is, a few presses of Escape and an edit lead back to a result.
         let esc = || Message::Key(KeyEvent::from(KeyCode::Esc));
@@ -185,20 +202,19 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
         model.work.scenario = contrecoup::scenario::Scenario::default();
         model.work.scenario.window_ms = 2.0;
         let edit = contrecoup::scenario::fields::find("impact.duration_ms").unwrap();
-        model.screen = contrecoup::tui::screens::Screen::Main;
+        model.screen = 0;
         model.show_pane(0);
         model.form.selected = contrecoup::tui::form::Row::Field(edit);
         let effects = update(&mut model, Message::Key(KeyEvent::from(KeyCode::Right)));
         for effect in effects {
-            if let Effect::Solve(ticket, scenario) = effect {
-                let answer = solve(&scenario, keep(&scenario), &mut unwatched);
-                update(
-                    &mut model,
-                    Message::Form(Report::Done(ticket, Box::new(answer))),
-                );
+            if let Effect::Start(request) = effect
+                && request.question::<Simulate>().is_some()
+            {
+                let report = request.answered(&mut unwatched);
+                update(&mut model, Message::News(report));
             }
         }
-        assert_eq!(model.run, Run::Settled);
+        assert!(model.run.job.is_none() && model.run.complaint.is_none());
         assert_eq!(model.stale(), None);
     }
 }

@@ -5,26 +5,31 @@
 use std::sync::Arc;
 
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
-use contrecoup::scenario::{Scenario, fields};
-use contrecoup::study::{Refusal, solve, unwatched};
-use contrecoup::tui::ensemble::{Sampling, ensemble};
+use contrecoup::scenario::fields;
+use contrecoup::study::unwatched;
+use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::{Look, Model};
 use contrecoup::tui::prepare;
-use contrecoup::tui::screens::map::state::map;
+use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
+use contrecoup::tui::screens::compare::SimulateMarked;
+use contrecoup::tui::screens::map::state::DrawMap;
+use contrecoup::tui::simulation::Simulate;
+use contrecoup::tui::task::{Question, Report, Task, Ticket};
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
-use contrecoup::tui::worker::{Report, keep};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-#[path = "support/accuracy.rs"]
+#[path = "screens/accuracy.rs"]
 mod accuracy;
 #[path = "screens/doubt.rs"]
 mod doubt;
+#[path = "support/accuracy.rs"]
+mod made_up;
 #[path = "support/renew.rs"]
 mod renew;
 #[path = "support/svg.rs"]
@@ -43,20 +48,22 @@ fn look(depth: Depth) -> Look {
 fn settle(model: &mut Model, effects: Vec<Effect>) {
     let mut open = effects;
     while let Some(effect) = open.pop() {
-        let answer = |scenario: &Scenario| -> Box<Result<_, Refusal>> {
-            Box::new(solve(scenario, keep(scenario), &mut unwatched))
+        let Effect::Start(request) = effect else {
+            continue;
         };
-        let message = match effect {
-            Effect::Solve(ticket, scenario) => {
-                Message::Form(Report::Done(ticket, answer(&scenario)))
-            }
-            Effect::Compare(ticket, scenario) => {
-                Message::Comparison(Report::Done(ticket, answer(&scenario)))
-            }
-            _ => continue,
-        };
+        let simulates = request.question::<Simulate>().is_some()
+            || request.question::<SimulateMarked>().is_some();
+        if !simulates {
+            continue;
+        }
+        let message = Message::News(request.answered(&mut unwatched));
         open.extend(update(model, message));
     }
+}
+
+/// The ticket of what is under way.
+fn ticket<Q>(task: &Task<Q>) -> Ticket {
+    task.job.as_ref().unwrap().ticket
 }
 
 fn model(sources: &[&str], depth: Depth) -> Model {
@@ -221,9 +228,9 @@ fn comparison_screens() {
 /// Opens the screen and lets a made-up measurement end.
 fn open_measured(model: &mut Model) {
     press(model, "\x1b5");
-    let ticket = model.accuracy.job.as_ref().unwrap().ticket;
-    let report = Report::Done(ticket, Box::new(Ok(accuracy::made_up())));
-    update(model, Message::Accuracy(report));
+    let ticket = ticket(&model.screens.accuracy.task);
+    let report = Report::done::<MeasureAccuracy>(ticket, Ok(made_up::made_up()));
+    update(model, Message::News(report));
 }
 
 #[test]
@@ -231,9 +238,8 @@ fn accuracy_screens() {
     pictures_after("accuracy", &[], open_measured);
     let wait = |model: &mut Model| {
         press(model, "\x1b5");
-        let ticket = model.accuracy.job.as_ref().unwrap().ticket;
-        let report = Report::Progress(ticket, 0.43);
-        update(model, Message::Accuracy(report));
+        let report = Report::progress(ticket(&model.screens.accuracy.task), 0.43);
+        update(model, Message::News(report));
     };
     pictures_after("accuracy_measuring", &[], wait);
     let edit = |model: &mut Model| {
@@ -247,29 +253,29 @@ fn accuracy_screens() {
 /// Opens the screen and lets a few samples of those asked for be run.
 fn open_sampled(model: &mut Model) {
     press(model, "\x1b6");
-    let job = model.ensemble.job.as_ref().unwrap();
-    let few = Sampling {
+    let job = model.ensemble.task.job.as_ref().unwrap();
+    let few = RunSamples {
         count: 24,
-        ..job.question.clone()
+        ..(*job.question).clone()
     };
-    let report = Report::Done(job.ticket, Box::new(ensemble(&few, &mut unwatched)));
-    update(model, Message::Ensemble(report));
+    let report = Report::done::<RunSamples>(job.ticket, few.answer(&mut unwatched));
+    update(model, Message::News(report));
 }
 
 #[test]
-fn spread_screens() {
+fn doubt_screens() {
     let doubtful = |model: &mut Model| {
         press(model, "\r +- 30\r");
         open_sampled(model);
         press(model, "jj");
     };
-    pictures_after("spread", &[], doubtful);
+    pictures_after("doubt", &[], doubtful);
     let running = |model: &mut Model| {
         press(model, "\x1b6");
-        let ticket = model.ensemble.job.as_ref().unwrap().ticket;
-        update(model, Message::Ensemble(Report::Progress(ticket, 0.43)));
+        let report = Report::progress(ticket(&model.ensemble.task), 0.43);
+        update(model, Message::News(report));
     };
-    pictures_after("spread_running", &[], running);
+    pictures_after("doubt_running", &[], running);
     let beside = |model: &mut Model| {
         press(model, "\r +- 30\r");
         open_sampled(model);
@@ -281,11 +287,11 @@ fn spread_screens() {
 /// Opens the screen and lets the first grid be computed.
 fn open_mapped(model: &mut Model) {
     press(model, "\x1b7");
-    let job = model.map.job.as_ref().unwrap();
-    let report = Report::Done(job.ticket, Box::new(map(&job.question, &mut unwatched)));
-    update(model, Message::Map(report));
-    let ticket = model.map.job.as_ref().unwrap().ticket;
-    update(model, Message::Map(Report::Progress(ticket, 0.43)));
+    let job = model.screens.map.task.job.as_ref().unwrap();
+    let report = Report::done::<DrawMap>(job.ticket, job.question.answer(&mut unwatched));
+    update(model, Message::News(report));
+    let report = Report::progress(ticket(&model.screens.map.task), 0.43);
+    update(model, Message::News(report));
 }
 
 #[test]
@@ -493,7 +499,7 @@ fn curves_that_no_answer_has_are_not_offered() {
 }
 
 #[test]
-fn spread_of_many_results_scrolls_above_what_drives_them() {
+fn bands_of_many_results_scrolls_above_what_drives_them() {
     let mut model = model(&["bb-56"], Depth::Mono);
     open_sampled(&mut model);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjj"] {

@@ -18,7 +18,7 @@ use crate::whole_file;
 /// Time between two frames unless asked otherwise, in us.
 const FRAMES_EVERY_US: f64 = 10.0;
 /// More node positions than this would be a file of more than 5 GB.
-const MOST_POSITIONS: f64 = 5e7;
+const MAX_POSITIONS: f64 = 5e7;
 
 /// Simulates the scenario and writes the files that were asked for.
 ///
@@ -124,7 +124,7 @@ fn shown(path: &Path) -> String {
 
 fn check_size(scenario: &Scenario, every_us: f64) -> Result<(), CliError> {
     let nodes = (side_at_level(scenario.eye.level) as f64).powi(2);
-    let least_us = scenario.window_ms * 1e3 * nodes / MOST_POSITIONS;
+    let least_us = scenario.window_ms * 1e3 * nodes / MAX_POSITIONS;
     if every_us < least_us {
         return Err(CliError::Input(format!(
             "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"

@@ -47,7 +47,7 @@ use crate::tui;
 pub struct Cli {
     /// How the app looks and listens, which opens without a command.
     #[command(flatten)]
-    pub manner: tui::Manner,
+    pub flags: tui::AppFlags,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -280,8 +280,8 @@ pub fn main() -> ExitCode {
         }
     };
     let app = match &cli.command {
-        None => Some(tui::run(&[], &cli.manner)),
-        Some(Command::Tui(options)) => Some(tui::run(&options.sources, &options.manner)),
+        None => Some(tui::run(&[], &cli.flags)),
+        Some(Command::Tui(options)) => Some(tui::run(&options.sources, &options.flags)),
         Some(_) => None,
     };
     if let Some(outcome) = app {

@@ -1,6 +1,6 @@
 //! The one clock that every picture follows.
 
-use super::action::Step;
+use super::step::Step;
 use crate::recording::{Frame, nearest};
 use crate::report::text::significant;
 use crate::study::{Answer, Quantity};

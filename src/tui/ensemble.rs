@@ -1,66 +1,51 @@
-//! How far the answer may be off as the app holds it: an ensemble, its job, the output looked at.
+//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
+//! many when they are asked for.
 
 use std::sync::Arc;
 
-use super::worker::{Ticket, overseen};
+use super::model::Model;
+use super::task::{Question, Report, Task};
+use super::worker::overseen;
 use crate::scenario::Scenario;
 use crate::study::ensemble::{Ensemble, run};
 use crate::study::{Refusal, Watch};
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
-/// Samples of the screen of its own.
+/// Samples that a person who asks for them waits for.
 pub const MANY: u32 = 1000;
 /// The seed of the app's ensembles: the same scenario shows the same band.
 const SEED: u32 = 1;
 
-/// What is asked of a worker.
+/// Asks for an ensemble.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sampling {
+pub struct RunSamples {
     /// The scenario.
     pub scenario: Scenario,
     /// How many samples.
     pub count: u32,
 }
 
-/// What the worker does. What is stopped gives the samples done.
-///
-/// # Errors
-/// Whatever the scenario itself is refused for.
-pub fn ensemble(question: &Sampling, watch: Watch) -> Result<Ensemble, Refusal> {
-    let count = (question.count, SEED);
-    overseen(watch, |stop, watch| {
-        run(&question.scenario, count, stop, watch)
-    })
+impl Question for RunSamples {
+    type Answer = Ensemble;
+
+    /// What is stopped gives the samples done.
+    fn answer(&self, watch: Watch) -> Result<Ensemble, Refusal> {
+        let count = (self.count, SEED);
+        overseen(watch, |stop, watch| run(&self.scenario, count, stop, watch))
+    }
 }
 
-/// What is under way.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Job {
-    /// Its ticket.
-    pub ticket: Ticket,
-    /// What was asked.
-    pub question: Sampling,
-    /// How much of it is done.
-    pub share: f64,
-    /// Whether it was asked to stop.
-    pub stopping: bool,
-}
-
-/// All that the screens know.
+/// The samples that there are, and those under way.
 #[derive(Default)]
-pub struct Spread {
-    /// The last one that ended, and for which scenario.
+pub struct Samples {
+    /// The last ones that ended, and for which scenario.
     pub done: Option<(Scenario, Arc<Ensemble>)>,
-    /// The one under way.
-    pub job: Option<Job>,
-    /// Why there is no newer one, and for which scenario.
-    pub complaint: Option<(Scenario, String)>,
-    /// The output looked at, counted among those that the ensemble has.
-    pub output: usize,
+    /// The ones under way.
+    pub task: Task<RunSamples>,
 }
 
-impl Spread {
+impl Samples {
     /// The ensemble of exactly this scenario, its name left aside.
     pub fn of(&self, scenario: &Scenario) -> Option<&Ensemble> {
         let (asked, ensemble) = self.done.as_ref()?;
@@ -69,8 +54,8 @@ impl Spread {
 
     /// Why this scenario has no newer one.
     pub fn complaint(&self, scenario: &Scenario) -> Option<&str> {
-        let (asked, why) = self.complaint.as_ref()?;
-        (*asked == key(scenario)).then_some(why)
+        let (asked, why) = self.task.complaint.as_ref()?;
+        (asked.scenario == key(scenario)).then_some(why)
     }
 }
 
@@ -80,10 +65,60 @@ pub fn is_whole(ensemble: &Ensemble) -> bool {
 }
 
 /// What of a scenario matters.
-pub fn key(scenario: &Scenario) -> Scenario {
+fn key(scenario: &Scenario) -> Scenario {
     Scenario {
         // No name would be refused.
         name: "any".to_owned(),
         ..scenario.clone()
+    }
+}
+
+/// Runs a few samples of what is on show if nothing else is wanted, for the band beside the score.
+pub(super) fn run_when_idle(model: &mut Model) {
+    let scenario = &model.work.scenario;
+    let answered = |shown: &super::model::Shown| shown.scenario == *scenario;
+    let settled = model.run.job.is_none() && model.shown.as_ref().is_some_and(answered);
+    if settled && model.ensemble.of(scenario).is_none() && model.ensemble.task.job.is_none() {
+        start(model, FEW);
+    }
+}
+
+/// Runs so many samples, unless that is under way. A smaller run gives way to a larger one.
+pub(super) fn start(model: &mut Model, count: u32) {
+    let job = model.ensemble.task.job.as_ref();
+    if job.is_none_or(|job| job.ending || job.question.count < count) {
+        let scenario = key(&model.work.scenario);
+        let question = RunSamples { scenario, count };
+        model.ensemble.task.ask(question, &mut model.out);
+    }
+}
+
+/// Gives up what is under way if the scenario became another, or if the many samples are no longer
+/// wanted: what is done of them still serves the main screen.
+pub(super) fn attend(model: &mut Model, many: bool) {
+    let Some(job) = &model.ensemble.task.job else {
+        return;
+    };
+    if job.question.scenario != key(&model.work.scenario) {
+        model.ensemble.task.stop(None, &mut model.out);
+    } else if job.question.count > FEW && !many && !job.ending {
+        model.ensemble.task.end(&mut model.out);
+    }
+}
+
+/// Keeps the larger one of what was known and what has come.
+pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
+    let samples = &mut model.ensemble;
+    let Some((asked, Some(ensemble))) = samples.task.hear(report) else {
+        return;
+    };
+    if ensemble.stopped() {
+        let done = ensemble.samples.len();
+        let text = format!("stopped after {done} of {}", ensemble.asked);
+        samples.task.complaint = Some((asked.clone(), text));
+    }
+    let known = samples.of(&asked.scenario).map_or(0, |e| e.samples.len());
+    if ensemble.samples.len() > known {
+        samples.done = Some((asked.scenario.clone(), Arc::new(ensemble)));
     }
 }

@@ -5,7 +5,7 @@
 
 use tui_input::Input;
 
-use super::action::Step;
+use super::step::Step;
 use crate::scenario::check::check;
 use crate::scenario::doubt;
 use crate::scenario::fields::{FIELDS, Field, Kind};

@@ -1,120 +1,45 @@
-//! What a key is, where it counts, and what the table of [`bindings`](self::bindings) makes of it.
+//! What a key is, where it counts, and what it does there.
 //!
-//! Dispatch, footer, help, the guide's table and the test of uniqueness all read [`BINDINGS`].
-//! Letters that are typed into a field are not bindings; see `update`.
+//! A pane lists its keys in [`KeyTable`]s, each key with what it does; what counts on every screen
+//! and in front of them is in [`shared`]. Dispatch, footer, help, the guide's table and the test of
+//! uniqueness all read these tables. Letters that are typed into a field are not in them; see
+//! `update`.
 
-mod bindings;
-
-pub use bindings::BINDINGS;
+pub mod shared;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::action::Action;
+use super::model::Model;
 use super::screens::SCREENS;
-
-/// Where a key counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumIter)]
-pub enum Context {
-    /// On every screen, unless something is typed or asked.
-    Everywhere,
-    /// In the form, on a row that takes a number.
-    Number,
-    /// In the form.
-    Form,
-    /// On the dial.
-    Dial,
-    /// Wherever time can be moved, unless the pane has the key for itself.
-    Clock,
-    /// On the replay.
-    Replay,
-    /// On the force profiles.
-    Forces,
-    /// In the list of presets of the comparison.
-    Marks,
-    /// In its table.
-    Table,
-    /// On its replays.
-    Replays,
-    /// Among the points of speed against error.
-    Accuracy,
-    /// Among the bands of the results.
-    Doubt,
-    /// On the map of two inputs.
-    Map,
-    /// Among the published injury curves.
-    Injury,
-    /// While a value or a name is typed.
-    Typing,
-    /// In the list of presets to open.
-    Picker,
-    /// While yes or no is asked.
-    Question,
-    /// While the keys are shown.
-    Help,
-}
-
-impl Context {
-    /// A heading for the help.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Everywhere => "Everywhere",
-            Self::Number => "Form: a number",
-            Self::Form => "Form",
-            Self::Dial => "Dial",
-            Self::Clock => "Time (form, dial, replay, forces, compare)",
-            Self::Replay => "Replay",
-            Self::Forces => "Forces",
-            Self::Marks => "Compare: presets",
-            Self::Table => "Compare: table",
-            Self::Replays => "Compare: replays",
-            Self::Accuracy => "Accuracy",
-            Self::Doubt => "Doubt",
-            Self::Map => "Map",
-            Self::Injury => "Injury",
-            Self::Typing => "Typing",
-            Self::Picker => "List of presets",
-            Self::Question => "Question",
-            Self::Help => "Help",
-        }
-    }
-
-    /// Whether it is a list of presets.
-    pub fn is_list(self) -> bool {
-        matches!(self, Self::Picker | Self::Marks)
-    }
-
-    /// The contexts in which a key is looked up, the first that knows it wins.
-    pub fn stack(self) -> &'static [Context] {
-        use Context::{
-            Accuracy, Clock, Dial, Doubt, Everywhere, Forces, Form, Help, Injury, Map, Marks,
-            Number, Picker, Question, Replay, Replays, Table, Typing,
-        };
-        match self {
-            Everywhere => &[Everywhere],
-            Clock => &[Clock, Everywhere],
-            Number => &[Number, Form, Clock, Everywhere],
-            Form => &[Form, Clock, Everywhere],
-            Dial => &[Dial, Clock, Everywhere],
-            Replay => &[Replay, Clock, Everywhere],
-            Forces => &[Forces, Clock, Everywhere],
-            Marks => &[Marks, Everywhere],
-            Table => &[Table, Clock, Everywhere],
-            Replays => &[Replays, Clock, Everywhere],
-            Accuracy => &[Accuracy, Everywhere],
-            Doubt => &[Doubt, Everywhere],
-            Map => &[Map, Everywhere],
-            Injury => &[Injury, Everywhere],
-            Typing => &[Typing],
-            Picker => &[Picker],
-            Question => &[Question],
-            Help => &[Help],
-        }
-    }
-}
 
 /// One press of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Press(KeyCode, KeyModifiers);
+
+/// The press of a key alone.
+pub const fn plain(code: KeyCode) -> Press {
+    Press(code, KeyModifiers::NONE)
+}
+
+/// The press of a character.
+pub const fn c(c: char) -> Press {
+    plain(KeyCode::Char(c))
+}
+
+/// A character with Control.
+pub const fn ctrl(c: char) -> Press {
+    Press(KeyCode::Char(c), KeyModifiers::CONTROL)
+}
+
+/// A character with Alt.
+pub const fn alt(c: char) -> Press {
+    Press(KeyCode::Char(c), KeyModifiers::ALT)
+}
+
+/// A key with Shift.
+pub const fn shift(code: KeyCode) -> Press {
+    Press(code, KeyModifiers::SHIFT)
+}
 
 impl Press {
     /// Whether an event is this press. A capital comes with or without Shift.
@@ -158,19 +83,44 @@ impl Press {
     }
 }
 
-/// A key or several with one meaning in one context.
+/// What a key does.
+#[derive(Clone, Copy)]
+pub enum Act {
+    /// Changes the model so.
+    Run(fn(&mut Model)),
+    /// Shows the screen of this place in the list.
+    Show(usize),
+    /// Begins to type with the key itself.
+    Type,
+}
+
+/// A key or several that do one thing.
+#[derive(Clone, Copy)]
 pub struct Binding {
-    /// Where.
-    pub context: Context,
-    /// Which keys; the first is shown.
+    /// The keys; the first that nothing nearer has for itself is shown in the footer.
     pub presses: &'static [Press],
-    /// What for.
-    pub action: Action,
+    /// What they do.
+    pub act: Act,
     /// A word for the footer; empty where it has no place there, `&` where the word before goes for
     /// this key too.
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,
+}
+
+/// A key that changes the model.
+pub const fn bind(
+    presses: &'static [Press],
+    run: fn(&mut Model),
+    short: &'static str,
+    help: &'static str,
+) -> Binding {
+    Binding {
+        presses,
+        act: Act::Run(run),
+        short,
+        help,
+    }
 }
 
 impl Binding {
@@ -189,28 +139,96 @@ impl Binding {
     }
 }
 
-/// What a key means in a context.
-pub fn action(context: Context, event: KeyEvent) -> Option<Action> {
-    context.stack().iter().find_map(|context| {
-        let mut own = BINDINGS.iter().filter(|b| b.context == *context);
-        own.find(|b| b.presses.iter().any(|press| press.is(event)))
-            .map(|binding| binding.action)
-    })
+/// Keys that count at the same time and in the same place.
+#[derive(Clone, Copy)]
+pub struct KeyTable {
+    /// A heading for the help.
+    pub title: &'static str,
+    /// The keys, the most needed first.
+    pub bindings: &'static [Binding],
+    /// Whether they count now, where their pane has the focus.
+    pub counts: fn(&Model) -> bool,
 }
 
-/// What the footer may show in a context: keys and their word, the most needed first.
-pub fn live(context: Context) -> Vec<(String, &'static str)> {
+impl KeyTable {
+    /// Keys that always count where they stand.
+    pub const fn new(title: &'static str, bindings: &'static [Binding]) -> Self {
+        Self {
+            title,
+            bindings,
+            counts: |_| true,
+        }
+    }
+
+    fn find(&self, event: KeyEvent) -> Option<&'static Binding> {
+        let means = |binding: &&Binding| binding.presses.iter().any(|press| press.is(event));
+        self.bindings.iter().find(means)
+    }
+
+    /// Whether a key of it begins a value.
+    fn types(&self) -> bool {
+        self.bindings.iter().any(|b| matches!(b.act, Act::Type))
+    }
+}
+
+/// Where the keys of time stand in a pane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TimeKeys {
+    /// Nowhere.
+    Absent,
+    /// Before the keys that count everywhere.
+    Early,
+    /// After them in the footer, but for the first.
+    Late,
+}
+
+/// The tables in which a key is looked up now, the first that knows it wins.
+pub fn stack(model: &Model) -> Vec<&'static KeyTable> {
+    if let Some(table) = shared::in_front(model) {
+        return vec![table];
+    }
+    let pane = model.focus();
+    let mut stack: Vec<_> = pane.keys.iter().filter(|t| (t.counts)(model)).collect();
+    if pane.time != TimeKeys::Absent {
+        stack.push(&shared::TIME);
+    }
+    stack.extend([&shared::EVERYWHERE, &shared::SHOW]);
+    stack
+}
+
+/// What a key does now.
+pub fn find(model: &Model, event: KeyEvent) -> Option<Act> {
+    let mut tables = stack(model).into_iter();
+    tables.find_map(|table| Some(table.find(event)?.act))
+}
+
+/// Whether what is pasted now begins a value.
+pub fn begins_value(model: &Model) -> bool {
+    stack(model).iter().any(|table| table.types())
+}
+
+/// Every table, in the order of the help.
+pub fn tables() -> Vec<&'static KeyTable> {
+    let panes = SCREENS.iter().flat_map(|screen| screen.panes);
+    let mut tables = vec![&shared::EVERYWHERE, &shared::SHOW, &shared::TIME];
+    tables.extend(panes.flat_map(|pane| pane.keys));
+    tables.extend(shared::IN_FRONT);
+    tables
+}
+
+/// What the footer may show now: keys and their word, the most needed first.
+pub fn live(model: &Model) -> Vec<(String, &'static str)> {
     let mut live: Vec<(u8, String, &'static str)> = Vec::new();
-    let stack = context.stack();
-    for (depth, place) in stack.iter().enumerate() {
-        // What a nearer context has for itself is not on offer.
+    let stack = stack(model);
+    let late_time = model.focus().time == TimeKeys::Late;
+    for (depth, table) in stack.iter().enumerate() {
+        // What a nearer table has for itself is not on offer.
         let taken = |press: &Press| {
-            let nearer = BINDINGS
-                .iter()
-                .filter(|b| stack[..depth].contains(&b.context));
+            let nearer = stack[..depth].iter().flat_map(|table| table.bindings);
             nearer.flat_map(|b| b.presses).any(|p| p == press)
         };
-        for binding in BINDINGS.iter().filter(|b| b.context == *place) {
+        let is_time = table.title == shared::TIME.title;
+        for (place, binding) in table.bindings.iter().enumerate() {
             let free = binding.presses.iter().position(|press| !taken(press));
             let Some(name) = free.and_then(|at| binding.names().into_iter().nth(at)) else {
                 continue;
@@ -219,16 +237,13 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
                 ("", _) => {}
                 ("&", Some((_, names, _))) => names.push_str(&name),
                 (word, _) => {
-                    // In form and dial, time comes after everything else.
-                    let aside = matches!(context, Context::Number | Context::Form | Context::Dial)
-                        && *place == Context::Clock;
-                    let late = aside && binding.action != Action::Play;
+                    let late = late_time && is_time && place > 0;
                     live.push((u8::from(late), name, word));
                 }
             }
         }
     }
-    if context == Context::Number {
+    if begins_value(model) {
         // Digits are taken, so it must be said how to leave the screen.
         live.insert(1, (0, format!("F1-{}", SCREENS.len()), "screen"));
         // What the arrows do comes first; Enter opens what a digit opens too.
@@ -247,86 +262,116 @@ pub fn live(context: Context) -> Vec<(String, &'static str)> {
 
 /// The table of keys for the guide: a heading and a block of text for each context.
 pub fn markdown() -> String {
-    use strum::IntoEnumIterator;
-    let context = |context: Context| {
-        let own = BINDINGS.iter().filter(|b| b.context == context);
+    let section = |table: &KeyTable| {
+        let own = table.bindings.iter();
         let rows = own.map(|b| format!("{:<15} {}\n", b.names().join(" "), b.help));
         let rows: String = rows.collect();
-        format!("\n## {}\n\n```text\n{rows}```\n", context.title())
+        format!("\n## {}\n\n```text\n{rows}```\n", table.title)
     };
-    Context::iter().map(context).collect()
+    tables().into_iter().map(section).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::action::Step;
-    use Context::{Everywhere, Form};
-    use strum::IntoEnumIterator;
+    use crate::tui::form::Row;
+    use crate::tui::model::{Overlay, Question};
+    use crate::tui::update::driven::opened;
+    use crate::tui::update::{Effect, Message, update};
+
+    /// A model for every pane, one on a row that takes numbers, and one for every overlay.
+    fn every_place() -> Vec<Model> {
+        let mut models = Vec::new();
+        for (index, screen) in SCREENS.iter().enumerate() {
+            for pane in 0..screen.panes.len() {
+                let mut model = opened();
+                model.screen = index;
+                model.show_pane(pane);
+                models.push(model);
+            }
+        }
+        let mut model = opened();
+        let force = crate::scenario::fields::find("impact.force_n").unwrap();
+        model.form.selected = Row::Field(force);
+        models.push(model);
+        for overlay in [
+            Overlay::Help(0),
+            Overlay::Picker(0),
+            Overlay::SaveAs(tui_input::Input::default(), None),
+            Overlay::Question(Question::Quit),
+        ] {
+            let mut model = opened();
+            model.overlay = Some(overlay);
+            models.push(model);
+        }
+        models
+    }
 
     #[test]
-    fn no_key_means_two_things_in_one_context() {
-        for context in Context::iter() {
+    fn no_key_means_two_things_in_one_table() {
+        for table in tables() {
             let mut seen = Vec::new();
-            for binding in BINDINGS.iter().filter(|b| b.context == context) {
+            for binding in table.bindings {
                 assert!(!binding.help.is_empty());
                 for press in binding.presses {
-                    assert!(!seen.contains(press), "{context:?} {}", press.name());
+                    assert!(!seen.contains(press), "{} {}", table.title, press.name());
                     seen.push(*press);
                 }
             }
-            assert!(!seen.is_empty(), "{context:?} has no keys");
+            assert!(!seen.is_empty(), "{} has no keys", table.title);
         }
     }
 
     #[test]
     fn no_pane_hides_a_key_that_works_everywhere() {
-        for context in Context::iter() {
-            let shared: Vec<_> = BINDINGS
+        let shared = || {
+            shared::EVERYWHERE
+                .bindings
                 .iter()
-                .filter(|b| b.context == Everywhere)
-                .collect();
-            if context == Everywhere || !context.stack().contains(&Everywhere) {
-                continue;
-            }
-            for own in BINDINGS.iter().filter(|b| b.context == context) {
+                .chain(shared::SHOW.bindings)
+        };
+        let panes = SCREENS.iter().flat_map(|screen| screen.panes);
+        for table in panes.flat_map(|pane| pane.keys).chain([&shared::TIME]) {
+            for own in table.bindings {
                 for press in own.presses {
                     // A digit is typed where a number is wanted; Alt and F keys do its work.
-                    let typed = own.action == Action::Type;
-                    let hidden = !typed && shared.iter().any(|b| b.presses.contains(press));
-                    assert!(!hidden, "{context:?} {}", press.name());
+                    let typed = matches!(own.act, Act::Type);
+                    let hidden = !typed && shared().any(|b| b.presses.contains(press));
+                    assert!(!hidden, "{} {}", table.title, press.name());
                 }
             }
         }
     }
 
     #[test]
-    fn every_screen_can_be_reached_from_everywhere_by_one_press() {
-        let panes = || SCREENS.iter().flat_map(|listed| listed.panes);
-        let contexts = panes()
-            .map(|(_, context)| *context)
-            .chain([Context::Number]);
-        for context in contexts {
-            for (i, listed) in SCREENS.iter().enumerate() {
-                let number = u8::try_from(i + 1).unwrap();
-                let show = Some(Action::Show(listed.screen));
-                let f = KeyEvent::new(KeyCode::F(number), KeyModifiers::NONE);
-                let alt = KeyEvent::new(KeyCode::Char(listed.key), KeyModifiers::ALT);
-                assert_eq!((action(context, f), action(context, alt)), (show, show));
-                let digit = KeyEvent::from(KeyCode::Char(listed.key));
-                let typed = context == Context::Number;
-                let meant = if typed { Some(Action::Type) } else { show };
-                assert_eq!(action(context, digit), meant, "{context:?}");
+    fn every_screen_can_be_reached_from_every_pane_by_one_press() {
+        for place in 0..every_place().len() {
+            for (i, number) in (1..=SCREENS.len()).enumerate() {
+                let f = KeyEvent::from(KeyCode::F(u8::try_from(number).unwrap()));
+                let digit = KeyCode::Char(char::from_digit(number as u32, 10).unwrap());
+                let alt = KeyEvent::new(digit, KeyModifiers::ALT);
+                for event in [f, alt, KeyEvent::from(digit)] {
+                    let mut model = every_place().swap_remove(place);
+                    if model.overlay.is_some() {
+                        continue;
+                    }
+                    let typed = begins_value(&model) && event == KeyEvent::from(digit);
+                    update(&mut model, Message::Key(event));
+                    assert!(typed || model.screen == i, "{i} from {place}");
+                    assert_eq!(model.form.typing.is_some(), typed);
+                }
             }
         }
     }
 
     #[test]
-    fn every_context_can_be_left_and_stopped() {
+    fn every_place_can_be_left_and_stopped() {
         let press = |letter| KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL);
-        for context in Context::iter() {
-            assert_eq!(action(context, press('c')), Some(Action::Interrupt));
-            assert_eq!(action(context, press('z')), Some(Action::Suspend));
+        for mut model in every_place() {
+            let effects = update(&mut model, Message::Key(press('c')));
+            assert!(effects.contains(&Effect::Quit(130)));
+            let effects = update(&mut model, Message::Key(press('z')));
+            assert!(effects.contains(&Effect::Suspend));
         }
     }
 
@@ -334,7 +379,7 @@ mod tests {
     fn capitals_count_with_and_without_shift() {
         for modifiers in [KeyModifiers::NONE, KeyModifiers::SHIFT] {
             let event = KeyEvent::new(KeyCode::Char('H'), modifiers);
-            assert_eq!(action(Form, event), Some(Action::Step(Step::MUCH_LESS)));
+            assert!(c('H').is(event) && !c('h').is(event));
         }
     }
 }

@@ -5,22 +5,16 @@ use std::time::Duration;
 
 use tui_input::Input;
 
-use super::clock::Clock;
-use super::ensemble::Spread;
+use super::clock::{Clock, Moment};
+use super::ensemble::Samples;
 use super::form::Form;
-use super::keys::Context;
-use super::screens::accuracy::measurement::Measurement;
-use super::screens::compare::comparison::Comparison;
-use super::screens::map::state::Map;
-use super::screens::{SCREENS, Screen};
+use super::screens::{Pane, SCREENS, Screen, Screens};
+use super::simulation::{EstimateMesh, Simulate};
+use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
-use super::worker::Ticket;
-use crate::scenario::Scenario;
+use crate::scenario::{self, Scenario};
 use crate::study::Answer;
-
-/// The name under which the form stands in the comparison.
-pub const FORM: &str = "(the form)";
 
 /// What is being worked on.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,21 +74,8 @@ pub struct Shown {
     pub scenario: Scenario,
     /// What came of it.
     pub answer: Arc<Answer>,
-    /// The job that it answers.
-    pub ticket: Ticket,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
-}
-
-/// How the newest edit fares.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Run {
-    /// It has its answer.
-    Settled,
-    /// It is being simulated; the share is known once it takes long.
-    Running(Ticket, Option<f64>),
-    /// It has no answer, for this reason.
-    Refused(String),
 }
 
 /// Something in front of the screen.
@@ -139,28 +120,22 @@ pub struct Model {
     pub form: Form,
     /// The last good result, if there ever was one.
     pub shown: Option<Shown>,
-    /// How the newest edit fares.
-    pub run: Run,
-    /// The screen.
-    pub screen: Screen,
+    /// The answer to the newest edit.
+    pub run: Task<Simulate>,
+    /// The mesh error of the answer on show.
+    pub mesh: Task<EstimateMesh>,
+    /// The place of the screen on show in [`SCREENS`].
+    pub screen: usize,
     /// The pane with the focus, for each of [`SCREENS`].
     pub panes: Vec<usize>,
+    /// What the screens keep to themselves.
+    pub screens: Screens,
     /// What is in front of the screen.
     pub overlay: Option<Overlay>,
     /// The moment shown.
     pub clock: Clock,
-    /// Which curves the force screen shows.
-    pub curves: usize,
-    /// Which injury curve is explained.
-    pub injury: usize,
-    /// The comparison.
-    pub compare: Comparison,
-    /// Speed against error.
-    pub accuracy: Measurement,
-    /// What is not known of the inputs.
-    pub ensemble: Spread,
-    /// Damage over two inputs.
-    pub map: Map,
+    /// Samples over what is not known of the inputs.
+    pub ensemble: Samples,
     /// What can be opened.
     pub choices: Vec<Choice>,
     /// Said in the footer until the next key.
@@ -171,12 +146,12 @@ pub struct Model {
     pub look: Look,
     /// Whether the mouse is listened to.
     pub mouse: bool,
-    /// Whether the mouse is turning the blow.
-    pub aiming: bool,
+    /// Whether the screen wants to be told where the mouse is dragged.
+    pub dragging: bool,
     /// Time since the start.
     pub now: Duration,
-    /// The last ticket given out.
-    pub ticket: Ticket,
+    /// What is to be done outside.
+    pub out: Outbox,
 }
 
 impl Model {
@@ -187,25 +162,22 @@ impl Model {
             history: History::default(),
             form: Form::default(),
             shown: None,
-            run: Run::Settled,
-            screen: Screen::Main,
+            run: Task::default(),
+            mesh: Task::default(),
+            screen: 0,
             panes: vec![0; SCREENS.len()],
+            screens: Screens::default(),
             overlay: None,
             clock: Clock::default(),
-            curves: 0,
-            injury: 0,
-            compare: Comparison::default(),
-            accuracy: Measurement::default(),
-            ensemble: Spread::default(),
-            map: Map::default(),
+            ensemble: Samples::default(),
             choices,
             notice: None,
             slow_link: false,
             look,
             mouse: false,
-            aiming: false,
+            dragging: false,
             now: Duration::ZERO,
-            ticket: 0,
+            out: Outbox::default(),
         }
     }
 
@@ -220,6 +192,14 @@ impl Model {
         format!("{}{edited}", self.work.name())
     }
 
+    /// The mechanical model of the scenario in words.
+    pub fn material(&self) -> &'static str {
+        match self.work.scenario.model {
+            scenario::Model::Paper => "Paper model, unit depth",
+            scenario::Model::Physiological(_) => "Physiological model",
+        }
+    }
+
     /// Why the result on show is not that of the form, if it is not.
     pub fn stale(&self) -> Option<&'static str> {
         let typing_fails = self
@@ -228,12 +208,14 @@ impl Model {
             .as_ref()
             .is_some_and(|typing| typing.error.is_some());
         let other = |shown: &Shown| shown.scenario != self.work.scenario;
-        match &self.run {
-            Run::Refused(_) => Some("last good result"),
-            Run::Running(_, Some(_)) => Some("previous result"),
+        if self.run.complaint.is_some() {
+            return Some("last good result");
+        }
+        match &self.run.job {
+            Some(job) if job.share.is_some() => Some("previous result"),
             _ if typing_fails => Some("last good result"),
-            Run::Running(_, None) => None,
-            Run::Settled => self
+            Some(_) => None,
+            None => self
                 .shown
                 .as_ref()
                 .is_some_and(other)
@@ -246,75 +228,56 @@ impl Model {
         self.slow_link && self.clock.playing
     }
 
-    /// The index of the screen in [`SCREENS`].
-    fn screen_index(&self) -> usize {
-        let here = SCREENS.iter().position(|l| l.screen == self.screen);
-        here.unwrap_or(0)
+    /// What there is to know of the screen on show.
+    pub fn on_show(&self) -> &'static Screen {
+        &SCREENS[self.screen]
     }
 
-    /// Which pane has the focus.
+    /// The place of the pane with the focus.
     pub fn pane(&self) -> usize {
-        self.panes[self.screen_index()]
+        self.panes[self.screen]
     }
 
-    /// Moves the focus by so many panes.
+    /// The pane with the focus.
+    pub fn focus(&self) -> &'static Pane {
+        &self.on_show().panes[self.pane()]
+    }
+
+    /// Whether a pane of the screen hears the keys now.
+    pub fn has_focus(&self, pane: usize) -> bool {
+        self.pane() == pane && self.overlay.is_none()
+    }
+
+    /// Gives the next pane the focus, or the one before.
     pub fn change_pane(&mut self, forward: bool) {
-        let index = self.screen_index();
-        let count = SCREENS[index].panes.len();
+        let count = self.on_show().panes.len();
         let by = if forward { 1 } else { count - 1 };
-        self.panes[index] = (self.panes[index] + by) % count;
+        self.show_pane((self.pane() + by) % count);
     }
 
     /// Gives a pane of the screen the focus.
     pub fn show_pane(&mut self, pane: usize) {
-        let index = self.screen_index();
-        self.panes[index] = pane.min(SCREENS[index].panes.len() - 1);
+        self.panes[self.screen] = pane.min(self.on_show().panes.len() - 1);
     }
 
-    /// Where a key counts now.
-    pub fn context(&self) -> Context {
-        match &self.overlay {
-            Some(Overlay::Help(_)) => Context::Help,
-            Some(Overlay::Picker(_)) => Context::Picker,
-            Some(Overlay::SaveAs(..)) => Context::Typing,
-            Some(Overlay::Question(_)) => Context::Question,
-            None if self.form.typing.is_some() => Context::Typing,
-            None => match self.screen.listed().panes[self.pane()].1 {
-                Context::Form if self.form.takes_numbers() => Context::Number,
-                pane => pane,
-            },
-        }
-    }
-
-    /// The answer whose clock runs: on the comparison, that of the first entry.
-    pub fn clock_answer(&self) -> Option<&Answer> {
-        let own = self.shown.as_ref().map(|shown| shown.answer.as_ref());
-        if self.screen == Screen::Compare {
-            let first = self.compare.entries.iter().find_map(|e| e.answer());
-            first.or(own)
-        } else {
-            own
-        }
+    /// The answer whose clock runs, and the end of its time in s.
+    pub fn timed(&self) -> Option<(&Answer, f64)> {
+        (self.on_show().timed)(self)
     }
 
     /// The end of the clock's time, in s.
     pub fn window(&self) -> Option<f64> {
-        let own = self.clock_answer()?.case.window;
-        let longest = self.compare.window();
-        Some(match longest {
-            Some(longest) if self.screen == Screen::Compare => longest,
-            _ => own,
-        })
+        Some(self.timed()?.1)
     }
 
     /// The time shown, in s.
     pub fn time(&self) -> f64 {
-        let window = self.window().unwrap_or(0.0);
+        let Some((answer, window)) = self.timed() else {
+            return 0.0;
+        };
         match self.clock.moment {
-            super::clock::Moment::At(time) => time.min(window),
-            super::clock::Moment::Deepest => {
-                self.clock_answer().map_or(0.0, |a| self.clock.time(a))
-            }
+            Moment::At(time) => time.min(window),
+            Moment::Deepest => self.clock.time(answer),
         }
     }
 }

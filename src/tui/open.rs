@@ -6,8 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::model::{Choice, Look, Model, Work};
-use super::screens::Screen;
-use super::screens::compare::comparison::MOST;
+use super::screens::SCREENS;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::scenario::library::{self, Origin, resolve};
@@ -24,13 +23,13 @@ pub struct Options {
     pub sources: Vec<String>,
     /// How it looks and listens.
     #[command(flatten)]
-    pub manner: Manner,
+    pub flags: AppFlags,
 }
 
 /// How the app looks and listens.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Options of the app")]
-pub struct Manner {
+pub struct AppFlags {
     /// How many colours
     #[arg(long, value_name = "WHICH", default_value = "auto")]
     pub color: ColorFlag,
@@ -76,7 +75,7 @@ impl OpenError {
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.
-pub fn run(sources: &[String], manner: &Manner) -> Result<ExitCode, OpenError> {
+pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> {
     if !(io::stdin().is_terminal() && io::stdout().is_terminal()) {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal for input and output. Try `ssh -t`, or\n\
@@ -84,7 +83,7 @@ pub fn run(sources: &[String], manner: &Manner) -> Result<ExitCode, OpenError> {
         ));
     }
     let env = |name: &str| std::env::var(name).ok();
-    let Some(depth) = depth(manner.color, env) else {
+    let Some(depth) = depth(flags.color, env) else {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal that can move its cursor, and TERM says `dumb`.\n\
              `contrecoup run paper-300n` works without one.",
@@ -92,13 +91,13 @@ pub fn run(sources: &[String], manner: &Manner) -> Result<ExitCode, OpenError> {
     };
     let look = Look {
         depth,
-        symbols: symbols(manner.symbols, env),
+        symbols: symbols(flags.symbols, env),
     };
     let mut model = prepare(sources, look)?;
-    model.mouse = manner.mouse;
+    model.mouse = flags.mouse;
     let settings = terminal::Settings {
-        fps: manner.fps,
-        fail_on: manner.fail_on,
+        fps: flags.fps,
+        fail_on: flags.fail_on,
     };
     let code = terminal::run(model, &settings)?;
     Ok(ExitCode::from(code))
@@ -132,23 +131,8 @@ pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
         works.push(Work::fresh(source, &scenario));
     }
     let mut model = Model::new(works[0].clone(), choices, look);
-    if works.len() > 1 {
-        let mut left_out = 0;
-        for work in &works {
-            if !model.compare.is_marked(&work.source)
-                && model.compare.mark(&work.source, &work.scenario).is_err()
-            {
-                left_out += 1;
-            }
-        }
-        if left_out > 0 {
-            let text =
-                format!("only the first {MOST} are marked for comparison, {left_out} are not");
-            model.notice = Some(text);
-        }
-        model.screen = Screen::Compare;
-        model.change_pane(true);
-        model.screen = Screen::Main;
+    for (place, screen) in SCREENS.iter().enumerate() {
+        (screen.given)(&mut model, place, &works);
     }
     Ok(model)
 }

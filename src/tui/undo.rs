@@ -8,7 +8,7 @@ use std::time::Duration;
 /// Changes closer together than this are one, if they are of the same thing.
 const ONE_CHANGE: Duration = Duration::from_millis(800);
 /// Changes that are remembered.
-const MOST: usize = 200;
+const MAX_CHANGES: usize = 200;
 
 /// The past and the undone future of some state.
 #[derive(Debug, Clone)]
@@ -38,7 +38,7 @@ impl<T> History<T> {
         });
         self.last = Some((what, now));
         if !same {
-            if self.past.len() == MOST {
+            if self.past.len() == MAX_CHANGES {
                 self.past.remove(0);
             }
             self.past.push(before);
@@ -139,6 +139,6 @@ mod tests {
         for i in 0..1000 {
             history.record(i, "", SOON);
         }
-        assert_eq!(history.depth().0, MOST);
+        assert_eq!(history.depth().0, MAX_CHANGES);
     }
 }

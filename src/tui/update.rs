@@ -1,6 +1,6 @@
 //! What every message does to the model, and what it asks of the world outside.
 //!
-//! This is the only place that changes a [`Model`]. It reads no clock and touches no file: time
+//! Only what is called from here changes a [`Model`]. It reads no clock and touches no file: time
 //! comes with messages, and what must be done goes out as an [`Effect`].
 
 use std::time::Duration;
@@ -8,31 +8,23 @@ use std::time::Duration;
 use crossterm::event::{KeyEvent, MouseEvent};
 use tui_input::Input;
 
-use super::action::Action;
-use super::clock::Moment;
-use super::ensemble::{MANY, Sampling};
-use super::form::Row;
-use super::keys::{self, Context};
-use super::model::{Choice, FORM, Model, Overlay, Question, Run, Work};
+use super::ensemble;
+use super::keys::{self, Act};
+use super::model::{Choice, Model, Overlay, Question, Work};
 use super::save::SaveError;
-use super::screens::map::state::Drawing;
-use super::screens::{Screen, accuracy, compare, doubt, map};
-use super::worker::{Report, Ticket};
-use crate::scenario::Scenario;
-use crate::study::MeshError;
-use crate::study::accuracy::Accuracy;
-use crate::study::ensemble::Ensemble;
-use crate::study::map::Grid;
+use super::screens::SCREENS;
+use super::simulation;
+use super::task::{Report, Request, Ticket};
 
 #[cfg(test)]
 pub(crate) mod driven;
 mod mouse;
-mod moves;
-mod news;
-mod presets;
-mod typing;
+pub(crate) mod presets;
+pub(crate) mod time;
+pub(crate) mod typing;
 
-use moves::{PAGE, go, next_view, nudge, stay_at, step_here, step_time};
+/// Rows of a page.
+pub(crate) const PAGE: i16 = 10;
 
 /// Something that happened.
 pub enum Message {
@@ -44,18 +36,8 @@ pub enum Message {
     Mouse(MouseEvent, (u16, u16)),
     /// It is now this long after the start.
     Tick(Duration),
-    /// The worker of the form says something.
-    Form(Report),
-    /// The worker of the comparison says something.
-    Comparison(Report),
-    /// The worker that measures speed against error says something.
-    Accuracy(Report<Accuracy>),
-    /// The worker of the mesh error.
-    Mesh(Report<MeshError>),
-    /// The worker of the ensembles says something.
-    Ensemble(Report<Ensemble>),
-    /// The worker of the map says something.
-    Map(Report<Grid>),
+    /// A worker says something.
+    News(Report),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
@@ -65,28 +47,10 @@ pub enum Message {
 /// Something to do outside.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
-    /// Simulate for the form.
-    Solve(Ticket, Scenario),
-    /// Stop that.
+    /// Work on a question, on the thread of its kind.
+    Start(Request),
+    /// Stop working on that.
     Stop(Ticket),
-    /// Estimate the mesh error of the answer to this job.
-    EstimateMesh(Ticket, Scenario),
-    /// Simulate for the comparison.
-    Compare(Ticket, Scenario),
-    /// Stop that.
-    StopComparing(Ticket),
-    /// Measure speed against error.
-    Measure(Ticket, Scenario),
-    /// Stop that.
-    StopMeasuring(Ticket),
-    /// Run samples over what is not known.
-    Sample(Ticket, Sampling),
-    /// Stop that; what is done will be told.
-    StopSampling(Ticket),
-    /// Compute a map of two inputs.
-    Draw(Ticket, Drawing),
-    /// Stop that.
-    StopDrawing(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
     /// Stop the process until it is continued.
@@ -101,51 +65,40 @@ pub enum Effect {
 
 /// Everything that is to be done once before the first key.
 pub fn begin(model: &mut Model) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    solve(model, &mut effects);
-    effects.extend(compare::next(model));
-    effects
+    simulation::start(model);
+    attend(model);
+    std::mem::take(&mut model.out.effects)
 }
 
 /// Takes a message in.
 pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
-    let mut effects = Vec::new();
     match message {
         Message::Tick(now) => tick(model, now),
-        Message::Key(event) => key(model, event, &mut effects),
-        Message::Paste(text) => typing::paste(model, &text, &mut effects),
-        Message::Mouse(event, size) => mouse::hear(model, event, size, &mut effects),
-        Message::Form(report) => {
-            news::hear(model, report);
-            // The finer mesh is for the time when nothing else is wanted.
-            if let (Run::Settled, Some(shown)) = (&model.run, &model.shown)
-                && shown.answer.errors.mesh.is_none()
-            {
-                effects.push(Effect::EstimateMesh(shown.ticket, shown.scenario.clone()));
-            }
-        }
-        Message::Mesh(report) => {
-            let done = matches!(report, Report::Done(..));
-            news::hear_mesh(model, report);
-            if done {
-                effects.extend(doubt::idle(model));
-            }
-        }
-        Message::Ensemble(report) => doubt::hear(model, report),
-        Message::Map(report) => map::hear(model, report),
-        Message::Comparison(report) => compare::hear(model, report),
-        Message::Accuracy(report) => accuracy::hear(model, report),
+        Message::Key(event) => key(model, event),
+        Message::Paste(text) => typing::paste(model, &text),
+        Message::Mouse(event, size) => mouse::hear(model, event, size),
+        Message::News(report) => hear(model, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
         Message::Choices(choices) => model.choices = choices,
     }
-    if model.screen == Screen::Compare {
-        model.compare.replace(FORM, &model.work.scenario);
+    attend(model);
+    std::mem::take(&mut model.out.effects)
+}
+
+/// Offers what a worker says to all who may have asked. Late news is nobody's.
+fn hear(model: &mut Model, report: Report) {
+    let mut report = Some(report);
+    simulation::hear(model, &mut report);
+    ensemble::hear(model, &mut report);
+    for screen in SCREENS {
+        (screen.hear)(model, &mut report);
     }
-    effects.extend(compare::next(model));
-    effects.extend(accuracy::stop_if_unwanted(model));
-    effects.extend(doubt::stop_if_unwanted(model));
-    effects.extend(map::go_on(model));
-    effects
+}
+
+fn attend(model: &mut Model) {
+    for (place, screen) in SCREENS.iter().enumerate() {
+        (screen.attend)(model, place == model.screen);
+    }
 }
 
 fn tick(model: &mut Model, now: Duration) {
@@ -156,150 +109,107 @@ fn tick(model: &mut Model, now: Duration) {
     }
 }
 
-pub(super) fn ticket(model: &mut Model) -> Ticket {
-    model.ticket += 1;
-    model.ticket
-}
-
-fn solve(model: &mut Model, effects: &mut Vec<Effect>) {
-    let ticket = ticket(model);
-    model.run = Run::Running(ticket, None);
-    effects.push(Effect::Solve(ticket, model.work.scenario.clone()));
-}
-
-/// Takes another scenario and simulates it at once.
-pub(super) fn change(model: &mut Model, work: Work, what: &'static str, effects: &mut Vec<Effect>) {
+/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if the
+/// change stands for itself.
+pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
     if work == model.work {
         return;
     }
     model.history.record(model.work.clone(), what, model.now);
-    put(model, work, effects);
+    put(model, work);
 }
 
-fn put(model: &mut Model, work: Work, effects: &mut Vec<Effect>) {
+fn put(model: &mut Model, work: Work) {
     let same = work.scenario == model.work.scenario;
     model.work = work;
     model.form.settle(&model.work.scenario);
     if !same {
-        solve(model, effects);
+        simulation::start(model);
     }
 }
 
-fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
+fn key(model: &mut Model, event: KeyEvent) {
     model.notice = None;
-    let context = model.context();
-    let action = keys::action(context, event);
-    if action == Some(Action::Type) {
-        typing::begin(model, true);
-    }
-    if let Some(action) = action.filter(|action| *action != Action::Type) {
-        act(model, action, effects);
-    } else if model.context() == Context::Typing {
-        typing::key(model, event, effects);
+    match keys::find(model, event) {
+        Some(Act::Run(run)) => {
+            model.form.complaint = None;
+            run(model);
+        }
+        Some(Act::Show(place)) => show(model, place),
+        Some(Act::Type) => {
+            typing::begin(model, true);
+            typing::key(model, event);
+        }
+        None => typing::key(model, event),
     }
 }
 
-fn act(model: &mut Model, action: Action, effects: &mut Vec<Effect>) {
+/// Shows the screen of a place in the list.
+fn show(model: &mut Model, place: usize) {
     model.form.complaint = None;
-    match action {
-        Action::Interrupt => effects.push(Effect::Quit(130)),
-        Action::Suspend => effects.push(Effect::Suspend),
-        Action::Mouse => {
-            model.mouse = !model.mouse;
-            model.aiming = false;
-            let word = if model.mouse { "on" } else { "off" };
-            model.notice = Some(format!("mouse {word}"));
-            effects.push(Effect::Mouse(model.mouse));
-        }
-        Action::Repaint => effects.push(Effect::Repaint),
-        Action::Quit if model.is_edited() => {
-            model.overlay = Some(Overlay::Question(Question::Quit));
-        }
-        Action::Quit => effects.push(Effect::Quit(0)),
-        Action::Help => {
-            model.overlay = match model.overlay {
-                Some(Overlay::Help(_)) => None,
-                _ => Some(Overlay::Help(0)),
-            };
-        }
-        Action::Show(screen) => {
-            model.screen = screen;
-            effects.extend(accuracy::opened(model));
-            effects.extend(doubt::opened(model));
-        }
-        Action::Measure if model.screen == Screen::Doubt => {
-            effects.extend(doubt::start(model, MANY));
-        }
-        Action::Measure if model.screen == Screen::Map => model.map.halted = false,
-        Action::Measure => effects.extend(accuracy::start(model)),
-        Action::NextPane => model.change_pane(true),
-        Action::PreviousPane => model.change_pane(false),
-        Action::Undo | Action::Redo => travel(model, action == Action::Undo, effects),
-        Action::Save => presets::ask_for_name(model),
-        Action::Presets => presets::open_picker(model),
-        Action::Up | Action::Down => go(model, if action == Action::Down { 1 } else { -1 }),
-        Action::Page(down) => go(model, if down { PAGE } else { -PAGE }),
-        Action::Step(step) => step_here(model, step, effects),
-        Action::Enter if model.context() == Context::Accuracy => accuracy::adopt(model, effects),
-        Action::Enter if model.context() == Context::Map => map::adopt(model, effects),
-        Action::Enter => enter(model, effects),
-        Action::Cancel if model.context() == Context::Accuracy && model.accuracy.job.is_some() => {
-            effects.extend(accuracy::stop(model));
-        }
-        Action::Cancel if model.context() == Context::Doubt => {
-            effects.extend(doubt::stop(model));
-        }
-        Action::Cancel if model.context() == Context::Map => effects.extend(map::stop(model)),
-        Action::Cancel => cancel(model, effects),
-        Action::Advanced => model.form.fold(&model.work.scenario),
-        Action::Axis(across) => model.map.turn(&model.work.scenario, across),
-        Action::Reach(wider) => model.map.zoom(&model.work.scenario, wider),
-        Action::Turn(step) if model.screen == Screen::Map => model.map.step(step, false),
-        Action::Turn(step) => nudge(model, "impact.angle_deg", step, effects),
-        Action::Widen(step) => nudge(model, "impact.half_width_deg", step, effects),
-        Action::Play => {
-            // Nobody has chosen a moment yet: begin at the beginning.
-            let time = match model.clock.moment {
-                Moment::Deepest => 0.0,
-                Moment::At(_) => model.time(),
-            };
-            model.clock.moment = Moment::At(time);
-            model.clock.playing = !model.clock.playing;
-        }
-        Action::First | Action::Last if model.context().is_list() => {
-            go(
-                model,
-                if action == Action::Last {
-                    i16::MAX
-                } else {
-                    -i16::MAX
-                },
-            );
-        }
-        Action::First => stay_at(model, 0.0),
-        Action::Last => stay_at(model, model.window().unwrap_or(0.0)),
-        Action::Slower => model.clock.change_speed(false),
-        Action::Faster => model.clock.change_speed(true),
-        Action::NextPeak | Action::PreviousPeak => {
-            let mut clock = model.clock;
-            if let Some(answer) = model.clock_answer() {
-                clock.jump(answer, action == Action::NextPeak);
-            }
-            model.clock = clock;
-        }
-        Action::Exaggerate => model.clock.change_zoom(),
-        Action::Detail => model.clock.change_detail(),
-        Action::Curves if model.screen == Screen::Compare => compare::next_curve(model),
-        Action::Curves => next_view(model),
-        Action::Mark => compare::mark(model, effects),
-        Action::Sort => model.compare.sort_here(),
-        // What is typed goes into the field, see `key`.
-        Action::Type => {}
-        Action::Yes | Action::No => answer_question(model, action == Action::Yes, effects),
+    model.screen = place;
+    (SCREENS[place].opened)(model);
+}
+
+/// Leaves at once.
+pub(crate) fn leave(model: &mut Model) {
+    model.out.effects.push(Effect::Quit(130));
+}
+
+/// Stops until the shell goes on.
+pub(crate) fn suspend(model: &mut Model) {
+    model.out.effects.push(Effect::Suspend);
+}
+
+/// Draws everything afresh.
+pub(crate) fn repaint(model: &mut Model) {
+    model.out.effects.push(Effect::Repaint);
+}
+
+/// Listens to the mouse, or no longer.
+pub(crate) fn toggle_mouse(model: &mut Model) {
+    model.mouse = !model.mouse;
+    model.dragging = false;
+    let word = if model.mouse { "on" } else { "off" };
+    model.notice = Some(format!("mouse {word}"));
+    model.out.effects.push(Effect::Mouse(model.mouse));
+}
+
+/// Leaves, after a question if work would be lost.
+pub(crate) fn quit(model: &mut Model) {
+    if model.is_edited() {
+        model.overlay = Some(Overlay::Question(Question::Quit));
+    } else {
+        model.out.effects.push(Effect::Quit(0));
     }
 }
 
-fn travel(model: &mut Model, back: bool, effects: &mut Vec<Effect>) {
+/// Shows or hides the keys.
+pub(crate) fn help(model: &mut Model) {
+    model.overlay = match model.overlay {
+        Some(Overlay::Help(_)) => None,
+        _ => Some(Overlay::Help(0)),
+    };
+}
+
+/// Moves by so many rows through the list in front of the screen.
+pub(crate) fn scroll(model: &mut Model, by: i16) {
+    match &mut model.overlay {
+        Some(Overlay::Help(line)) => {
+            // No page is so short that there is more to scroll to.
+            let rows: usize = keys::tables().iter().map(|t| t.bindings.len()).sum();
+            *line = line.saturating_add_signed(by).min(rows as u16);
+        }
+        Some(Overlay::Picker(row)) => {
+            let last = model.choices.len().saturating_sub(1);
+            *row = row.saturating_add_signed(isize::from(by)).min(last);
+        }
+        _ => {}
+    }
+}
+
+/// Takes the last change back, or makes it again.
+pub(crate) fn travel(model: &mut Model, back: bool) {
     let present = model.work.clone();
     let other = if back {
         model.history.undo(present)
@@ -307,52 +217,51 @@ fn travel(model: &mut Model, back: bool, effects: &mut Vec<Effect>) {
         model.history.redo(present)
     };
     if let Ok(work) = other {
-        put(model, work, effects);
+        put(model, work);
     } else {
         let what = if back { "undo" } else { "redo" };
         model.notice = Some(format!("nothing to {what}"));
     }
 }
 
-fn enter(model: &mut Model, effects: &mut Vec<Effect>) {
+/// Accepts what is chosen in front of the screen, or what is typed.
+pub(crate) fn accept(model: &mut Model) {
     match &model.overlay {
         Some(Overlay::Picker(row)) => {
             let row = *row;
             model.overlay = None;
-            presets::open(model, row, effects);
+            presets::open(model, row);
         }
         Some(Overlay::SaveAs(input, _)) => {
             let name = input.value().trim().to_owned();
-            presets::save(model, name, false, effects);
+            presets::save(model, name, false);
         }
         Some(_) => {}
-        None if model.form.typing.is_some() => typing::accept(model, effects),
-        None => match model.form.selected {
-            Row::Preset => presets::open_picker(model),
-            Row::Fold => model.form.fold(&model.work.scenario),
-            Row::Field(_) => typing::begin(model, false),
-        },
+        None => typing::accept(model),
     }
 }
 
-fn cancel(model: &mut Model, effects: &mut Vec<Effect>) {
+/// Gives up what is nearest: what stands in front, what is typed, or what is being computed.
+pub(crate) fn cancel(model: &mut Model) {
     if model.overlay.take().is_some() {
         return;
     }
     if let Some(typing) = model.form.typing.take() {
         let work = model.work.with(typing.before);
-        put(model, work, effects);
-    } else if let Run::Running(ticket, _) = model.run {
-        effects.push(Effect::Stop(ticket));
+        put(model, work);
+    } else if !(model.on_show().cancel)(model) {
+        // Its worker says that it was cancelled.
+        model.run.end(&mut model.out);
     }
 }
 
-fn answer_question(model: &mut Model, yes: bool, effects: &mut Vec<Effect>) {
+/// Answers yes or no to what is asked.
+pub(crate) fn reply(model: &mut Model, yes: bool) {
     match model.overlay.take() {
-        Some(Overlay::Question(Question::Quit)) if yes => effects.push(Effect::Quit(0)),
+        Some(Overlay::Question(Question::Quit)) if yes => model.out.effects.push(Effect::Quit(0)),
         Some(Overlay::Question(Question::Replace(name) | Question::Hide(name))) => {
             if yes {
-                presets::save(model, name, true, effects);
+                presets::save(model, name, true);
             } else {
                 model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
             }

@@ -1,7 +1,7 @@
-//! The threads that simulate while the app stays awake.
+//! A thread that works while the app stays awake.
 //!
-//! Each runs one job and holds at most one more; a newer job takes the place of the held one and
-//! stops the running one. Each job has a ticket, by which a late answer is known.
+//! It does one request and holds at most one more; a newer request takes the place of the held one
+//! and stops the running one.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -9,110 +9,76 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::recording::{Keep, Spacing};
-use crate::scenario::{Impact, Scenario};
-use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
+use super::task::{Report, Request, Ticket};
+use crate::study::Watch;
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
-/// Frames that a replay keeps.
-const FRAMES: f64 = 400.0;
-/// The time in which most happens after a short blow, in s.
-const LIVELY: f64 = 5e-3;
-/// Numbers of nodes times frames that a replay may keep: some 100 MB.
-const MOST_KEPT: f64 = 4e6;
-
 /// How often work on several threads is looked after.
 const LOOK_EVERY: Duration = Duration::from_millis(4);
 
-/// Known by this number.
-pub type Ticket = u64;
-
-/// What a worker says.
-#[derive(Debug)]
-pub enum Report<T = Answer> {
-    /// This share of the job is done.
-    Progress(Ticket, f64),
-    /// The job is done, or was refused.
-    Done(Ticket, Box<Result<T, Refusal>>),
-}
-
-/// What a thread does with a question.
-pub type Job<Q, T> = fn(&Q, Watch) -> Result<T, Refusal>;
-
-struct Slot<Q> {
-    job: Option<(Ticket, Q)>,
+#[derive(Default)]
+struct Slot {
+    request: Option<Request>,
     closed: bool,
 }
 
-struct Shared<Q> {
-    slot: Mutex<Slot<Q>>,
+#[derive(Default)]
+struct Shared {
+    slot: Mutex<Slot>,
     filled: Condvar,
-    /// Jobs with a lower ticket must stop.
+    /// Requests with a lower ticket must stop.
     wanted: AtomicU64,
 }
 
-/// A thread with room for one running and one pending job.
-pub struct Worker<Q = Scenario>(Arc<Shared<Q>>);
+/// A thread with room for one running and one pending request.
+pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts a thread that simulates; `say` is called on it.
+    /// Starts the thread; `say` is called on it.
     pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
-        Self::of(answer, say)
-    }
-}
-
-impl<Q: Send + 'static> Worker<Q> {
-    /// Starts a thread that does something else.
-    pub fn of<T: 'static>(job: Job<Q, T>, say: impl Fn(Report<T>) + Send + 'static) -> Self {
-        let shared = Arc::new(Shared {
-            slot: Mutex::new(Slot {
-                job: None,
-                closed: false,
-            }),
-            filled: Condvar::new(),
-            wanted: AtomicU64::new(0),
-        });
+        let shared = Arc::new(Shared::default());
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, job, &say));
+        thread::spawn(move || work(&own, &say));
         Self(shared)
     }
 
-    /// Hands in a job. Tickets must rise.
-    pub fn submit(&self, ticket: Ticket, question: Q) {
-        self.0.wanted.store(ticket, Ordering::Relaxed);
-        self.lock().job = Some((ticket, question));
+    /// Hands in a request. Tickets must rise.
+    pub fn submit(&self, request: Request) {
+        self.0.wanted.store(request.ticket, Ordering::Relaxed);
+        self.lock().request = Some(request);
         self.0.filled.notify_one();
     }
 
-    /// Stops every job up to this ticket.
+    /// Stops the request of this ticket, if it is the last that was handed in; earlier ones have
+    /// stopped already.
     pub fn cancel(&self, ticket: Ticket) {
-        self.0.wanted.fetch_max(ticket + 1, Ordering::Relaxed);
+        let wanted = &self.0.wanted;
+        let _ = wanted.compare_exchange(ticket, ticket + 1, Ordering::Relaxed, Ordering::Relaxed);
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Slot<Q>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Slot> {
         self.0.slot.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl<Q> Drop for Worker<Q> {
+impl Drop for Worker {
     fn drop(&mut self) {
         self.0.wanted.store(u64::MAX, Ordering::Relaxed);
-        let slot = self.0.slot.lock();
-        slot.unwrap_or_else(PoisonError::into_inner).closed = true;
+        self.lock().closed = true;
         self.0.filled.notify_one();
     }
 }
 
-fn work<Q, T>(shared: &Shared<Q>, job: Job<Q, T>, say: &impl Fn(Report<T>)) {
+fn work(shared: &Shared, say: &impl Fn(Report)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let (ticket, question) = loop {
+        let request = loop {
             if slot.closed {
                 return;
             }
-            if let Some(job) = slot.job.take() {
-                break job;
+            if let Some(request) = slot.request.take() {
+                break request;
             }
             slot = shared
                 .filled
@@ -120,46 +86,18 @@ fn work<Q, T>(shared: &Shared<Q>, job: Job<Q, T>, say: &impl Fn(Report<T>)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        say(run(shared, ticket, &question, job, say));
+        let mut reported = Instant::now();
+        say(request.answered(&mut |share| {
+            if shared.wanted.load(Ordering::Relaxed) > request.ticket {
+                return ControlFlow::Break(());
+            }
+            if reported.elapsed() >= REPORT_EVERY {
+                reported = Instant::now();
+                say(Report::progress(request.ticket, share));
+            }
+            ControlFlow::Continue(())
+        }));
     }
-}
-
-fn run<Q, T>(
-    shared: &Shared<Q>,
-    ticket: Ticket,
-    question: &Q,
-    job: Job<Q, T>,
-    say: &impl Fn(Report<T>),
-) -> Report<T> {
-    let mut reported = Instant::now();
-    let outcome = job(question, &mut |share| {
-        if shared.wanted.load(Ordering::Relaxed) > ticket {
-            return ControlFlow::Break(());
-        }
-        if reported.elapsed() >= REPORT_EVERY {
-            reported = Instant::now();
-            say(Report::Progress(ticket, share));
-        }
-        ControlFlow::Continue(())
-    });
-    Report::Done(ticket, Box::new(outcome))
-}
-
-/// A whole answer, with all that the screens show.
-///
-/// # Errors
-/// As for any run.
-pub fn answer(scenario: &Scenario, watch: Watch) -> Result<Answer, Refusal> {
-    solve(scenario, keep(scenario), watch)
-}
-
-/// The mesh error of a scenario's answer. It is solved again, which is little beside the finer mesh.
-///
-/// # Errors
-/// As for any run.
-pub fn mesh_error(scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
-    let answer = solve(scenario, Keep::default(), watch)?;
-    MeshQuery::of(&answer).estimate(scenario, watch)
 }
 
 /// Does work that may be told to stop and says how far it is, on another thread, under the eyes of a
@@ -187,38 +125,13 @@ pub fn overseen<T: Send>(
     })
 }
 
-/// In a long window half of the frames fall into the time in which most happens.
-fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
-    let window = scenario.window_ms * 1e-3;
-    let pulse = match &scenario.impact {
-        Impact::ForcePulse(pulse) => pulse.duration_ms * 1e-3,
-        Impact::Projectile(_) => 0.0,
-    };
-    let lively = LIVELY.max(2.0 * pulse);
-    if window < 2.0 * lively {
-        return Spacing::even(window / frames);
-    }
-    let early = (0.5 * frames).round();
-    Spacing {
-        early: early as u32,
-        early_every: lively / early,
-        every: (window - lively) / (frames - early),
-    }
-}
-
-/// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
-pub fn keep(scenario: &Scenario) -> Keep {
-    let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
-    let frames = FRAMES.min(MOST_KEPT / (side * side)).max(20.0);
-    Keep {
-        traces: true,
-        frames: Some(spacing(scenario, frames)),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::Scenario;
+    use crate::study::{Answer, Refusal};
+    use crate::tui::simulation::Simulate;
+    use crate::tui::task::News;
     use std::sync::mpsc::{Receiver, channel};
 
     const PATIENCE: Duration = Duration::from_secs(30);
@@ -229,6 +142,10 @@ mod tests {
             let _ = say.send(report);
         });
         (worker, heard)
+    }
+
+    fn submit(worker: &Worker, ticket: Ticket, scenario: Scenario) {
+        worker.submit(Request::new(ticket, Arc::new(Simulate(scenario))));
     }
 
     fn long() -> Scenario {
@@ -242,23 +159,24 @@ mod tests {
 
     fn done(heard: &Receiver<Report>) -> (Ticket, Result<Answer, Refusal>) {
         loop {
-            if let Report::Done(ticket, answer) = heard.recv_timeout(PATIENCE).unwrap() {
-                return (ticket, *answer);
+            let report = heard.recv_timeout(PATIENCE).unwrap();
+            if let News::Done(outcome) = report.news {
+                return (report.ticket, outcome.map(|any| *any.downcast().unwrap()));
             }
         }
     }
 
     #[test]
-    fn a_newer_job_stops_the_running_one_and_replaces_the_pending_one() {
+    fn a_newer_request_stops_the_running_one_and_replaces_the_pending_one() {
         let (worker, heard) = worker();
-        worker.submit(1, long());
+        submit(&worker, 1, long());
         // Progress shows that the first is running.
         let first = heard.recv_timeout(PATIENCE).unwrap();
-        assert!(matches!(first, Report::Progress(1, _)));
+        assert!(first.ticket == 1 && matches!(first.news, News::Share(_)));
         for ticket in 2..=9 {
-            worker.submit(ticket, long());
+            submit(&worker, ticket, long());
         }
-        worker.submit(10, Scenario::default());
+        submit(&worker, 10, Scenario::default());
         let (ticket, answer) = done(&heard);
         assert_eq!((ticket, answer.unwrap_err()), (1, Refusal::Cancelled));
         let mut last = done(&heard);
@@ -272,38 +190,26 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_job_ends_and_the_worker_goes_on() {
+    fn a_cancelled_request_ends_and_the_worker_goes_on() {
         let (worker, heard) = worker();
-        worker.submit(1, long());
-        worker.cancel(1);
+        submit(&worker, 5, long());
+        // That is another worker's.
+        worker.cancel(9);
+        let first = heard.recv_timeout(PATIENCE).unwrap();
+        assert!(matches!(first.news, News::Share(_)));
+        worker.cancel(5);
         assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
-        worker.submit(2, Scenario::default());
+        submit(&worker, 6, Scenario::default());
         assert!(done(&heard).1.is_ok());
     }
 
     #[test]
-    fn dropping_the_worker_stops_its_job() {
+    fn dropping_the_worker_stops_its_request() {
         let (worker, heard) = worker();
-        worker.submit(1, long());
+        submit(&worker, 1, long());
         drop(worker);
         let begun = Instant::now();
         while heard.recv_timeout(PATIENCE).is_ok() {}
         assert!(begun.elapsed() < PATIENCE);
-    }
-
-    #[test]
-    fn the_mesh_error_is_a_job_of_its_own() {
-        let (say, heard) = channel();
-        let worker = Worker::of(mesh_error, move |report| {
-            let _ = say.send(report);
-        });
-        worker.submit(1, Scenario::default());
-        loop {
-            if let Report::Done(1, mesh) = heard.recv_timeout(PATIENCE).unwrap() {
-                let damage = mesh.unwrap().errors[crate::study::Quantity::Damage].unwrap();
-                assert!((20.0..40.0).contains(&damage), "{damage}");
-                break;
-            }
-        }
     }
 }

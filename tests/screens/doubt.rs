@@ -1,26 +1,27 @@
 //! What the screens say of samples: which scenario they are of, how many, and their numbers apart.
 
-use super::{SIZES, line_from, model, open_sampled, picture, press};
+use super::{SIZES, line_from, model, open_sampled, picture, press, ticket};
 use contrecoup::study::ensemble::Ensemble;
 use contrecoup::study::{Quantity, unwatched};
-use contrecoup::tui::ensemble::{Sampling, ensemble};
+use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::model::Model;
+use contrecoup::tui::task::{Question, Report};
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Message, update};
-use contrecoup::tui::worker::Report;
 
 /// Opens the screen and lets so many samples be run, changed by `then`, of as many as were asked for.
 fn open_changed(model: &mut Model, count: u32, then: impl Fn(&mut Ensemble)) {
     press(model, "\x1b6");
-    let job = model.ensemble.job.as_ref().unwrap();
-    let few = Sampling {
+    let job = model.ensemble.task.job.as_ref().unwrap();
+    let few = RunSamples {
         count,
-        ..job.question.clone()
+        ..(*job.question).clone()
     };
-    let mut done = ensemble(&few, &mut unwatched).unwrap();
+    let ticket = job.ticket;
+    let mut done = few.answer(&mut unwatched).unwrap();
     then(&mut done);
-    let report = Report::Done(job.ticket, Box::new(Ok(done)));
-    update(model, Message::Ensemble(report));
+    let report = Report::done::<RunSamples>(ticket, Ok(done));
+    update(model, Message::News(report));
 }
 
 #[test]
@@ -29,11 +30,8 @@ fn bands_of_the_scenario_before_are_not_shown() {
     open_sampled(&mut model);
     assert!(picture(&model, (80, 24)).contains("as it stands"));
     press(&mut model, "\x1b1\r\x15200\r\x1b6");
-    let ticket = model.ensemble.job.as_ref().unwrap().ticket;
-    update(
-        &mut model,
-        Message::Ensemble(Report::Progress(ticket, 0.01)),
-    );
+    let report = Report::progress(ticket(&model.ensemble.task), 0.01);
+    update(&mut model, Message::News(report));
     for size in SIZES {
         let text = picture(&model, size);
         assert!(text.contains("running 1 %"), "{text}");

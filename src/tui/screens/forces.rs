@@ -3,10 +3,15 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::{Pane, Screen};
 use crate::recording::Traces;
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
+use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
+use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
+use crate::tui::step::Step;
+use crate::tui::update::time;
 use crate::tui::view::chart::{Chart, Curve, value_at};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
@@ -96,7 +101,7 @@ static VIEWS: &[View] = &[
 type View = &'static [&'static [usize]];
 
 /// The views whose curves a recording has.
-pub fn views(traces: &Traces) -> Vec<View> {
+fn views(traces: &Traces) -> Vec<View> {
     let there = |view: &&View| {
         let mut curves = view.iter().flat_map(|chart| chart.iter());
         curves.all(|&i| !(CURVES[i].values)(traces).is_empty())
@@ -104,8 +109,39 @@ pub fn views(traces: &Traces) -> Vec<View> {
     VIEWS.iter().filter(there).copied().collect()
 }
 
-/// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+/// The screen.
+pub const SCREEN: Screen = Screen::new(
+    "Forces",
+    "the force profiles",
+    &[Pane {
+        name: "forces",
+        keys: &[KEYS],
+        time: TimeKeys::Early,
+    }],
+    draw,
+);
+
+#[rustfmt::skip]
+const KEYS: KeyTable = KeyTable::new("Forces", &[
+    bind(&[LEFT, c('h')], |m| time::step(m, Step::LESS), "cursor", "the cursor to the left"),
+    bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the cursor to the right"),
+    bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "the cursor far to the left"),
+    bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "the cursor far to the right"),
+    bind(&[c('v')], next_view, "view", "all four forces, one of them, growth, energies"),
+]);
+
+/// The next set of curves.
+fn next_view(model: &mut Model) {
+    let traces = model
+        .shown
+        .as_ref()
+        .and_then(|s| s.answer.recording.traces.as_ref());
+    let count = traces.map_or(1, |t| views(t).len());
+    let view = &mut model.screens.forces;
+    *view = (*view % count + 1) % count;
+}
+
+fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -118,9 +154,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         text.push_str(&peak);
     }
     let end = put(buffer, area, (0, 0), &text, theme.strong());
-    let said = model
-        .stale()
-        .unwrap_or(crate::tui::screens::main::form::material(model));
+    let said = model.stale().unwrap_or(model.material());
     let style = if model.stale().is_some() {
         theme.warning()
     } else {
@@ -133,7 +167,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         Some(traces) => views(traces),
         None => return,
     };
-    let view = views[model.curves % views.len()];
+    let view = views[model.screens.forces % views.len()];
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
     let (columns, rows) = match view.len() {
         1 => (1, 1),

@@ -3,11 +3,15 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::{Pane, Screen};
 use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
 use crate::report::text::significant;
+use crate::tui::keys::shared::{DOWN, UP};
+use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
-use crate::tui::screens::main::score::name;
-use crate::tui::view::text::{fitted, flowed, numeral, put, put_right, seen, width, wrapped};
+use crate::tui::view::text::{
+    fitted, flag_name, flowed, numeral, put, put_right, seen, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// Columns of the injury's name and of the figures behind the bar.
@@ -16,8 +20,31 @@ const FIGURES: u16 = 23;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
-/// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+/// The screen.
+pub const SCREEN: Screen = Screen::new(
+    "Injury",
+    "what published injury curves say",
+    &[Pane {
+        name: "curves",
+        keys: &[KEYS],
+        time: TimeKeys::Absent,
+    }],
+    draw,
+);
+
+#[rustfmt::skip]
+const KEYS: KeyTable = KeyTable::new("Injury", &[
+    bind(&[UP, c('k')], |m| go(m, -1), "curve", "the curve above"),
+    bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the curve below"),
+]);
+
+fn go(model: &mut Model, by: isize) {
+    let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
+    let row = model.screens.injury.saturating_add_signed(by);
+    model.screens.injury = row.min(count.saturating_sub(1));
+}
+
+fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // Bars that are longer are no easier to read.
     let area = Rect {
@@ -74,7 +101,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     put(buffer, bar, (0, 1), "0", theme.quiet());
     put_right(buffer, bar, (bar.width / 2 + 2, 1), "50 %", theme.quiet());
     put_right(buffer, bar, (bar.width, 1), "100 %", theme.quiet());
-    let chosen = model.injury % risks.len();
+    let chosen = model.screens.injury % risks.len();
     let room = area.height.saturating_sub(2 + below(area)).max(1);
     let first = (chosen + 1).saturating_sub(usize::from(room));
     let shown = usize::from(room).min(risks.len());
@@ -98,7 +125,12 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 
 /// The names of the flags of the answer, which the curves rest on, in two lines at most.
 fn flags(shown: &Shown, room: usize) -> Vec<String> {
-    let names: Vec<String> = shown.answer.flags.iter().map(|f| name(f.kind)).collect();
+    let names: Vec<String> = shown
+        .answer
+        .flags
+        .iter()
+        .map(|f| flag_name(f.kind))
+        .collect();
     if names.is_empty() {
         return Vec::new();
     }

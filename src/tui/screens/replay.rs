@@ -3,13 +3,18 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::{Pane, Screen};
 use crate::eye::{Monitor, Region};
 use crate::report::text::significant;
 use crate::tui::clock::peak_at;
 use crate::tui::form::unverified;
+use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
+use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
 use crate::tui::screens::forces::{drive, drive_label};
+use crate::tui::step::Step;
 use crate::tui::terminal::caps::Symbols;
+use crate::tui::update::time;
 use crate::tui::view::chart::{Curve, value_at};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::heat::{heat_glyph, thresholds};
@@ -20,8 +25,30 @@ use crate::tui::view::theme::Theme;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
-/// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+/// The screen.
+pub const SCREEN: Screen = Screen::new(
+    "Replay",
+    "the replay in full size",
+    &[Pane {
+        name: "replay",
+        keys: &[KEYS],
+        time: TimeKeys::Early,
+    }],
+    draw,
+);
+
+const KEYS: KeyTable = KeyTable::new("Replay", FRAME_KEYS);
+
+/// From frame to frame, wherever the eye is replayed.
+#[rustfmt::skip]
+pub const FRAME_KEYS: &[Binding] = &[
+    bind(&[LEFT, c('h')], |m| time::step(m, Step::LESS), "frame", "the frame before"),
+    bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the next frame"),
+    bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "ten frames back"),
+    bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "ten frames on"),
+];
+
+fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -103,7 +130,7 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let at = (0, area.height - 2);
         put(buffer, area, at, "? unverified figures", theme.warning());
     }
-    let material = crate::tui::screens::main::form::material(model);
+    let material = model.material();
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
 }
 

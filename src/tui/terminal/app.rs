@@ -48,7 +48,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let session = Session::enter()?;
     event::listen(&send, signals);
     let mut app = App {
-        jobs: Jobs::start(&send),
+        jobs: Jobs::new(send),
         model,
         session,
         events,
@@ -317,7 +317,8 @@ impl App {
                 Effect::Mouse(listen) => self.session.listen_to_mouse(listen)?,
                 Effect::Repaint => self.repaint(),
                 Effect::Quit(code) => self.exit = Some(code),
-                job => self.jobs.perform(job),
+                Effect::Start(request) => self.jobs.start(request),
+                Effect::Stop(ticket) => self.jobs.stop(ticket),
             }
         }
         Ok(())

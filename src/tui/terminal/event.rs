@@ -9,8 +9,7 @@ use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGWINCH};
 use signal_hook::iterator::Signals;
 
 use super::input::Input;
-use crate::tui::action::Action;
-use crate::tui::keys::{self, Context};
+use crate::tui::keys::shared::SUSPEND;
 use crate::tui::update::Message;
 
 /// Something that came from outside.
@@ -42,7 +41,7 @@ impl Event {
         let Self::Input(Input::Key(key)) = self else {
             return false;
         };
-        keys::action(Context::Everywhere, *key) == Some(Action::Suspend)
+        SUSPEND.is(*key)
     }
 }
 

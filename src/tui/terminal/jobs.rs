@@ -1,76 +1,44 @@
-//! The threads that compute for the app, and which effect is for which of them.
+//! The threads that compute for the app: one for each kind of question, begun when first asked.
 
+use std::any::TypeId;
+use std::collections::HashMap;
 use std::sync::mpsc::Sender;
 
 use super::event::Event;
-use crate::study::accuracy::Accuracy;
-use crate::study::ensemble::Ensemble;
-use crate::study::map::Grid;
-use crate::study::{Answer, MeshError};
-use crate::tui::ensemble::{Sampling, ensemble};
-use crate::tui::screens::accuracy::measurement::measure;
-use crate::tui::screens::map::state::{Drawing, map};
-use crate::tui::update::{Effect, Message};
-use crate::tui::worker::{Job, Report, Worker, answer, mesh_error};
+use crate::tui::task::{Request, Ticket};
+use crate::tui::update::Message;
+use crate::tui::worker::Worker;
 
-/// One thread a kind of work.
+/// One thread a kind of question.
 pub(super) struct Jobs {
-    form: Worker,
-    comparison: Worker,
-    mesh: Worker,
-    accuracy: Worker,
-    ensemble: Worker<Sampling>,
-    map: Worker<Drawing>,
-}
-
-/// A thread whose news reach the loop as messages.
-fn worker<Q: Send + 'static, T: Send + 'static>(
-    send: &Sender<Event>,
-    job: Job<Q, T>,
-    wrap: fn(Report<T>) -> Message,
-) -> Worker<Q> {
-    let send = send.clone();
-    Worker::of(job, move |report| {
-        // Nobody listens once the app is leaving.
-        let _ = send.send(Event::News(wrap(report)));
-    })
+    send: Sender<Event>,
+    workers: HashMap<TypeId, Worker>,
 }
 
 impl Jobs {
-    /// Starts all threads; they wait for work.
-    pub(super) fn start(send: &Sender<Event>) -> Self {
-        Self {
-            form: worker::<_, Answer>(send, answer, Message::Form),
-            comparison: worker::<_, Answer>(send, answer, Message::Comparison),
-            mesh: worker::<_, MeshError>(send, mesh_error, Message::Mesh),
-            accuracy: worker::<_, Accuracy>(send, measure, Message::Accuracy),
-            ensemble: worker::<_, Ensemble>(send, ensemble, Message::Ensemble),
-            map: worker::<_, Grid>(send, map, Message::Map),
-        }
+    /// No threads yet; what they will say goes to `send`.
+    pub(super) fn new(send: Sender<Event>) -> Self {
+        let workers = HashMap::new();
+        Self { send, workers }
     }
 
-    /// Hands an effect to its thread. What is for no thread is left to the loop.
-    pub(super) fn perform(&self, effect: Effect) {
-        match effect {
-            Effect::Solve(ticket, scenario) => {
-                self.mesh.cancel(ticket);
-                self.form.submit(ticket, scenario);
-            }
-            Effect::Stop(ticket) => self.form.cancel(ticket),
-            Effect::EstimateMesh(ticket, scenario) => self.mesh.submit(ticket, scenario),
-            Effect::Compare(ticket, scenario) => self.comparison.submit(ticket, scenario),
-            Effect::StopComparing(ticket) => self.comparison.cancel(ticket),
-            Effect::Measure(ticket, scenario) => self.accuracy.submit(ticket, scenario),
-            Effect::StopMeasuring(ticket) => self.accuracy.cancel(ticket),
-            Effect::Sample(ticket, question) => self.ensemble.submit(ticket, question),
-            Effect::StopSampling(ticket) => self.ensemble.cancel(ticket),
-            Effect::Draw(ticket, question) => self.map.submit(ticket, question),
-            Effect::StopDrawing(ticket) => self.map.cancel(ticket),
-            Effect::Save(..)
-            | Effect::Suspend
-            | Effect::Mouse(_)
-            | Effect::Repaint
-            | Effect::Quit(_) => {}
+    /// Hands a request to the thread of its kind.
+    pub(super) fn start(&mut self, request: Request) {
+        let send = &self.send;
+        let worker = self.workers.entry(request.kind()).or_insert_with(|| {
+            let send = send.clone();
+            Worker::start(move |report| {
+                // Nobody listens once the app is leaving.
+                let _ = send.send(Event::News(Message::News(report)));
+            })
+        });
+        worker.submit(request);
+    }
+
+    /// Stops the request of a ticket, whichever thread has it.
+    pub(super) fn stop(&self, ticket: Ticket) {
+        for worker in self.workers.values() {
+            worker.cancel(ticket);
         }
     }
 }

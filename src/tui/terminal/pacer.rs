@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// How long a reply is waited for.
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Unanswered questions in a row after which no more are asked.
-const MOST_SILENCES: u32 = 2;
+const MAX_SILENCES: u32 = 2;
 /// Seconds: a reply is thought to take at least the first, and none is waited for beyond the other.
 const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
@@ -54,7 +54,7 @@ pub enum Cause {
 impl Pacer {
     /// Whether a frame should end with a question.
     pub fn asks(&self) -> bool {
-        self.silences < MOST_SILENCES
+        self.silences < MAX_SILENCES
     }
 
     /// A frame of so many bytes went out.
@@ -195,7 +195,7 @@ mod tests {
     fn a_terminal_that_never_answers_gets_a_budget_of_bytes() {
         let mut pacer = Pacer::default();
         let mut now = Instant::now();
-        for _ in 0..MOST_SILENCES {
+        for _ in 0..MAX_SILENCES {
             assert!(pacer.asks());
             pacer.sent(now, 1000);
             now += PATIENCE;
@@ -220,7 +220,7 @@ mod tests {
         assert_eq!(after(250), Duration::from_millis(500));
         assert_eq!(after(1900), Duration::from_secs(1));
         let mute = Pacer {
-            silences: MOST_SILENCES,
+            silences: MAX_SILENCES,
             ..Pacer::default()
         };
         assert_eq!(mute.farewell(), Duration::ZERO);

@@ -3,6 +3,7 @@
 use super::{Effect, Message, begin, update};
 use crate::tui::model::{Look, Model};
 use crate::tui::open::prepare;
+use crate::tui::task::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crossterm::event::{KeyCode, KeyEvent};
 
@@ -20,6 +21,14 @@ pub fn begun() -> Model {
     let mut model = opened();
     begin(&mut model);
     model
+}
+
+/// The first question of a type that the effects ask.
+pub fn asked<Q: Question>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Start(request) => Some((request.ticket, request.question()?)),
+        _ => None,
+    })
 }
 
 /// Presses a key.

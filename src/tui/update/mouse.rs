@@ -1,127 +1,64 @@
-//! What the mouse does, where it is listened to: points, turns the blow, and steps by its wheel.
+//! What the mouse does, where it is listened to: it points at screens and at what they show.
 
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use ratatui::layout::Rect;
 
-use super::{Effect, act, change, enter, go, nudge, step_time};
-use crate::scenario::fields;
-use crate::tui::action::{Action, Step};
-use crate::tui::form::{Row, with_text};
-use crate::tui::keys::Context;
+use super::{scroll, show};
 use crate::tui::model::{Model, Overlay};
-use crate::tui::screens::Screen;
-use crate::tui::view::hit::{Spot, angle, spot};
-
-const FORM: usize = 0;
-const DIAL: usize = 1;
+use crate::tui::screens::Mouse;
+use crate::tui::step::Step;
+use crate::tui::view::{SMALLEST, body, tab_at};
 
 /// Takes in what the mouse did on a screen of `size`.
-pub(super) fn hear(
-    model: &mut Model,
-    event: MouseEvent,
-    size: (u16, u16),
-    effects: &mut Vec<Effect>,
-) {
+pub(super) fn hear(model: &mut Model, event: MouseEvent, size: (u16, u16)) {
     let at = (event.column, event.row);
+    // What is typed or asked wants an answer by key first.
+    let busy = model.overlay.is_some() || model.form.typing.is_some();
     match event.kind {
-        // What is typed or asked wants an answer by key first.
-        MouseEventKind::Down(_) if model.overlay.is_some() || model.form.typing.is_some() => {}
-        MouseEventKind::Down(MouseButton::Left) => {
-            model.notice = None;
-            press(model, at, size, effects);
-        }
-        MouseEventKind::Drag(MouseButton::Left) if model.aiming => aim(model, at, size, effects),
-        MouseEventKind::Up(_) => model.aiming = false,
+        MouseEventKind::Up(_) => model.dragging = false,
         MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => {
-            let down = event.kind == MouseEventKind::ScrollDown;
+            let up = event.kind == MouseEventKind::ScrollUp;
             let coarse = event.modifiers.contains(KeyModifiers::SHIFT);
-            wheel(model, (down, coarse), spot(model, size, at), effects);
+            match &model.overlay {
+                Some(Overlay::Help(_) | Overlay::Picker(_)) => {
+                    scroll(model, if up { -1 } else { 1 });
+                }
+                _ if busy => {}
+                _ => {
+                    model.notice = None;
+                    tell(model, Mouse::Wheel(at, Step { up, coarse }), size);
+                }
+            }
+        }
+        MouseEventKind::Drag(MouseButton::Left) if model.dragging => {
+            tell(model, Mouse::Drag(at), size);
+        }
+        MouseEventKind::Down(MouseButton::Left) if !busy => {
+            model.notice = None;
+            match tab_at(model, size, at) {
+                Some(place) => show(model, place),
+                None => model.dragging = tell(model, Mouse::Press(at), size),
+            }
         }
         _ => {}
     }
 }
 
-fn press(model: &mut Model, at: (u16, u16), size: (u16, u16), effects: &mut Vec<Effect>) {
-    match spot(model, size, at) {
-        Spot::Screen(screen) => act(model, Action::Show(screen), effects),
-        Spot::Row(row) => {
-            let again = model.pane() == FORM && model.form.selected == row;
-            model.show_pane(FORM);
-            model.form.complaint = None;
-            model.form.selected = row;
-            // The line that folds is a button; any other row is chosen first.
-            if again || row == Row::Fold {
-                enter(model, effects);
-            }
-        }
-        Spot::Form => model.show_pane(FORM),
-        Spot::Dial => {
-            model.show_pane(DIAL);
-            model.aiming = true;
-            aim(model, at, size, effects);
-        }
-        Spot::Pane(pane) => model.show_pane(pane),
-        Spot::Marked(row) => {
-            let again = model.compare.row == row;
-            model.compare.row = row;
-            if again {
-                act(model, Action::Mark, effects);
-            }
-        }
-        Spot::Other => {}
-    }
-}
-
-/// Turns the blow to where the mouse is, by whole degrees.
-fn aim(model: &mut Model, at: (u16, u16), size: (u16, u16), effects: &mut Vec<Effect>) {
-    let path = "impact.angle_deg";
-    let (Some(field), Some(angle)) = (fields::find(path), angle(model, size, at)) else {
-        return;
-    };
-    // Minus zero would be written with its sign.
-    let text = (angle.round() + 0.0).to_string();
-    model.form.complaint = None;
-    match with_text(&model.work.scenario, field, &text) {
-        Ok(scenario) => {
-            let work = model.work.with(scenario);
-            change(model, work, path, effects);
-        }
-        Err(why) => model.form.complaint = Some(why),
-    }
-}
-
-/// Up is more of a value and backwards in a list and in time.
-fn wheel(model: &mut Model, (down, coarse): (bool, bool), spot: Spot, effects: &mut Vec<Effect>) {
-    let step = |up| Step { up, coarse };
-    let by = if down { 1 } else { -1 };
-    match &model.overlay {
-        Some(Overlay::Help(_) | Overlay::Picker(_)) => return go(model, by),
-        Some(_) => return,
-        None if model.form.typing.is_some() => return,
-        None => {}
-    }
-    model.notice = None;
-    match (spot, model.context()) {
-        (Spot::Row(row), _) if row == model.form.selected => {
-            if let Row::Field(field) = row {
-                model.form.complaint = None;
-                nudge(model, field.path, step(!down), effects);
-            }
-        }
-        (Spot::Row(_) | Spot::Form, _) => {
-            model.form.go(&model.work.scenario, isize::from(by));
-        }
-        (_, Context::Marks) => go(model, by),
-        _ if model.screen == Screen::Main => step_time(model, step(down)),
-        _ => act(model, Action::Step(step(down)), effects),
-    }
+/// Tells the screen, where there is room to draw it; whether it wants to be told of drags.
+fn tell(model: &mut Model, mouse: Mouse, (width, height): (u16, u16)) -> bool {
+    let drawn = width >= SMALLEST.0 && height >= SMALLEST.1;
+    let screen = model.on_show();
+    drawn && (screen.mouse)(model, mouse, body(Rect::new(0, 0, width, height)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::Impact;
-    use crate::tui::update::driven::begun;
-    use crate::tui::update::{Message, update};
+    use crate::scenario::{Impact, fields};
+    use crate::tui::form::Row;
+    use crate::tui::simulation::Simulate;
+    use crate::tui::update::driven::{asked, begun};
+    use crate::tui::update::{Effect, Message, update};
     use MouseButton::Left;
     use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
 
@@ -162,10 +99,10 @@ mod tests {
             "no button went down there"
         );
         does(&mut model, Down(Left), (MIDDLE.0 - 8, MIDDLE.1));
-        assert_eq!(model.context(), Context::Dial);
+        assert_eq!(model.focus().name, "dial");
         assert!(blow(&model).1.abs() < 8.0, "{}", blow(&model).1);
         let effects = does(&mut model, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1 - 2));
-        assert!(matches!(effects[..], [Effect::Solve(..)]));
+        assert!(asked::<Simulate>(&effects).is_some());
         let angle = blow(&model).1;
         assert!(
             (15.0..45.0).contains(&angle) && angle == angle.round(),
@@ -211,19 +148,21 @@ mod tests {
     fn a_click_on_its_name_shows_a_screen_or_a_pane() {
         let mut model = model();
         let title = crate::tui::view::tabs(&model, SIZE.0);
-        for (at, _, screen) in title {
+        for (place, (at, label)) in title.into_iter().enumerate() {
             does(&mut model, Down(Left), (at + 1, 0));
-            assert_eq!(model.screen, screen);
-            model.screen = Screen::Main;
+            assert_eq!(model.screen, place);
+            if label.contains("Compare") {
+                break;
+            }
+            model.screen = 0;
         }
-        model.screen = Screen::Compare;
         does(&mut model, Down(Left), (12, 1));
         assert_eq!(model.pane(), 1);
         does(&mut model, Down(Left), (2, 1));
         does(&mut model, Down(Left), (8, 4));
-        assert_eq!((model.pane(), model.compare.row), (0, 2));
-        assert!(model.compare.entries.is_empty());
+        assert_eq!((model.pane(), model.screens.compare.row), (0, 2));
+        assert!(model.screens.compare.entries.is_empty());
         does(&mut model, Down(Left), (8, 4));
-        assert_eq!(model.compare.entries.len(), 1);
+        assert_eq!(model.screens.compare.entries.len(), 1);
     }
 }

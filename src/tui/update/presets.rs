@@ -7,7 +7,7 @@ use crate::scenario::load::to_ron;
 use crate::tui::model::{Choice, Model, Overlay, Question, Work};
 use crate::tui::save::{SaveError, check_name, free_name};
 
-pub(super) fn next_preset(model: &mut Model, forward: bool, effects: &mut Vec<Effect>) {
+pub(crate) fn next_preset(model: &mut Model, forward: bool) {
     let count = model.choices.len();
     if count == 0 {
         return;
@@ -21,23 +21,23 @@ pub(super) fn next_preset(model: &mut Model, forward: bool, effects: &mut Vec<Ef
         Some(here) => (here + count - 1) % count,
         None => 0,
     };
-    open(model, next, effects);
+    open(model, next);
 }
 
-pub(super) fn open(model: &mut Model, index: usize, effects: &mut Vec<Effect>) {
+pub(crate) fn open(model: &mut Model, index: usize) {
     let Some(choice) = model.choices.get(index) else {
         return;
     };
     match &choice.scenario {
         Ok(scenario) => {
             let work = Work::fresh(&choice.name, scenario);
-            change(model, work, "", effects);
+            change(model, work, "");
         }
         Err(why) => model.form.complaint = Some(format!("{}: {why}", choice.name)),
     }
 }
 
-pub(super) fn open_picker(model: &mut Model) {
+pub(crate) fn open_picker(model: &mut Model) {
     let here = model
         .choices
         .iter()
@@ -45,7 +45,7 @@ pub(super) fn open_picker(model: &mut Model) {
     model.overlay = Some(Overlay::Picker(here.unwrap_or(0)));
 }
 
-pub(super) fn ask_for_name(model: &mut Model) {
+pub(crate) fn ask_for_name(model: &mut Model) {
     let own = |choice: &&Choice| choice.name == model.work.source;
     let is_own = model
         .choices
@@ -61,7 +61,7 @@ pub(super) fn ask_for_name(model: &mut Model) {
     model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
 }
 
-pub(super) fn save(model: &mut Model, name: String, replace: bool, effects: &mut Vec<Effect>) {
+pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
     if let Err(error) = check_name(&name) {
         if let Some(Overlay::SaveAs(_, shown)) = &mut model.overlay {
             *shown = Some(error.to_string());
@@ -82,10 +82,13 @@ pub(super) fn save(model: &mut Model, name: String, replace: bool, effects: &mut
     if scenario.name == model.work.original.name && model.is_edited() {
         scenario.name.clone_from(&name);
     }
-    effects.push(Effect::Save(name, to_ron(&scenario), replace));
+    model
+        .out
+        .effects
+        .push(Effect::Save(name, to_ron(&scenario), replace));
 }
 
-pub(super) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
+pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
     match outcome {
         Ok(()) => {
             model.overlay = None;

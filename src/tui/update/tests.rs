@@ -1,6 +1,6 @@
 //! What keys and answers do to the model, without a terminal and without threads.
 
-use super::driven::begun;
+use super::driven::{asked, begun};
 use super::*;
 use crate::recording::Keep;
 use crate::scenario::Impact;
@@ -8,6 +8,8 @@ use crate::scenario::fields;
 use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::form::Row;
 use crate::tui::prepare;
+use crate::tui::screens::compare::SimulateMarked;
+use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Input as Typed, Parser};
 
 mod typing;
@@ -40,15 +42,20 @@ fn force(model: &Model) -> f64 {
     pulse.force_n
 }
 
+/// The ticket of the simulation under way.
+fn running(model: &Model) -> Ticket {
+    model.run.job.as_ref().unwrap().ticket
+}
+
 fn answer(model: &mut Model, ticket: Ticket) {
     let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
-    let report = Report::Done(ticket, Box::new(answer));
-    update(model, Message::Form(report));
+    let report = Report::done::<Simulate>(ticket, answer);
+    update(model, Message::News(report));
 }
 
 fn refuse(model: &mut Model, ticket: Ticket, refusal: Refusal) {
-    let report = Report::Done(ticket, Box::new(Err(refusal)));
-    update(model, Message::Form(report));
+    let report = Report::done::<Simulate>(ticket, Err(refusal));
+    update(model, Message::News(report));
 }
 
 #[test]
@@ -57,14 +64,11 @@ fn every_edit_asks_for_its_own_simulation() {
     let effects = press(&mut model, "lll");
     let tickets: Vec<Ticket> = effects
         .iter()
-        .map(|effect| match effect {
-            Effect::Solve(ticket, _) => *ticket,
-            other => panic!("{other:?}"),
-        })
+        .filter_map(|effect| Some(asked::<Simulate>(std::slice::from_ref(effect))?.0))
         .collect();
     assert_eq!(force(&model), 330.0);
     assert!(tickets.is_sorted() && tickets.len() == 3);
-    assert_eq!(model.run, Run::Running(tickets[2], None));
+    assert_eq!(running(&model), tickets[2]);
 }
 
 #[test]
@@ -74,7 +78,7 @@ fn a_late_answer_changes_nothing() {
     answer(&mut model, 1);
     assert!(model.shown.is_none(), "that was the answer before the edit");
     answer(&mut model, 2);
-    assert!(model.shown.is_some() && model.run == Run::Settled);
+    assert!(model.shown.is_some() && model.run.job.is_none());
 }
 
 #[test]
@@ -82,12 +86,15 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
     let mut model = model();
     answer(&mut model, 1);
     press(&mut model, "l");
-    refuse(&mut model, 2, Refusal::Cancelled);
-    assert!(matches!(&model.run, Run::Refused(why) if why.contains("cancelled")));
+    let ticket = running(&model);
+    refuse(&mut model, ticket, Refusal::Cancelled);
+    let (_, why) = model.run.complaint.as_ref().unwrap();
+    assert!(why.contains("the next edit"));
     assert_eq!(model.stale(), Some("last good result"));
     // The next edit that works clears it.
     press(&mut model, "u");
-    answer(&mut model, 3);
+    let ticket = running(&model);
+    answer(&mut model, ticket);
     assert_eq!(model.stale(), None);
 }
 
@@ -95,7 +102,7 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
 fn escape_cancels_a_run_and_an_edit_supersedes_it() {
     let mut model = model();
     assert_eq!(press(&mut model, "\x1b"), [Effect::Stop(1)]);
-    assert!(matches!(press(&mut model, "l")[..], [Effect::Solve(2, _)]));
+    assert_eq!(asked::<Simulate>(&press(&mut model, "l")).unwrap().0, 2);
 }
 
 #[test]
@@ -129,7 +136,7 @@ fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current(
         Impact::Projectile(_) => panic!(),
     };
     let limit = angle(&model);
-    let ticket = model.ticket;
+    let ticket = running(&model);
     answer(&mut model, ticket);
     press(&mut model, "k");
     assert_eq!(angle(&model), limit);
@@ -155,9 +162,9 @@ fn lists_of_presets_have_a_first_and_a_last() {
     press(&mut model, "\x1b[H\x1b[6~");
     assert!(matches!(model.overlay, Some(Overlay::Picker(10))));
     press(&mut model, "q\x1b4\x1b[F");
-    assert_eq!(model.compare.row, last + 1);
+    assert_eq!(model.screens.compare.row, last + 1);
     press(&mut model, "\x1b[H");
-    assert_eq!(model.compare.row, 0);
+    assert_eq!(model.screens.compare.row, 0);
 }
 
 #[test]
@@ -175,7 +182,7 @@ fn more_scenarios_than_can_be_marked_are_counted() {
     .map(str::to_owned);
     let look = model().look;
     let model = prepare(&names, look).unwrap();
-    assert_eq!(model.compare.entries.len(), 6);
+    assert_eq!(model.screens.compare.entries.len(), 6);
     assert!(
         model
             .notice
@@ -250,20 +257,23 @@ fn the_dial_and_the_form_turn_the_same_angle() {
 fn marks_are_simulated_one_after_another() {
     let mut model = model();
     let effects = press(&mut model, "\x1b4j j ");
-    let [Effect::Compare(first, _)] = effects[..] else {
-        panic!("{effects:?}")
-    };
+    let (first, _) = asked::<SimulateMarked>(&effects).unwrap();
     let done = |model: &mut Model, ticket| {
         let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
-        let report = Report::Done(ticket, Box::new(answer));
-        update(model, Message::Comparison(report))
+        let report = Report::done::<SimulateMarked>(ticket, answer);
+        update(model, Message::News(report))
     };
     let effects = done(&mut model, first);
-    let [Effect::Compare(second, _)] = effects[..] else {
-        panic!("{effects:?}")
-    };
+    let (second, _) = asked::<SimulateMarked>(&effects).unwrap();
     assert!(done(&mut model, second).is_empty());
-    assert!(model.compare.entries.iter().all(|e| e.answer().is_some()));
+    assert!(
+        model
+            .screens
+            .compare
+            .entries
+            .iter()
+            .all(|e| e.answer().is_some())
+    );
 }
 
 #[test]
@@ -271,8 +281,8 @@ fn unmarking_stops_a_simulation_nobody_waits_for() {
     let mut model = model();
     press(&mut model, "\x1b4j ");
     let effects = press(&mut model, " ");
-    assert!(matches!(effects[..], [Effect::StopComparing(_)]));
-    assert!(model.compare.job.is_none());
+    assert!(matches!(effects[..], [Effect::Stop(_)]));
+    assert!(model.screens.compare.task.job.is_none());
 }
 
 #[test]
@@ -281,10 +291,8 @@ fn the_form_follows_into_the_comparison() {
     press(&mut model, "\x1b4 ");
     press(&mut model, "1l");
     let effects = press(&mut model, "\x1b4");
-    let Some(Effect::Compare(_, scenario)) = effects.last() else {
-        panic!("{effects:?}")
-    };
-    assert_eq!(*scenario, model.work.scenario);
+    let (_, marked) = asked::<SimulateMarked>(&effects).unwrap();
+    assert_eq!(marked.scenario, model.work.scenario);
 }
 
 #[test]
@@ -329,7 +337,7 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
     assert!(model.title().starts_with("xxx"));
     let tabs = crate::tui::view::tabs(&model, 100);
     assert!(
-        tabs.iter().all(|(_, label, _)| label.len() > 3),
+        tabs.iter().all(|(_, label)| label.len() > 3),
         "{}",
         tabs.len()
     );

@@ -4,14 +4,14 @@ use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
 
-use super::{Effect, put};
+use super::put;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
-use crate::tui::keys::Context;
+use crate::tui::keys::begins_value;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
-pub(super) fn begin(model: &mut Model, empty: bool) {
+pub(crate) fn begin(model: &mut Model, empty: bool) {
     let Row::Field(field) = model.form.selected else {
         return;
     };
@@ -27,7 +27,7 @@ pub(super) fn begin(model: &mut Model, empty: bool) {
 
 /// A key that is no binding. A letter that can be no part of a number is refused, as whoever presses it
 /// takes it for a key.
-pub(super) fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>) {
+pub(crate) fn key(model: &mut Model, event: KeyEvent) {
     let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let field = match (&model.overlay, &model.form.typing) {
         (None, Some(typing)) => Some(typing.field),
@@ -44,7 +44,7 @@ pub(super) fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>)
         }
         _ => None,
     };
-    type_into(model, effects, |input| {
+    type_into(model, |input| {
         if let Some(request) = request {
             input.handle(request);
         } else {
@@ -53,26 +53,20 @@ pub(super) fn key(model: &mut Model, event: KeyEvent, effects: &mut Vec<Effect>)
     });
 }
 
-pub(super) fn paste(model: &mut Model, text: &str, effects: &mut Vec<Effect>) {
-    if model.context() == Context::Number {
+pub(crate) fn paste(model: &mut Model, text: &str) {
+    if begins_value(model) {
         begin(model, true);
     }
-    if model.context() == Context::Typing {
-        type_into(model, effects, |input| {
-            for c in text.chars().filter(|c| !c.is_control()).take(200) {
-                input.handle(InputRequest::InsertChar(c));
-            }
-        });
-    }
+    type_into(model, |input| {
+        for c in text.chars().filter(|c| !c.is_control()).take(200) {
+            input.handle(InputRequest::InsertChar(c));
+        }
+    });
 }
 
 /// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
 /// makes none leaves the value from before, not a part of what was typed.
-pub(super) fn type_into(
-    model: &mut Model,
-    effects: &mut Vec<Effect>,
-    change: impl FnOnce(&mut Input),
-) {
+pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
     if let Some(Overlay::SaveAs(input, error)) = &mut model.overlay {
         change(input);
         *error = check_name(input.value()).err().map(|e| e.to_string());
@@ -86,11 +80,11 @@ pub(super) fn type_into(
     typing.error = outcome.as_ref().err().cloned();
     let scenario = outcome.unwrap_or_else(|_| typing.before.clone());
     let work = model.work.with(scenario);
-    put(model, work, effects);
+    put(model, work);
 }
 
 /// Ends typing with what was typed, unless it makes no sense.
-pub(super) fn accept(model: &mut Model, effects: &mut Vec<Effect>) {
+pub(crate) fn accept(model: &mut Model) {
     let Some(typing) = model.form.typing.take() else {
         return;
     };
@@ -101,7 +95,7 @@ pub(super) fn accept(model: &mut Model, effects: &mut Vec<Effect>) {
                 model.history.record(before, "", model.now);
             }
             let work = model.work.with(scenario);
-            put(model, work, effects);
+            put(model, work);
         }
         Err(why) => {
             model.form.typing = Some(Typing {

@@ -31,9 +31,8 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     // The keys for help and for leaving are always there.
     let is_last = |word: &str| word == "keys" || word == "quit";
-    let (last, first): (Vec<_>, Vec<_>) = live(model.context())
-        .into_iter()
-        .partition(|(_, word)| is_last(word));
+    let (last, first): (Vec<_>, Vec<_>) =
+        live(model).into_iter().partition(|(_, word)| is_last(word));
     let wide = |(keys, word): &(String, &str)| width(keys) + width(word) + 3;
     let reserved: u16 = last.iter().map(wide).sum();
     let mut show = |entry: &(String, &str), x: u16| {

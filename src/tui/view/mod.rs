@@ -7,7 +7,6 @@ pub mod chart;
 pub mod eye;
 pub mod footer;
 pub mod heat;
-pub mod hit;
 pub mod overlay;
 mod projection;
 pub mod raster;
@@ -18,7 +17,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::model::{Model, Overlay, Question};
-use super::screens::{Listed, SCREENS, Screen};
+use super::screens::{SCREENS, Screen};
 use super::terminal::caps::Symbols;
 use text::put;
 use theme::Theme;
@@ -26,13 +25,16 @@ use theme::Theme;
 /// The smallest screen that shows anything but a request for a larger one.
 pub const SMALLEST: (u16, u16) = (60, 20);
 
+/// Said once, plainly.
+pub const PURPOSE: &str = "Research and education, not diagnosis";
+
 /// What stands in the upper left corner.
 const PROGRAM: &str = "contrecoup ";
 
 /// Columns that the preset's name can claim in the title.
 const LONGEST_NAME: u16 = 26;
 /// What is left of it, at least, beside the names of all screens.
-const SHORTENED_NAME: u16 = 11;
+const SHORTENED_NAME: u16 = 10;
 
 /// Draws the whole screen.
 pub fn draw(model: &Model, buffer: &mut Buffer) {
@@ -43,7 +45,7 @@ pub fn draw(model: &Model, buffer: &mut Buffer) {
     } else {
         let body = body(area);
         title(model, area, buffer);
-        (model.screen.listed().draw)(model, body, buffer);
+        (model.on_show().draw)(model, body, buffer);
         footer::draw(model, Rect::new(0, area.height - 1, area.width, 1), buffer);
         overlay::draw(model, body, buffer);
     }
@@ -80,24 +82,24 @@ fn too_small(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Where the names of the screens begin in the title, and how they are written.
-pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
+pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String)> {
     // A long name gives way before the screens do.
     let full = text::width(&model.title());
     let name = full.min(LONGEST_NAME) + 2;
     // Where room is short the program's name gives way, then the space between the names of the
     // screens, then those of the others.
-    let label = |listed: &Listed, form: Form| match form {
-        Form::Brief if listed.screen != model.screen => format!(" {} ", listed.key),
-        Form::Tight => format!(" {} {}", listed.key, listed.title),
-        Form::Brief | Form::Wide => format!(" {} {} ", listed.key, listed.title),
+    let label = |place: usize, screen: &Screen, form: Form| match form {
+        Form::Brief if place != model.screen => format!(" {} ", place + 1),
+        Form::Tight => format!(" {} {}", place + 1, screen.title),
+        Form::Brief | Form::Wide => format!(" {} {} ", place + 1, screen.title),
     };
     let length = |form| {
-        SCREENS
-            .iter()
-            .map(|l| text::width(&label(l, form)))
+        let labels = SCREENS.iter().enumerate();
+        labels
+            .map(|(place, screen)| text::width(&label(place, screen, form)))
             .sum::<u16>()
     };
-    let tight = length(Form::Tight) + full.min(SHORTENED_NAME) + 2;
+    let tight = length(Form::Tight) + full.min(SHORTENED_NAME) + 1;
     let form = if length(Form::Wide) + name < columns {
         Form::Wide
     } else if tight <= columns {
@@ -111,13 +113,23 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String, Screen)> {
         (Form::Tight, _) => 0,
         _ => 1,
     };
-    let tab = |listed: &Listed| {
-        let label = label(listed, form);
+    let tab = |(place, screen): (usize, &Screen)| {
+        let label = label(place, screen, form);
         let at = x;
         x += text::width(&label);
-        (at, label, listed.screen)
+        (at, label)
     };
-    SCREENS.iter().map(tab).collect()
+    SCREENS.iter().enumerate().map(tab).collect()
+}
+
+/// The place of the screen whose name is written at a cell of a screen of this size.
+pub fn tab_at(model: &Model, (width, height): (u16, u16), (x, y): (u16, u16)) -> Option<usize> {
+    if y > 0 || width < SMALLEST.0 || height < SMALLEST.1 {
+        return None;
+    }
+    let tabs = tabs(model, width);
+    tabs.iter()
+        .position(|(at, label)| (*at..at + text::width(label)).contains(&x))
 }
 
 /// How the names of the screens are written.
@@ -139,8 +151,10 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     if tabs[0].0 > 1 {
         x = put(buffer, row, (x, 0), PROGRAM, theme.bar_strong());
     }
-    for (at, label, screen) in tabs {
-        let style = if screen == model.screen {
+    // Where the names of the screens are tight, so is the space round the preset's.
+    let margin = u16::from(tabs[0].0 > 0);
+    for (place, (at, label)) in tabs.into_iter().enumerate() {
+        let style = if place == model.screen {
             theme.bar_chosen()
         } else {
             theme.bar()
@@ -148,13 +162,13 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         debug_assert!(at >= x);
         x = put(buffer, row, (at, 0), &label, style);
     }
-    let room = usize::from(area.width.saturating_sub(x + 2));
+    let room = usize::from(area.width.saturating_sub(x + 1 + margin));
     // The mark of an edit is worth more than letters of the name.
     let name = if usize::from(text::width(&name)) > room && model.is_edited() {
         text::fitted(model.work.name(), room.saturating_sub(2)) + " *"
     } else {
         text::fitted(&name, room)
     };
-    let left = area.width.saturating_sub(text::width(&name) + 1);
+    let left = area.width.saturating_sub(text::width(&name) + margin);
     put(buffer, row, (left, 0), &name, theme.bar());
 }

@@ -3,12 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use strum::IntoEnumIterator;
 use tui_input::Input;
 
 use super::text::{fitted, put, width, wrapped};
 use super::theme::Theme;
-use crate::tui::keys::{BINDINGS, Context};
+use crate::tui::keys::tables;
 use crate::tui::model::{Model, Overlay, Question};
 
 /// Draws what is in front, if anything is.
@@ -86,19 +85,16 @@ pub fn input(input: &Input, style: Style, cursor: Style, area: Rect, buffer: &mu
 fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let mut lines: Vec<(String, String)> = Vec::new();
-    for context in Context::iter() {
-        lines.push((context.title().to_owned(), String::new()));
-        for binding in BINDINGS.iter().filter(|b| b.context == context) {
+    for table in tables() {
+        lines.push((table.title.to_owned(), String::new()));
+        for binding in table.bindings {
             lines.push((
                 format!("  {}", binding.names().join(" ")),
                 binding.help.to_owned(),
             ));
         }
     }
-    lines.push((
-        crate::tui::screens::main::form::PURPOSE.to_owned(),
-        String::new(),
-    ));
+    lines.push((super::PURPOSE.to_owned(), String::new()));
     let inside = frame("Keys", (58, area.height), theme, area, buffer);
     let last = (lines.len() as u16).saturating_sub(inside.height);
     for (y, (keys, what)) in lines

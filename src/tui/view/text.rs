@@ -7,6 +7,7 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
 use crate::report::text::digits;
+use crate::study::FlagKind;
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {
@@ -101,6 +102,11 @@ pub fn numeral(value: f64, room: u16) -> String {
     let written = (1..=4).rev().map(|count| digits(value, count));
     let mut fitting = written.filter(|text| width(text) <= room);
     fitting.next().unwrap_or(shortest)
+}
+
+/// A flag's name in words.
+pub fn flag_name(kind: FlagKind) -> String {
+    kind.name().replace('_', " ")
 }
 
 /// Which of the rows of a list are seen, with a mark at each end that goes on; nothing if all are.

@@ -3,50 +3,47 @@
 //! It belongs to a scenario apart from the scenario's own integrator and step, which are what it is
 //! there to choose.
 
+use std::sync::Arc;
+
 use crate::scenario::{NumericsInput, Scenario};
-use crate::study::accuracy::{Accuracy, Point, measure as measure_levels};
+use crate::study::accuracy::{Accuracy, Point, measure};
 use crate::study::{Refusal, Watch};
-use crate::tui::action::Step;
-use crate::tui::worker::Ticket;
+use crate::tui::step::Step;
+use crate::tui::task::{Question, Report, Task};
 
 /// The finest mesh that the app compares levels with; finer ones take long.
 const FINEST: u32 = 2;
 /// Where the cursor begins: the cheapest point for this one of the targets, 1 %.
 const FIRST: usize = 1;
 
-/// What the worker does.
-///
-/// # Errors
-/// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
-pub fn measure(scenario: &Scenario, watch: Watch) -> Result<Accuracy, Refusal> {
-    measure_levels(&question(scenario), FINEST, watch)
-}
+/// Asks for a measurement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasureAccuracy(Scenario);
 
-/// What of a scenario matters to a measurement.
-pub fn question(scenario: &Scenario) -> Scenario {
-    Scenario {
-        name: String::new(),
-        numerics: NumericsInput::default(),
-        ..scenario.clone()
+impl MeasureAccuracy {
+    /// The measurement for a scenario.
+    pub fn of(scenario: &Scenario) -> Self {
+        Self(Scenario {
+            name: String::new(),
+            numerics: NumericsInput::default(),
+            ..scenario.clone()
+        })
     }
 }
 
-/// What is being measured.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Job {
-    /// Its ticket.
-    pub ticket: Ticket,
-    /// What was asked.
-    pub question: Scenario,
-    /// How much of it is done.
-    pub share: f64,
+impl Question for MeasureAccuracy {
+    type Answer = Accuracy;
+
+    fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
+        measure(&self.0, FINEST, watch)
+    }
 }
 
 /// A measurement that is done.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Measured {
     /// What was asked.
-    pub question: Scenario,
+    pub question: Arc<MeasureAccuracy>,
     /// What came of it.
     pub report: Accuracy,
     /// Indices of the points that can be drawn, from the fastest to the slowest.
@@ -54,21 +51,26 @@ pub struct Measured {
 }
 
 /// All that the screen knows.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct Measurement {
     /// The last one that was finished.
     pub measured: Option<Measured>,
     /// The one under way.
-    pub job: Option<Job>,
-    /// Why there is no newer one.
-    pub complaint: Option<String>,
+    pub task: Task<MeasureAccuracy>,
     /// Which point is named, counted in time.
     pub cursor: usize,
 }
 
 impl Measurement {
-    /// Takes a report in and puts the cursor on a good choice.
-    pub fn take(&mut self, question: Scenario, report: Accuracy) {
+    /// Takes in what a worker says of it.
+    pub fn hear(&mut self, report: &mut Option<Report>) {
+        if let Some((question, Some(accuracy))) = self.task.hear(report) {
+            self.take(question, accuracy);
+        }
+    }
+
+    /// Puts the cursor on a good choice of a new measurement.
+    fn take(&mut self, question: Arc<MeasureAccuracy>, report: Accuracy) {
         let mut order: Vec<usize> = (0..report.points.len())
             .filter(|&i| report.points[i].error().is_finite())
             .collect();
@@ -79,7 +81,6 @@ impl Measurement {
         let good = report.best[FIRST];
         let found = order.iter().position(|i| Some(*i) == good);
         self.cursor = found.unwrap_or(0);
-        self.complaint = None;
         self.measured = Some(Measured {
             question,
             report,
@@ -89,8 +90,9 @@ impl Measurement {
 
     /// Whether what is on show was measured for another scenario.
     pub fn is_stale(&self, scenario: &Scenario) -> bool {
-        let asked = question(scenario);
-        self.measured.as_ref().is_some_and(|m| m.question != asked)
+        let asked = MeasureAccuracy::of(scenario);
+        let other = |measured: &Measured| *measured.question != asked;
+        self.measured.as_ref().is_some_and(other)
     }
 
     /// The point under the cursor.

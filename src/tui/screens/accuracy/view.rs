@@ -8,12 +8,12 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
+use super::measurement::Measured;
 use crate::dynamics::Integrator;
 use crate::report::errors::{of_damage, worst_in_short};
 use crate::report::text::significant;
 use crate::study::accuracy::{Point, TARGETS};
 use crate::tui::model::{Look, Model};
-use crate::tui::screens::accuracy::measurement::Measured;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
@@ -47,10 +47,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let (said, style) = status(model, theme);
     let heading = ("Error in % against time", theme.heading());
     put_both(buffer, area, heading, (&said, style));
-    let Some(measured) = &model.accuracy.measured else {
-        let text = match (&model.accuracy.job, &model.accuracy.complaint) {
+    let Some(measured) = &model.screens.accuracy.measured else {
+        let text = match (
+            &model.screens.accuracy.task.job,
+            &model.screens.accuracy.task.complaint,
+        ) {
             (Some(_), _) => "every integrator is being timed at several steps",
-            (None, Some(why)) => why,
+            (None, Some((_, why))) => why,
             (None, None) => "not measured yet",
         };
         let room = usize::from(area.width - 2);
@@ -67,7 +70,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         below.extend(flowed(&levels(measured), room));
     }
     let details = below.len();
-    if let Some(point) = model.accuracy.chosen() {
+    if let Some(point) = model.screens.accuracy.chosen() {
         below.extend(flowed(&named(model, point), room));
     }
     let top = area.height.saturating_sub(below.len() as u16);
@@ -91,23 +94,30 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         );
         return;
     }
-    chart(measured, model.accuracy.cursor, model.look, plot, buffer);
+    chart(
+        measured,
+        model.screens.accuracy.cursor,
+        model.look,
+        plot,
+        buffer,
+    );
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let stale = model.accuracy.is_stale(&model.work.scenario);
+    let stale = model.screens.accuracy.is_stale(&model.work.scenario);
     let folded = model
+        .screens
         .accuracy
         .measured
         .as_ref()
         .is_some_and(|m| m.report.folded);
-    if let Some(job) = &model.accuracy.job {
-        let text = format!("measuring {:.0} %  Esc stops", job.share * 100.0);
+    if let Some(done) = model.screens.accuracy.task.percent() {
+        let text = format!("measuring {done:.0} %  Esc stops");
         (text, theme.warning())
     } else if stale {
         let text = "of another scenario: m measures".to_owned();
         (text, theme.warning())
-    } else if let Some(why) = &model.accuracy.complaint {
+    } else if let Some((_, why)) = &model.screens.accuracy.task.complaint {
         (format!("{why}: m measures"), theme.warning())
     } else if folded {
         ("the mesh folded".to_owned(), theme.warning())
@@ -160,12 +170,13 @@ fn ms(seconds: f64) -> String {
 /// All about the point under the cursor.
 fn named(model: &Model, point: &Point) -> Vec<String> {
     let count = model
+        .screens
         .accuracy
         .measured
         .as_ref()
         .map_or(0, |m| m.order.len());
     let mut parts = vec![
-        format!("▸ {} of {count}", model.accuracy.cursor + 1),
+        format!("▸ {} of {count}", model.screens.accuracy.cursor + 1),
         format!(
             "{} {}",
             point.plan.integrator.method().letter,

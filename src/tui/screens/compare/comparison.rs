@@ -3,12 +3,15 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
+use super::SimulateMarked;
 use crate::scenario::Scenario;
 use crate::study::{Answer, Quantity};
-use crate::tui::worker::Ticket;
+use crate::tui::task::Task;
 
+/// The name under which the form stands in the list.
+pub const FORM: &str = "(the form)";
 /// As many as fit side by side.
-pub const MOST: usize = 6;
+pub const MAX_MARKED: usize = 6;
 
 /// A column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,8 +80,8 @@ pub struct Comparison {
     pub sort: Option<(Column, bool)>,
     /// The curve below the table.
     pub curve: usize,
-    /// The job under way: its ticket and its entry's name.
-    pub job: Option<(Ticket, String)>,
+    /// The entry that is being simulated.
+    pub task: Task<SimulateMarked>,
 }
 
 impl Comparison {
@@ -91,8 +94,8 @@ impl Comparison {
             self.entries.remove(at);
             return Ok(());
         }
-        if self.entries.len() == MOST {
-            return Err(format!("{MOST} are marked already: unmark one first"));
+        if self.entries.len() == MAX_MARKED {
+            return Err(format!("{MAX_MARKED} are marked already: unmark one first"));
         }
         self.entries.push(Entry {
             name: name.to_owned(),
@@ -115,26 +118,17 @@ impl Comparison {
         {
             entry.scenario = scenario.clone();
             entry.found = Found::Awaited;
-            if self.job.as_ref().is_some_and(|(_, job)| job == name) {
-                self.job = None;
-            }
         }
     }
 
-    /// The next entry to simulate, unless one is under way.
+    /// The next entry to simulate.
     pub fn next(&self) -> Option<&Entry> {
         let awaited = |entry: &&Entry| matches!(entry.found, Found::Awaited);
-        self.entries
-            .iter()
-            .find(awaited)
-            .filter(|_| self.job.is_none())
+        self.entries.iter().find(awaited)
     }
 
-    /// Takes in what came of a job; a late answer of a changed entry is dropped.
-    pub fn take(&mut self, ticket: Ticket, found: Found) {
-        let Some((_, name)) = self.job.take_if(|(job, _)| *job == ticket) else {
-            return;
-        };
+    /// Takes in what came of an entry.
+    pub fn take(&mut self, name: &str, found: Found) {
         if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
             entry.found = found;
         }
@@ -206,15 +200,11 @@ mod tests {
 
     fn filled() -> Comparison {
         let mut comparison = Comparison::default();
-        for (ticket, name) in ["paper-300n", "paper-100n", "paper-600n"]
-            .iter()
-            .enumerate()
-        {
+        for name in ["paper-300n", "paper-100n", "paper-600n"] {
             let scenario = library::find(name).unwrap().scenario().unwrap();
             comparison.mark(name, &scenario).unwrap();
-            comparison.job = Some((ticket as u64, (*name).to_owned()));
             let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
-            comparison.take(ticket as u64, Found::Answer(Arc::new(answer), 0.0));
+            comparison.take(name, Found::Answer(Arc::new(answer), 0.0));
         }
         comparison
     }
@@ -261,20 +251,5 @@ mod tests {
         assert!(comparison.mark("g", &Scenario::default()).is_err());
         comparison.mark("a", &Scenario::default()).unwrap();
         assert!(!comparison.is_marked("a") && comparison.entries.len() == 5);
-    }
-
-    #[test]
-    fn a_late_answer_to_a_changed_entry_is_dropped() {
-        let mut comparison = Comparison::default();
-        comparison.mark("form", &Scenario::default()).unwrap();
-        comparison.job = Some((1, "form".to_owned()));
-        let changed = Scenario {
-            window_ms: 1.0,
-            ..Scenario::default()
-        };
-        comparison.replace("form", &changed);
-        comparison.take(1, Found::Refused("late".to_owned()));
-        assert!(matches!(comparison.entries[0].found, Found::Awaited));
-        assert!(comparison.next().is_some());
     }
 }

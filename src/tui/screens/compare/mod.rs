@@ -1,76 +1,236 @@
-//! What keys and news do to the comparison.
+//! Several presets: which are marked, their answers one after another, and the clock they share.
 
 pub mod comparison;
 mod overlaid;
 mod replays;
-pub mod view;
+mod view;
 
 use std::sync::Arc;
 
+use ratatui::layout::Rect;
+
+use super::{Mouse, Pane, Screen, screen};
 use crate::plain_text::quoted;
 use crate::recording::Traces;
-use crate::study::Answer;
-use crate::tui::model::{FORM, Model};
-use crate::tui::screens::compare::comparison::Found;
+use crate::scenario::Scenario;
+use crate::study::{Answer, Refusal, Watch};
+use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
+use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
+use crate::tui::model::{Model, Work};
 use crate::tui::screens::forces::CURVES;
-use crate::tui::update::{Effect, ticket};
+use crate::tui::screens::replay::FRAME_KEYS;
+use crate::tui::simulation::Simulate;
+use crate::tui::task::{Question, Report};
+use crate::tui::update::{PAGE, time};
 use crate::tui::view::heat::hottest;
-use crate::tui::worker::Report;
+use comparison::{FORM, Found, MAX_MARKED};
 
-/// What the worker says.
-pub(crate) fn hear(model: &mut Model, report: Report<Answer>) {
-    if let Report::Done(ticket, answer) = report {
-        let found = match *answer {
-            Ok(answer) => {
-                let hottest = hottest(&answer);
-                Found::Answer(Arc::new(answer), hottest)
-            }
-            Err(refusal) => Found::Refused(refusal.to_string()),
-        };
-        model.compare.take(ticket, found);
+/// The places of the panes.
+const LIST: usize = 0;
+const TABLE: usize = 1;
+const REPLAYS: usize = 2;
+
+/// The screen.
+pub const SCREEN: Screen = Screen {
+    given,
+    attend,
+    hear,
+    mouse,
+    timed,
+    ..Screen::new(
+        "Compare",
+        "compare presets",
+        &[
+            Pane {
+                name: "presets",
+                keys: &[LIST_KEYS],
+                time: TimeKeys::Absent,
+            },
+            Pane {
+                name: "table",
+                keys: &[TABLE_KEYS],
+                time: TimeKeys::Early,
+            },
+            Pane {
+                name: "replays",
+                keys: &[KeyTable::new("Compare: replays", FRAME_KEYS)],
+                time: TimeKeys::Early,
+            },
+        ],
+        view::draw,
+    )
+};
+
+#[rustfmt::skip]
+const LIST_KEYS: KeyTable = KeyTable::new("Compare: presets", &[
+    bind(&[UP, c('k')], |m| go(m, -1), "preset", "the preset above"),
+    bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |m| go(m, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |m| go(m, PAGE), "", "ten presets down"),
+    bind(&[HOME], |m| go(m, -i16::MAX), "", "the first preset"),
+    bind(&[END], |m| go(m, i16::MAX), "", "the last preset"),
+    bind(&[c(' '), ENTER], mark, "mark", "mark or unmark, two to six in all"),
+]);
+
+#[rustfmt::skip]
+const TABLE_KEYS: KeyTable = KeyTable::new("Compare: table", &[
+    bind(&[LEFT, c('h')], |m| change_column(m, -1), "column", "the column to the left"),
+    bind(&[RIGHT, c('l')], |m| change_column(m, 1), "&", "the column to the right"),
+    bind(&[ENTER, c('o')], |m| m.screens.compare.sort_here(), "sort", "sort by the column; again: the other way"),
+    bind(&[c('v')], next_curve, "curves", "the next curve below the table"),
+]);
+
+/// Asks for the answer to a marked scenario.
+#[derive(Debug)]
+pub struct SimulateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// The scenario.
+    pub scenario: Scenario,
+}
+
+impl Question for SimulateMarked {
+    type Answer = Answer;
+
+    fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
+        Simulate(self.scenario.clone()).answer(watch)
     }
 }
 
-pub(crate) fn next(model: &mut Model) -> Option<Effect> {
-    let entry = model.compare.next()?;
-    let (name, scenario) = (entry.name.clone(), entry.scenario.clone());
-    let ticket = ticket(model);
-    model.compare.job = Some((ticket, name));
-    Some(Effect::Compare(ticket, scenario))
+/// Marks what the app was opened on if that is several, and puts the table in front.
+fn given(model: &mut Model, place: usize, works: &[Work]) {
+    if works.len() < 2 {
+        return;
+    }
+    model.panes[place] = TABLE;
+    let compare = &mut model.screens.compare;
+    let mut left_out = 0;
+    for work in works {
+        if !compare.is_marked(&work.source) && compare.mark(&work.source, &work.scenario).is_err() {
+            left_out += 1;
+        }
+    }
+    if left_out > 0 {
+        model.notice = Some(format!(
+            "only the first {MAX_MARKED} are marked for comparison, {left_out} are not"
+        ));
+    }
+}
+
+/// Simulates the marked scenarios one after another; stops what nobody waits for any more.
+fn attend(model: &mut Model, on_show: bool) {
+    let compare = &mut model.screens.compare;
+    if on_show {
+        compare.replace(FORM, &model.work.scenario);
+    }
+    let awaited = |job: &SimulateMarked| {
+        let mut entries = compare.entries.iter();
+        entries.any(|e| e.name == job.name && e.scenario == job.scenario)
+    };
+    if let Some(job) = &compare.task.job
+        && !awaited(&job.question)
+    {
+        compare.task.stop(None, &mut model.out);
+    }
+    if compare.task.job.is_none()
+        && let Some(entry) = compare.next()
+    {
+        let question = SimulateMarked {
+            name: entry.name.clone(),
+            scenario: entry.scenario.clone(),
+        };
+        compare.task.ask(question, &mut model.out);
+    }
+}
+
+fn hear(model: &mut Model, report: &mut Option<Report>) {
+    let compare = &mut model.screens.compare;
+    let Some((asked, outcome)) = compare.task.hear(report) else {
+        return;
+    };
+    let why = compare.task.complaint.take().map(|(_, why)| why);
+    let found = match outcome {
+        Some(answer) => {
+            let hottest = hottest(&answer);
+            Found::Answer(Arc::new(answer), hottest)
+        }
+        None => Found::Refused(why.unwrap_or_default()),
+    };
+    compare.take(&asked.name, found);
+}
+
+/// Through the time of the first entry, as far as the longest of them goes.
+fn timed(model: &Model) -> Option<(&Answer, f64)> {
+    let compare = &model.screens.compare;
+    let first = compare.entries.iter().find_map(|e| e.answer());
+    let own = screen::own_time(model);
+    match (first, compare.window()) {
+        (Some(first), Some(longest)) => Some((first, longest)),
+        _ => own,
+    }
+}
+
+/// Points at the names of the panes and at rows of the list.
+fn mouse(model: &mut Model, mouse: Mouse, area: Rect) -> bool {
+    match mouse {
+        Mouse::Press(at) => {
+            if let Some(pane) = view::heading_at(area, at) {
+                model.show_pane(pane);
+            } else if let Some(row) = view::listed_at(model, area, at) {
+                let again = model.screens.compare.row == row;
+                model.screens.compare.row = row;
+                if again {
+                    mark(model);
+                }
+            }
+        }
+        Mouse::Drag(_) => {}
+        Mouse::Wheel(_, step) => match model.pane() {
+            LIST => go(model, if step.up { -1 } else { 1 }),
+            TABLE => change_column(model, if step.up { -1 } else { 1 }),
+            _ => time::step(model, step.reversed()),
+        },
+    }
+    false
+}
+
+fn go(model: &mut Model, by: i16) {
+    let compare = &mut model.screens.compare;
+    // The form stands above the presets.
+    let row = compare.row.saturating_add_signed(isize::from(by));
+    compare.row = row.min(model.choices.len());
+}
+
+fn change_column(model: &mut Model, by: isize) {
+    let compare = &mut model.screens.compare;
+    let last = compare.columns().len() - 1;
+    compare.column = compare.column.saturating_add_signed(by).min(last);
 }
 
 /// Takes the next curve that any of the answers has.
-pub(crate) fn next_curve(model: &mut Model) {
-    let entries = &model.compare.entries;
+fn next_curve(model: &mut Model) {
+    let entries = &model.screens.compare.entries;
     let there = |curve: &usize| {
         let has = |traces: &Traces| !(CURVES[*curve].values)(traces).is_empty();
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
         answers.any(|answer| answer.recording.traces.as_ref().is_some_and(has))
     };
-    let (here, count) = (model.compare.curve, CURVES.len());
+    let (here, count) = (model.screens.compare.curve, CURVES.len());
     let next = (1..=count).map(|by| (here + by) % count).find(there);
-    model.compare.curve = next.unwrap_or(here);
+    model.screens.compare.curve = next.unwrap_or(here);
 }
 
-pub(crate) fn mark(model: &mut Model, effects: &mut Vec<Effect>) {
-    let row = model.compare.row;
-    let outcome = if row == 0 {
-        let scenario = model.work.scenario.clone();
-        model.compare.mark(FORM, &scenario)
-    } else if let Some(choice) = model.choices.get(row - 1) {
+fn mark(model: &mut Model) {
+    let compare = &mut model.screens.compare;
+    let outcome = if compare.row == 0 {
+        compare.mark(FORM, &model.work.scenario)
+    } else if let Some(choice) = model.choices.get(compare.row - 1) {
         match &choice.scenario {
-            Ok(scenario) => model.compare.mark(&choice.name, scenario),
+            Ok(scenario) => compare.mark(&choice.name, scenario),
             Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
         }
     } else {
         Ok(())
     };
     model.notice = outcome.err();
-    // Nobody wants the answer of what was just unmarked.
-    let marked = |name: &str| model.compare.is_marked(name);
-    let unwanted = model.compare.job.as_ref().filter(|(_, name)| !marked(name));
-    if let Some((ticket, _)) = unwanted {
-        effects.push(Effect::StopComparing(*ticket));
-        model.compare.job = None;
-    }
 }

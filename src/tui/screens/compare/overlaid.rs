@@ -13,7 +13,7 @@ use crate::tui::view::theme::Theme;
 pub(super) fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let profile = &CURVES[curve % CURVES.len()];
-    let entries = model.compare.entries.iter().enumerate();
+    let entries = model.screens.compare.entries.iter().enumerate();
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
             let traces = entry.answer()?.recording.traces.as_ref()?;
@@ -36,12 +36,12 @@ pub(super) fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buf
             })
         })
         .collect();
-    let Some(window) = model.compare.window() else {
+    let Some(window) = model.screens.compare.window() else {
         return;
     };
     let reading = format!("{:.3} ms", model.time() * 1e3);
     let label = if curve % CURVES.len() == DRIVE {
-        let entries = model.compare.entries.iter();
+        let entries = model.screens.compare.entries.iter();
         let mut labels: Vec<&str> = entries
             .filter_map(|entry| Some(drive_label(entry.answer()?.recording.traces.as_ref()?)))
             .collect();

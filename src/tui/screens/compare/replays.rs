@@ -3,9 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::comparison::Found;
 use super::view::heading;
 use crate::tui::model::Model;
-use crate::tui::screens::compare::comparison::Found;
 use crate::tui::screens::forces::mark;
 use crate::tui::view::eye::Scene;
 use crate::tui::view::text::{fitted, put};
@@ -15,7 +15,7 @@ use crate::tui::view::theme::Theme;
 pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, area, buffer);
-    let entries = &model.compare.entries;
+    let entries = &model.screens.compare.entries;
     if entries.is_empty() {
         return;
     }

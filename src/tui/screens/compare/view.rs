@@ -4,43 +4,57 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::study::Flag;
-use crate::tui::keys::Context;
-use crate::tui::model::{FORM, Model};
-use crate::tui::screens::compare::comparison::{Column, Entry, Found};
+use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
-use crate::tui::screens::main::score::name as flag_name;
-use crate::tui::view::text::{fitted, numeral, put, put_right, width};
+use crate::tui::view::text::{fitted, flag_name, numeral, put, put_right, width};
 use crate::tui::view::theme::Theme;
 
+use super::comparison::{Column, Entry, FORM, Found};
 use super::overlaid::overlaid;
 use super::replays::replays;
+use super::{LIST, REPLAYS, SCREEN, TABLE};
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
-    match model.context() {
-        Context::Table => with_table(model, area, buffer),
-        Context::Replays => replays(model, area, buffer),
-        _ if model.pane() == 1 => with_table(model, area, buffer),
-        _ if model.pane() == 2 => replays(model, area, buffer),
+    match model.pane() {
+        TABLE => with_table(model, area, buffer),
+        REPLAYS => replays(model, area, buffer),
         _ => with_list(model, area, buffer),
     }
 }
 
 /// Where the names of the panes begin in the first line, and how they are written.
-pub fn headings(model: &Model) -> Vec<(u16, String)> {
+fn headings() -> impl Iterator<Item = (u16, String)> {
     let mut x = 1;
-    let heading = |(name, _): &(&str, Context)| {
+    SCREEN.panes.iter().map(move |pane| {
         let at = x;
-        let name = format!(" {name} ");
+        let name = format!(" {} ", pane.name);
         x += width(&name) + 1;
         (at, name)
-    };
-    model.screen.listed().panes.iter().map(heading).collect()
+    })
+}
+
+/// The pane whose name is written at a cell.
+pub fn heading_at(area: Rect, (x, y): (u16, u16)) -> Option<usize> {
+    let under = |(at, name): (u16, String)| (at..at + width(&name)).contains(&x);
+    headings().position(under).filter(|_| y == area.y)
+}
+
+/// The row of the list of presets at a cell.
+pub fn listed_at(model: &Model, area: Rect, (x, y): (u16, u16)) -> Option<usize> {
+    let inside = model.pane() == LIST && x < list_width(area) && y > area.y;
+    let row = first_listed(model, area.height - 1) + usize::from(y.saturating_sub(area.y + 1));
+    (inside && row <= model.choices.len()).then_some(row)
+}
+
+fn list_width(area: Rect) -> u16 {
+    30.min(area.width / 2)
 }
 
 /// The first row of the list of presets that there is room for.
-pub fn first_listed(model: &Model, room: u16) -> usize {
+fn first_listed(model: &Model, room: u16) -> usize {
     model
+        .screens
         .compare
         .row
         .saturating_sub(usize::from(room).saturating_sub(1))
@@ -48,7 +62,7 @@ pub fn first_listed(model: &Model, room: u16) -> usize {
 
 pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    for (i, (x, name)) in headings(model).into_iter().enumerate() {
+    for (i, (x, name)) in headings().enumerate() {
         let style = if i == model.pane() {
             theme.focus()
         } else {
@@ -56,7 +70,7 @@ pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
         };
         put(buffer, area, (x, 0), &name, style);
     }
-    let entries = &model.compare.entries;
+    let entries = &model.screens.compare.entries;
     let text = match entries.len() {
         0 | 1 => "mark two to six presets".to_owned(),
         count => format!("{count} marked"),
@@ -67,17 +81,17 @@ pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
 fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, area, buffer);
-    let wide = 30.min(area.width / 2);
+    let wide = list_width(area);
     let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
     let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
     let room = usize::from(list.height);
     let first = first_listed(model, list.height);
     for (i, name) in names.enumerate().skip(first).take(room) {
         let y = (i - first) as u16;
-        let entries = &model.compare.entries;
+        let entries = &model.screens.compare.entries;
         let place = entries.iter().position(|entry| entry.name == name);
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
-        let chosen = i == model.compare.row;
+        let chosen = i == model.screens.compare.row;
         let style = if chosen { theme.focus() } else { theme.text() };
         let text = fitted(name, usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
@@ -90,11 +104,11 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         area.width - wide,
         area.height - 1,
     );
-    if model.compare.entries.is_empty() {
+    if model.screens.compare.entries.is_empty() {
         let text = "Space marks the preset under the cursor";
         put(buffer, charts, (1, 1), text, theme.quiet());
     } else {
-        overlaid(model, model.compare.curve, charts, buffer);
+        overlaid(model, model.screens.compare.curve, charts, buffer);
     }
 }
 
@@ -105,7 +119,7 @@ const CHART: u16 = 5;
 
 fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     heading(model, area, buffer);
-    let count = model.compare.entries.len() as u16;
+    let count = model.screens.compare.entries.len() as u16;
     let room = area.height.saturating_sub(1);
     // The differences give way before the chart does.
     let each = if 2 + 2 * count + CHART <= room { 2 } else { 1 };
@@ -115,7 +129,7 @@ fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     let below = room - rows;
     if below >= CHART {
         let place = Rect::new(area.x, area.y + 1 + rows, area.width, below);
-        overlaid(model, model.compare.curve, place, buffer);
+        overlaid(model, model.screens.compare.curve, place, buffer);
     }
 }
 
@@ -140,9 +154,10 @@ fn number_columns(area: Rect) -> u16 {
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
 fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
     let each = number_columns(area);
-    let columns = model.compare.columns();
+    let compare = &model.screens.compare;
+    let columns = compare.columns();
     let count = usize::from((area.width - NAME) / each).min(columns.len() - 1);
-    let last = model.compare.column.clamp(count, columns.len() - 1);
+    let last = compare.column.clamp(count, columns.len() - 1);
     let right = |i: usize| area.width - each * (count - 1 - i) as u16;
     let shown = columns.into_iter().skip(last + 1 - count).take(count);
     shown
@@ -160,8 +175,8 @@ fn name_room(model: &Model, area: Rect) -> usize {
 
 fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let compare = &model.compare;
-    let focused = model.context() == Context::Table;
+    let compare = &model.screens.compare;
+    let focused = model.has_focus(TABLE);
     let numbers = columns(model, area);
     let each_number = number_columns(area);
     let first = numbers.first().map(|(column, _)| *column);

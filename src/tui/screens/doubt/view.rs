@@ -36,9 +36,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     // Bands of another scenario would be taken for those of this one.
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         let complaint = model.ensemble.complaint(&model.work.scenario);
-        let text = match (&model.ensemble.job, complaint) {
+        let text = match (&model.ensemble.task.job, complaint) {
             (Some(_), _) => {
-                "The blow is simulated over the published spreads of the eye's materials and over \
+                "The blow is simulated over what is published of the eye's materials and over \
                  your own doubt in the inputs: type 300 +- 20 into a field to add some."
             }
             (None, Some(why)) => why,
@@ -50,7 +50,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let results = ensemble.results();
-    let chosen = model.ensemble.output.min(results.len().saturating_sub(1));
+    let chosen = model.screens.doubt.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
     let notes = Notes::of(ensemble, usize::from(area.width - 2));
     let least = notes
@@ -86,10 +86,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 fn status(model: &Model, theme: Theme) -> (String, Style) {
     let scenario = &model.work.scenario;
     let complaint = model.ensemble.complaint(scenario);
-    match (&model.ensemble.job, complaint) {
-        (Some(job), _) if job.stopping => ("stopping".to_owned(), theme.warning()),
+    match (&model.ensemble.task.job, complaint) {
+        (Some(job), _) if job.ending => ("stopping".to_owned(), theme.warning()),
         (Some(job), _) => {
-            let text = format!("running {:.0} %  Esc stops", job.share * 100.0);
+            let text = format!(
+                "running {:.0} %  Esc stops",
+                100.0 * job.share.unwrap_or(0.0)
+            );
             (text, theme.warning())
         }
         (None, Some(why)) => (format!("{why}: m runs all"), theme.warning()),

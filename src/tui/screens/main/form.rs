@@ -3,35 +3,23 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::scenario::Model as Material;
+use super::FORM;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
-use crate::tui::keys::Context;
-use crate::tui::model::{Model, Run};
+use crate::tui::model::{Model, Overlay};
+use crate::tui::view::PURPOSE;
 use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
-/// Said once, plainly.
-pub const PURPOSE: &str = "Research and education, not diagnosis";
-
 /// Lines that are said about a field at most.
-const MOST_SAID: usize = 5;
-
-/// The model in words.
-pub fn material(model: &Model) -> &'static str {
-    match model.work.scenario.model {
-        Material::Paper => "Paper model, unit depth",
-        Material::Physiological(_) => "Physiological model",
-    }
-}
+const MAX_NOTE_LINES: usize = 5;
 
 /// Draws the form.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let focused = matches!(
-        model.context(),
-        Context::Number | Context::Form | Context::Typing
-    );
+    // A name to save under stands in front without taking the form away.
+    let in_front = matches!(model.overlay, None | Some(Overlay::SaveAs(..)));
+    let focused = model.pane() == FORM && in_front;
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
     let bottom = area.height - foot(model, area);
     let note = note(model);
@@ -48,14 +36,14 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         Tone::Error => theme.error(),
         Tone::Warning => theme.warning(),
     };
-    for (i, line) in said.iter().take(MOST_SAID).enumerate() {
+    for (i, line) in said.iter().take(MAX_NOTE_LINES).enumerate() {
         put(buffer, area, (1, used + 1 + i as u16), line, style);
     }
     let after = area.height - purpose.len() as u16;
     if after - bottom > 1 {
         put(buffer, area, (1, bottom), UNVERIFIED, theme.warning());
     }
-    put(buffer, area, (1, after - 1), material(model), theme.text());
+    put(buffer, area, (1, after - 1), model.material(), theme.text());
     for (y, line) in (after..).zip(&purpose) {
         put(buffer, area, (1, y), line, theme.quiet());
     }
@@ -76,7 +64,7 @@ fn foot(model: &Model, area: Rect) -> u16 {
 /// The rows that there is room for, from the top; the one with the cursor is among them.
 pub fn visible(model: &Model, area: Rect) -> Vec<Row> {
     let said = wrapped(&note(model).0, usize::from(area.width - 2));
-    let taken = usize::from(foot(model, area)) + said.len().min(MOST_SAID) + 1;
+    let taken = usize::from(foot(model, area)) + said.len().min(MAX_NOTE_LINES) + 1;
     let room = usize::from(area.height).saturating_sub(taken);
     let rows = rows(&model.work.scenario, model.form.advanced);
     let here = rows.iter().position(|row| *row == model.form.selected);
@@ -101,14 +89,19 @@ fn note(model: &Model) -> (String, Tone) {
     if let Some(why) = &model.form.complaint {
         return (why.clone(), Tone::Error);
     }
-    match &model.run {
-        Run::Refused(why) => (why.clone(), Tone::Error),
-        Run::Running(_, Some(share)) => {
-            let text = format!("simulating {:.0} %, Esc cancels", share * 100.0);
-            (text, Tone::Warning)
-        }
-        _ => (help(model), Tone::Quiet),
+    if let Some((_, why)) = &model.run.complaint {
+        return (why.clone(), Tone::Error);
     }
+    match simulating(model) {
+        Some(text) => (text + ", Esc cancels", Tone::Warning),
+        None => (help(model), Tone::Quiet),
+    }
+}
+
+/// How far the answer is, once it takes long.
+pub fn simulating(model: &Model) -> Option<String> {
+    let share = model.run.job.as_ref()?.share?;
+    Some(format!("simulating {:.0} %", share * 100.0))
 }
 
 fn help(model: &Model) -> String {

@@ -2,5 +2,225 @@
 
 pub mod form;
 mod pulse;
-pub mod score;
-pub mod view;
+mod score;
+mod view;
+
+use ratatui::layout::Rect;
+
+use super::{Mouse, Pane, Screen};
+use crate::scenario::Scenario;
+use crate::scenario::fields::{self, Field};
+use crate::tui::form::{Row, allowed, nudged, with_text};
+use crate::tui::keys::shared::{
+    DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
+};
+use crate::tui::keys::{Act, Binding, KeyTable, Press, TimeKeys, bind, c};
+use crate::tui::model::Model;
+use crate::tui::step::Step;
+use crate::tui::update::{change, presets, time, typing};
+use crate::tui::view::eye;
+
+/// The places of the panes.
+const FORM: usize = 0;
+const DIAL: usize = 1;
+/// Small steps in place of a large one, at most.
+const MAX_SMALL_STEPS: usize = 20;
+const ANGLE: &str = "impact.angle_deg";
+const HALF_WIDTH: &str = "impact.half_width_deg";
+
+/// The screen.
+pub const SCREEN: Screen = Screen {
+    mouse,
+    ..Screen::new(
+        "Main",
+        "form, eye, traces, score",
+        &[
+            Pane {
+                name: "form",
+                keys: &[NUMBER_KEYS, FORM_KEYS],
+                time: TimeKeys::Late,
+            },
+            Pane {
+                name: "dial",
+                keys: &[DIAL_KEYS],
+                time: TimeKeys::Late,
+            },
+        ],
+        view::draw,
+    )
+};
+
+/// What a number may begin with.
+#[rustfmt::skip]
+const NUMERALS: &[Press] = &[
+    c('0'), c('1'), c('2'), c('3'), c('4'), c('5'), c('6'), c('7'), c('8'), c('9'), c('-'), c('.'),
+];
+
+const NUMBER_KEYS: KeyTable = KeyTable {
+    title: "Form: a number",
+    bindings: &[Binding {
+        presses: NUMERALS,
+        act: Act::Type,
+        short: "type",
+        help: "begin to type a value",
+    }],
+    counts: |model| model.form.takes_numbers(),
+};
+
+#[rustfmt::skip]
+const FORM_KEYS: KeyTable = KeyTable::new("Form", &[
+    bind(&[UP, c('k')], |m| m.form.go(&m.work.scenario, -1), "field", "the field above"),
+    bind(&[DOWN, c('j')], |m| m.form.go(&m.work.scenario, 1), "&", "the field below"),
+    bind(&[LEFT, c('h')], |m| step(m, Step::LESS), "value", "a small step down"),
+    bind(&[RIGHT, c('l')], |m| step(m, Step::MORE), "&", "a small step up"),
+    bind(&[SHIFT_LEFT, c('H')], |m| step(m, Step::MUCH_LESS), "", "a large step down"),
+    bind(&[SHIFT_RIGHT, c('L')], |m| step(m, Step::MUCH_MORE), "", "a large step up"),
+    bind(&[ENTER], enter, "edit", "edit the value, open the list, unfold"),
+    bind(&[c('a')], |m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
+]);
+
+#[rustfmt::skip]
+const DIAL_KEYS: KeyTable = KeyTable::new("Dial", &[
+    bind(&[UP, c('k')], |m| nudge(m, ANGLE, Step::MORE), "turn", "turn the blow up"),
+    bind(&[DOWN, c('j')], |m| nudge(m, ANGLE, Step::LESS), "&", "turn the blow down"),
+    bind(&[SHIFT_UP, c('K')], |m| nudge(m, ANGLE, Step::MUCH_MORE), "", "turn it up by a large step"),
+    bind(&[SHIFT_DOWN, c('J')], |m| nudge(m, ANGLE, Step::MUCH_LESS), "", "turn it down by a large step"),
+    bind(&[LEFT, c('h')], |m| nudge(m, HALF_WIDTH, Step::LESS), "width", "narrow the loaded arc"),
+    bind(&[RIGHT, c('l')], |m| nudge(m, HALF_WIDTH, Step::MORE), "&", "widen the loaded arc"),
+    bind(&[SHIFT_RIGHT, c('L')], |m| nudge(m, HALF_WIDTH, Step::MUCH_MORE), "", "widen it by a large step"),
+    bind(&[SHIFT_LEFT, c('H')], |m| nudge(m, HALF_WIDTH, Step::MUCH_LESS), "", "narrow it by a large step"),
+]);
+
+/// Changes what the row with the cursor holds.
+fn step(model: &mut Model, step: Step) {
+    match model.form.selected {
+        Row::Preset => presets::next_preset(model, step.up),
+        Row::Fold => model.form.fold(&model.work.scenario),
+        Row::Field(field) => nudge(model, field.path, step),
+    }
+}
+
+/// Opens the row with the cursor.
+fn enter(model: &mut Model) {
+    match model.form.selected {
+        Row::Preset => presets::open_picker(model),
+        Row::Fold => model.form.fold(&model.work.scenario),
+        Row::Field(_) => typing::begin(model, false),
+    }
+}
+
+fn nudge(model: &mut Model, path: &'static str, step: Step) {
+    let Some(field) = fields::find(path) else {
+        return;
+    };
+    let present = model.shown.as_ref().map(|s| s.answer.plan.step * 1e6);
+    match furthest(&model.work.scenario, field, step, present) {
+        Ok(scenario) if scenario == model.work.scenario => {
+            model.notice = Some(format!("{}: {}", field.label, allowed(field)));
+        }
+        outcome => take(model, path, outcome),
+    }
+}
+
+/// Takes another value of a field, or says why it may not be there.
+fn take(model: &mut Model, path: &'static str, outcome: Result<Scenario, String>) {
+    match outcome {
+        Ok(scenario) => {
+            let work = model.work.with(scenario);
+            change(model, work, path);
+        }
+        Err(why) => model.form.complaint = Some(why),
+    }
+}
+
+/// The scenario one step further; where a rule forbids a large step, as many small ones as it allows.
+fn furthest(
+    scenario: &Scenario,
+    field: &Field,
+    step: Step,
+    present: Option<f64>,
+) -> Result<Scenario, String> {
+    let whole = nudged(scenario, field, step, present);
+    if whole.is_ok() || !step.coarse {
+        return whole;
+    }
+    let small = Step {
+        coarse: false,
+        ..step
+    };
+    let mut reached: Option<Scenario> = None;
+    for _ in 0..MAX_SMALL_STEPS {
+        match nudged(reached.as_ref().unwrap_or(scenario), field, small, present) {
+            Ok(next) => reached = Some(next),
+            Err(_) => break,
+        }
+    }
+    reached.map_or(whole, Ok)
+}
+
+/// Points at rows, turns the blow on the eye, and steps by its wheel.
+fn mouse(model: &mut Model, mouse: Mouse, area: Rect) -> bool {
+    let parts = view::layout(area);
+    let row_at = |model: &Model, (x, y): (u16, u16)| {
+        let rows = form::visible(model, parts.form);
+        let inside = parts.form.contains((x, y).into());
+        inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
+    };
+    match mouse {
+        Mouse::Press(at) => {
+            if let Some(row) = row_at(model, at) {
+                press(model, row);
+            }
+            let on_dial = parts.eye.contains(at.into());
+            if on_dial {
+                model.show_pane(DIAL);
+                aim(model, at, parts.eye);
+            }
+            return on_dial;
+        }
+        Mouse::Drag(at) => aim(model, at, parts.eye),
+        // Up is more of a value, and backwards in a list and in time.
+        Mouse::Wheel(at, by) => {
+            model.form.complaint = None;
+            match row_at(model, at) {
+                Some(Some(row)) if row == model.form.selected => {
+                    if let Row::Field(field) = row {
+                        nudge(model, field.path, by);
+                    }
+                }
+                Some(_) => {
+                    let rows = if by.up { -1 } else { 1 };
+                    model.form.go(&model.work.scenario, rows);
+                }
+                None => time::step(model, by.reversed()),
+            }
+        }
+    }
+    true
+}
+
+/// Chooses a row of the form, or opens the one that is chosen already.
+fn press(model: &mut Model, row: Option<Row>) {
+    let again = model.pane() == FORM && Some(model.form.selected) == row;
+    model.show_pane(FORM);
+    let Some(row) = row else { return };
+    model.form.complaint = None;
+    model.form.selected = row;
+    // The line that folds is a button; any other row is chosen first.
+    if again || row == Row::Fold {
+        enter(model);
+    }
+}
+
+/// Turns the blow to where the mouse is, by whole degrees.
+fn aim(model: &mut Model, at: (u16, u16), picture: Rect) {
+    let Some(field) = fields::find(ANGLE) else {
+        return;
+    };
+    let angle = eye::angle_at(picture, model.look.symbols, at).to_degrees();
+    // Minus zero would be written with its sign.
+    let text = (angle.round() + 0.0).to_string();
+    model.form.complaint = None;
+    let outcome = with_text(&model.work.scenario, field, &text);
+    take(model, ANGLE, outcome);
+}

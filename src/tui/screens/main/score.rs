@@ -7,10 +7,10 @@ use ratatui::style::Style;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::errors::{of_damage, worst};
 use crate::report::text::{digits, significant};
-use crate::study::{Flag, FlagKind, Quantity};
+use crate::study::{Flag, Quantity};
 use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};
-use crate::tui::view::text::{fitted, numeral, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, flag_name, numeral, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// How many rows it takes of so many.
@@ -198,14 +198,9 @@ fn part(
     }
 }
 
-/// A flag's name in words.
-pub fn name(kind: FlagKind) -> String {
-    kind.name().replace('_', " ")
-}
-
 /// A flag's name and its sentence, the name once.
 fn sentence(flag: &Flag) -> String {
-    let name = name(flag.kind);
+    let name = flag_name(flag.kind);
     if flag.message.starts_with(&name) {
         format!("FLAG {}", flag.message)
     } else {
@@ -230,7 +225,7 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     } else if whole.len() <= rows {
         whole.iter().map(|text| fitted(text, room)).collect()
     } else {
-        let names: Vec<String> = flags.iter().map(|flag| name(flag.kind)).collect();
+        let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
         let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
         if lines.len() > rows {
             let rest = lines.split_off(rows.saturating_sub(1)).join(" ");

@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::DIAL;
 use super::{form, score};
 use crate::recording::Peak;
 use crate::report::text::digits;
-use crate::tui::keys::Context;
-use crate::tui::model::{Model, Run, Shown};
+use crate::tui::model::{Model, Shown};
 use crate::tui::screens::forces::{CURVES, DRIVE, PRESSURE};
 use crate::tui::view::chart::{Curve, spark};
 use crate::tui::view::eye::Scene;
@@ -75,13 +75,10 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 /// Before the first result: what is being done, or why there is none.
 fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let (text, style) = match &model.run {
-        Run::Refused(why) => (why.clone(), theme.error()),
-        Run::Running(_, Some(share)) => (
-            format!("simulating {:.0} %  (Esc cancels)", share * 100.0),
-            theme.text(),
-        ),
-        _ => ("simulating".to_owned(), theme.text()),
+    let (text, style) = match (&model.run.complaint, form::simulating(model)) {
+        (Some((_, why)), _) => (why.clone(), theme.error()),
+        (None, Some(text)) => (text + "  (Esc cancels)", theme.text()),
+        (None, None) => ("simulating".to_owned(), theme.text()),
     };
     let lines = crate::tui::view::text::wrapped(&text, usize::from(area.width - 2));
     for (i, line) in lines.iter().enumerate() {
@@ -91,7 +88,7 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
 
 fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let aiming = model.context() == Context::Dial;
+    let aiming = model.has_focus(DIAL);
     let time = model.time();
     Scene {
         answer: &shown.answer,

@@ -1,81 +1,92 @@
-//! What keys and news do to the map of two inputs.
+//! The damage index over two inputs: computed grid by grid while it is on show.
 
 pub mod state;
-pub mod view;
+mod view;
 
-use super::Screen;
+use super::{Mouse, Pane, Screen};
 use crate::scenario::check::check;
-use crate::study::map::Grid;
 use crate::tui::form::words;
+use crate::tui::keys::shared::{
+    DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
+};
+use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
-use crate::tui::screens::map::state::Job;
-use crate::tui::update::{Effect, change, ticket};
-use crate::tui::worker::Report;
+use crate::tui::step::Step;
+use crate::tui::update::change;
+
+/// The screen.
+pub const SCREEN: Screen = Screen {
+    attend,
+    hear: |model, report| model.screens.map.hear(report),
+    cancel: |model| model.screens.map.task.stop(Some("stopped"), &mut model.out),
+    mouse: |model, mouse, _| {
+        if let Mouse::Wheel(_, step) = mouse {
+            model.screens.map.step(step.reversed(), true);
+        }
+        false
+    },
+    ..Screen::new(
+        "Map",
+        "damage over two inputs",
+        &[Pane {
+            name: "map",
+            keys: &[KEYS],
+            time: TimeKeys::Absent,
+        }],
+        view::draw,
+    )
+};
+
+#[rustfmt::skip]
+const KEYS: KeyTable = KeyTable::new("Map", &[
+    bind(&[LEFT, c('h')], |m| m.screens.map.step(Step::LESS, true), "cursor", "the cursor to the left"),
+    bind(&[RIGHT, c('l')], |m| m.screens.map.step(Step::MORE, true), "&", "the cursor to the right"),
+    bind(&[UP, c('k')], |m| m.screens.map.step(Step::MORE, false), "&", "the cursor up"),
+    bind(&[DOWN, c('j')], |m| m.screens.map.step(Step::LESS, false), "&", "the cursor down"),
+    bind(&[SHIFT_LEFT, c('H')], |m| m.screens.map.step(Step::MUCH_LESS, true), "", "the cursor far to the left"),
+    bind(&[SHIFT_RIGHT, c('L')], |m| m.screens.map.step(Step::MUCH_MORE, true), "", "the cursor far to the right"),
+    bind(&[SHIFT_UP, c('K')], |m| m.screens.map.step(Step::MUCH_MORE, false), "", "the cursor far up"),
+    bind(&[SHIFT_DOWN, c('J')], |m| m.screens.map.step(Step::MUCH_LESS, false), "", "the cursor far down"),
+    bind(&[ENTER], adopt, "adopt", "give the scenario the values under the cursor"),
+    bind(&[c('x')], |m| m.screens.map.turn(&m.work.scenario, true), "across", "the next input across"),
+    bind(&[c('y')], |m| m.screens.map.turn(&m.work.scenario, false), "up", "the next input up"),
+    bind(&[c('+'), c('=')], |m| m.screens.map.zoom(&m.work.scenario, true), "range", "wider ranges"),
+    bind(&[c('-')], |m| m.screens.map.zoom(&m.work.scenario, false), "&", "narrower ranges"),
+    bind(&[c('m')], |m| m.screens.map.task.complaint = None, "", "go on after Esc"),
+]);
 
 /// While the screen is on show, computes what is missing, grid by grid; stops what is not wanted.
-pub(crate) fn go_on(model: &mut Model) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    if model.screen == Screen::Map {
-        model.map.settle(&model.work.scenario);
-    }
-    let wanted = (model.screen == Screen::Map && !model.map.halted)
-        .then(|| model.map.next(&model.work.scenario))
-        .flatten();
-    if let Some(job) = &model.map.job {
-        if wanted.as_ref() == Some(&job.question) {
-            return effects;
+fn attend(model: &mut Model, on_show: bool) {
+    let map = &mut model.screens.map;
+    let mut wanted = None;
+    if on_show {
+        map.settle(&model.work.scenario);
+        // What Esc stopped goes on by a key alone.
+        if map.task.complaint.is_none() {
+            wanted = map.next(&model.work.scenario);
         }
-        effects.push(Effect::StopDrawing(job.ticket));
-        model.map.job = None;
+    }
+    if let Some(job) = &map.task.job {
+        if wanted.as_ref() == Some(job.question.as_ref()) {
+            return;
+        }
+        map.task.stop(None, &mut model.out);
     }
     if let Some(question) = wanted {
-        let ticket = ticket(model);
-        model.map.job = Some(Job {
-            ticket,
-            question: question.clone(),
-            share: 0.0,
-        });
-        effects.push(Effect::Draw(ticket, question));
-    }
-    effects
-}
-
-/// Gives up what is under way, until a key asks for it.
-pub(crate) fn stop(model: &mut Model) -> Option<Effect> {
-    let job = model.map.job.take()?;
-    model.map.halted = true;
-    Some(Effect::StopDrawing(job.ticket))
-}
-
-/// What the worker says. News of anything but the job under way is dropped.
-pub(crate) fn hear(model: &mut Model, report: Report<Grid>) {
-    let Some(job) = &mut model.map.job else {
-        return;
-    };
-    match report {
-        Report::Progress(ticket, share) if ticket == job.ticket => job.share = share,
-        Report::Done(ticket, outcome) if ticket == job.ticket => {
-            let question = job.question.clone();
-            model.map.job = None;
-            match *outcome {
-                Ok(grid) => model.map.take(question, grid),
-                Err(_) => model.map.halted = true,
-            }
-        }
-        _ => {}
+        map.task.ask(question, &mut model.out);
     }
 }
 
 /// Gives the scenario the values under the cursor.
-pub(crate) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
-    let Some(scenario) = model.map.adopted(&model.work.scenario) else {
+fn adopt(model: &mut Model) {
+    let Some(scenario) = model.screens.map.adopted(&model.work.scenario) else {
         return;
     };
     if let Err(error) = check(&scenario) {
         model.notice = Some(words(&error));
         return;
     }
-    if let (Some((x, y)), Some((a, b))) = (model.map.spans, model.map.values()) {
+    if let (Some((x, y)), Some((a, b))) = (model.screens.map.spans, model.screens.map.values()) {
         let part = |label: &str, value: f64, unit: &str| format!("{label} {value} {unit}");
         model.notice = Some(format!(
             "adopted {}, {}",
@@ -84,35 +95,32 @@ pub(crate) fn adopt(model: &mut Model, effects: &mut Vec<Effect>) {
         ));
     }
     let work = model.work.with(scenario);
-    change(model, work, "", effects);
+    change(model, work, "");
 }
 
 #[cfg(test)]
 mod tests {
+    use super::state::DrawMap;
     use super::*;
-    use crate::study::map::{SIDES, Spot};
-    use crate::tui::screens::map::state::Drawing;
-    use crate::tui::update::driven::{begun, key, letter};
-    use crate::tui::update::{Message, update};
+    use crate::study::map::{Grid, SIDES, Spot};
+    use crate::tui::simulation::Simulate;
+    use crate::tui::task::Report;
+    use crate::tui::update::driven::{asked, begun, key, letter};
+    use crate::tui::update::{Effect, Message, update};
     use crossterm::event::KeyCode;
 
-    fn drawn(effects: &[Effect]) -> Option<(u64, Drawing)> {
-        effects.iter().find_map(|effect| match effect {
-            Effect::Draw(ticket, question) => Some((*ticket, question.clone())),
-            _ => None,
-        })
+    fn drawn(effects: &[Effect]) -> Option<(u64, DrawMap)> {
+        asked::<DrawMap>(effects).map(|(ticket, question)| (ticket, question.clone()))
     }
 
-    fn tell(model: &mut Model, (ticket, question): (u64, Drawing)) -> Vec<Effect> {
+    fn tell(model: &mut Model, (ticket, question): (u64, DrawMap)) -> Vec<Effect> {
         let spots = vec![Spot::Damage(10.0); question.side * question.side];
         let grid = Grid {
             side: question.side,
             spots,
         };
-        update(
-            model,
-            Message::Map(Report::Done(ticket, Box::new(Ok(grid)))),
-        )
+        let report = Report::done::<DrawMap>(ticket, Ok(grid));
+        update(model, Message::News(report))
     }
 
     #[test]
@@ -125,20 +133,23 @@ mod tests {
             effects = tell(&mut model, asked);
         }
         assert!(effects.is_empty());
-        assert_eq!(model.map.grid(&model.work.scenario).unwrap().side, SIDES[2]);
+        assert_eq!(
+            model.screens.map.grid(&model.work.scenario).unwrap().side,
+            SIDES[2]
+        );
     }
 
     #[test]
     fn escape_and_leaving_stop_it_and_a_key_goes_on() {
         let mut model = begun();
         let (ticket, question) = drawn(&letter(&mut model, '7')).unwrap();
-        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::StopDrawing(ticket)]);
+        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(ticket)]);
         assert!(tell(&mut model, (ticket, question)).is_empty(), "late news");
         let (ticket, _) = drawn(&letter(&mut model, 'm')).unwrap();
-        assert_eq!(letter(&mut model, '1'), [Effect::StopDrawing(ticket)]);
+        assert_eq!(letter(&mut model, '1'), [Effect::Stop(ticket)]);
         let (ticket, _) = drawn(&letter(&mut model, '7')).unwrap();
         let effects = letter(&mut model, '-');
-        assert_eq!(effects[0], Effect::StopDrawing(ticket));
+        assert_eq!(effects[0], Effect::Stop(ticket));
         assert!(drawn(&effects).is_some(), "other ranges");
     }
 
@@ -146,16 +157,16 @@ mod tests {
     fn the_cursor_moves_and_its_values_are_adopted() {
         let mut model = begun();
         letter(&mut model, '7');
-        let middle = model.map.cursor;
+        let middle = model.screens.map.cursor;
         key(&mut model, KeyCode::Up);
         letter(&mut model, 'L');
-        assert_eq!(model.map.cursor, (middle.0 + 4, middle.1 + 1));
+        assert_eq!(model.screens.map.cursor, (middle.0 + 4, middle.1 + 1));
         let before = model.work.scenario.clone();
         let effects = key(&mut model, KeyCode::Enter);
-        assert!(matches!(effects[0], Effect::Solve(..)));
+        assert!(asked::<Simulate>(&effects).is_some());
         assert_eq!(
             Some(&model.work.scenario),
-            model.map.adopted(&before).as_ref()
+            model.screens.map.adopted(&before).as_ref()
         );
         letter(&mut model, 'u');
         assert_eq!(model.work.scenario, before);

@@ -6,8 +6,9 @@ use crate::scenario::{Scenario, set};
 use crate::study::map::{Grid, SIDES, Span, Spot, fill, scenario_at};
 use crate::study::sweep::spaced;
 use crate::study::{Refusal, Watch};
-use crate::tui::action::Step;
-use crate::tui::worker::{Ticket, overseen};
+use crate::tui::step::Step;
+use crate::tui::task::{Question, Report, Task};
+use crate::tui::worker::overseen;
 
 /// Pairs of inputs to begin with; the first whose fields are there.
 const PAIRS: [(&str, &str); 2] = [
@@ -24,9 +25,9 @@ const REACHES: (f64, f64) = (0.1, 20.0);
 /// Where a value is 0 the range reaches so many large steps to both sides, at the first reach.
 const STEPS: f64 = 3.0;
 
-/// What is asked of a worker.
+/// Asks for a grid of the map.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Drawing {
+pub struct DrawMap {
     /// The scenario; what it holds of the two inputs does not matter.
     pub scenario: Scenario,
     /// The inputs: across and up.
@@ -37,31 +38,15 @@ pub struct Drawing {
     pub known: Option<Grid>,
 }
 
-/// What the worker does.
-///
-/// # Errors
-/// [`Refusal::Cancelled`] if the watch stops it.
-pub fn map(question: &Drawing, watch: Watch) -> Result<Grid, Refusal> {
-    let Drawing {
-        scenario,
-        spans,
-        side,
-        known,
-    } = question;
-    overseen(watch, |stop, watch| {
-        fill(scenario, *spans, *side, known.as_ref(), stop, watch)
-    })
-}
+impl Question for DrawMap {
+    type Answer = Grid;
 
-/// What is under way.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Job {
-    /// Its ticket.
-    pub ticket: Ticket,
-    /// What was asked.
-    pub question: Drawing,
-    /// How much of it is done.
-    pub share: f64,
+    fn answer(&self, watch: Watch) -> Result<Grid, Refusal> {
+        overseen(watch, |stop, watch| {
+            let known = self.known.as_ref();
+            fill(&self.scenario, self.spans, self.side, known, stop, watch)
+        })
+    }
 }
 
 /// All that the screen knows.
@@ -70,10 +55,8 @@ pub struct Map {
     pub spans: Option<(Span, Span)>,
     /// What came last, and of which scenario and inputs.
     pub done: Option<(Scenario, (Span, Span), Grid)>,
-    /// What is under way.
-    pub job: Option<Job>,
-    /// Whether Esc stopped it, so that only a key begins again.
-    pub halted: bool,
+    /// What is under way, or that it was stopped.
+    pub task: Task<DrawMap>,
     /// Where the cursor stands on the finest grid.
     pub cursor: (usize, usize),
     /// How far the ranges reach.
@@ -85,8 +68,7 @@ impl Default for Map {
         Self {
             spans: None,
             done: None,
-            job: None,
-            halted: false,
+            task: Task::default(),
             cursor: (FINEST / 2, FINEST / 2),
             reach: REACH,
         }
@@ -177,7 +159,7 @@ impl Map {
         let next = next.unwrap_or(own);
         self.spans = Some(if across { (next, other) } else { (other, next) });
         self.go_home(scenario, (across, !across));
-        self.halted = false;
+        self.task.complaint = None;
     }
 
     /// Widens or narrows both ranges about what the scenario holds now.
@@ -192,7 +174,7 @@ impl Map {
             if let Some((a, b)) = values {
                 self.cursor = (nearest(x, a), nearest(y, b));
             }
-            self.halted = false;
+            self.task.complaint = None;
         }
     }
 
@@ -219,14 +201,14 @@ impl Map {
     }
 
     /// What should be computed next, if anything is left.
-    pub fn next(&self, scenario: &Scenario) -> Option<Drawing> {
+    pub fn next(&self, scenario: &Scenario) -> Option<DrawMap> {
         let spans = self.spans?;
         let known = self.grid(scenario);
         let side = match known {
             None => SIDES[0],
             Some(grid) => *SIDES.iter().find(|side| **side > grid.side)?,
         };
-        Some(Drawing {
+        Some(DrawMap {
             scenario: key(scenario, spans),
             spans,
             side,
@@ -234,9 +216,11 @@ impl Map {
         })
     }
 
-    /// Takes a grid in.
-    pub fn take(&mut self, question: Drawing, grid: Grid) {
-        self.done = Some((question.scenario, question.spans, grid));
+    /// Takes in what a worker says of a grid.
+    pub fn hear(&mut self, report: &mut Option<Report>) {
+        if let Some((question, Some(grid))) = self.task.hear(report) {
+            self.done = Some((question.scenario.clone(), question.spans, grid));
+        }
     }
 
     /// The values of the inputs under the cursor.
@@ -345,7 +329,7 @@ mod tests {
         let question = map.next(&scenario).unwrap();
         assert_eq!(question.side, SIDES[0]);
         let spots = vec![Spot::Damage(1.0); 81];
-        map.take(question, Grid { side: 9, spots });
+        map.done = Some((question.scenario, question.spans, Grid { side: 9, spots }));
         map.cursor = (4, 8);
         let adopted = map.adopted(&scenario).unwrap();
         assert_ne!(adopted, scenario);

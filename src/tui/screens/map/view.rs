@@ -24,7 +24,7 @@ const BELOW: u16 = 5;
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let Some((x, y)) = model.map.spans else {
+    let Some((x, y)) = model.screens.map.spans else {
         let text = "this scenario has no two inputs to draw a map over";
         put(buffer, area, (1, 1), text, theme.warning());
         return;
@@ -51,7 +51,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     }
     axes((x, y), area, field, theme, buffer);
-    if let Some(grid) = model.map.grid(&model.work.scenario) {
+    if let Some(grid) = model.screens.map.grid(&model.work.scenario) {
         for row in 0..field.height {
             for column in 0..field.width {
                 let (sign, style) = cell(grid, (column, row), field, theme);
@@ -60,7 +60,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
         own(model, (x, y), field, theme, buffer);
     }
-    let (px, py) = model.map.place();
+    let (px, py) = model.screens.map.place();
     let at = (
         (px * f64::from(field.width - 1)).round() as u16,
         ((1.0 - py) * f64::from(field.height - 1)).round() as u16,
@@ -88,14 +88,19 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let grid = model.map.grid(&model.work.scenario);
-    match (&model.map.job, grid) {
+    let grid = model.screens.map.grid(&model.work.scenario);
+    match (&model.screens.map.task.job, grid) {
         (Some(job), _) => {
             let side = job.question.side;
-            let text = format!("{side} x {side}: {:.0} %  Esc stops", job.share * 100.0);
+            let text = format!(
+                "{side} x {side}: {:.0} %  Esc stops",
+                100.0 * job.share.unwrap_or(0.0)
+            );
             (text, theme.warning())
         }
-        (None, _) if model.map.halted => ("stopped: m goes on".to_owned(), theme.warning()),
+        (None, _) if model.screens.map.task.complaint.is_some() => {
+            ("stopped: m goes on".to_owned(), theme.warning())
+        }
         (None, Some(grid)) => (format!("{0} x {0} runs", grid.side), theme.quiet()),
         (None, None) => (String::new(), theme.quiet()),
     }
@@ -220,7 +225,7 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
 
 /// What is known under the cursor.
 fn reading(model: &Model, (x, y): (Span, Span)) -> String {
-    let Some((a, b)) = model.map.values() else {
+    let Some((a, b)) = model.screens.map.values() else {
         return String::new();
     };
     let part = |span: Span, value: f64| {
@@ -233,7 +238,7 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         text.trim_end().to_owned()
     };
     let about = |exact: bool| if exact { "" } else { "about " };
-    let value = match model.map.reading(&model.work.scenario) {
+    let value = match model.screens.map.reading(&model.work.scenario) {
         None => "not known yet".to_owned(),
         Some((Spot::Refused, _)) => "not allowed".to_owned(),
         Some((Spot::Damage(v), exact)) => {

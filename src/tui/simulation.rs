@@ -1,0 +1,139 @@
+//! The answer to the form: asked for at every edit, and its mesh error once nothing newer is wanted.
+
+use std::sync::Arc;
+
+use super::ensemble;
+use super::model::{Model, Shown};
+use super::task::{Question, Report};
+use super::view::heat::hottest;
+use crate::recording::{Keep, Spacing};
+use crate::scenario::{Impact, Scenario};
+use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
+
+/// Frames that a replay keeps.
+const FRAMES: f64 = 400.0;
+/// The time in which most happens after a short blow, in s.
+const LIVELY: f64 = 5e-3;
+/// Numbers of nodes times frames that a replay may keep: some 100 MB.
+const MAX_KEPT: f64 = 4e6;
+
+/// Asks for the answer to a scenario, with all that the screens show.
+#[derive(Debug)]
+pub struct Simulate(pub Scenario);
+
+impl Question for Simulate {
+    type Answer = Answer;
+
+    fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
+        solve(&self.0, keep(&self.0), watch)
+    }
+}
+
+/// Asks for the mesh error of the answer on show.
+#[derive(Debug)]
+pub struct EstimateMesh {
+    /// What was answered.
+    pub scenario: Scenario,
+    /// What of the answer matters.
+    pub query: MeshQuery,
+}
+
+impl Question for EstimateMesh {
+    type Answer = MeshError;
+
+    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
+        self.query.estimate(&self.scenario, watch)
+    }
+}
+
+/// Simulates the form. The mesh error of what was there before is wanted no more.
+pub(super) fn start(model: &mut Model) {
+    model.mesh.stop(None, &mut model.out);
+    let scenario = model.work.scenario.clone();
+    model.run.ask(Simulate(scenario), &mut model.out);
+}
+
+/// What the workers say of the answer and of its mesh error.
+pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
+    if let Some((asked, outcome)) = model.run.hear(report) {
+        match outcome {
+            Some(answer) => show(model, asked.0.clone(), answer),
+            None => explain_cancelling(model),
+        }
+    }
+    if let Some((_, outcome)) = model.mesh.hear(report) {
+        if let (Some(mesh), Some(shown)) = (outcome, model.shown.as_mut()) {
+            Arc::make_mut(&mut shown.answer).add(mesh);
+        }
+        ensemble::run_when_idle(model);
+    }
+}
+
+fn show(model: &mut Model, scenario: Scenario, answer: Answer) {
+    // The finer mesh is for the time when nothing else is wanted.
+    if answer.errors.mesh.is_none() {
+        let query = MeshQuery::of(&answer);
+        let scenario = scenario.clone();
+        let question = EstimateMesh { scenario, query };
+        model.mesh.ask(question, &mut model.out);
+    }
+    model.shown = Some(Shown {
+        scenario,
+        hottest: hottest(&answer),
+        answer: Arc::new(answer),
+    });
+}
+
+/// A run that was cancelled begins by no key, but by the next edit.
+fn explain_cancelling(model: &mut Model) {
+    if let Some((_, why)) = &mut model.run.complaint
+        && *why == Refusal::Cancelled.to_string()
+    {
+        why.push_str(": the next edit simulates again");
+    }
+}
+
+/// In a long window half of the frames fall into the time in which most happens.
+fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
+    let window = scenario.window_ms * 1e-3;
+    let pulse = match &scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.duration_ms * 1e-3,
+        Impact::Projectile(_) => 0.0,
+    };
+    let lively = LIVELY.max(2.0 * pulse);
+    if window < 2.0 * lively {
+        return Spacing::even(window / frames);
+    }
+    let early = (0.5 * frames).round();
+    Spacing {
+        early: early as u32,
+        early_every: lively / early,
+        every: (window - lively) / (frames - early),
+    }
+}
+
+/// Everything that the screens show; fewer frames of a mesh too fine to keep them all.
+pub fn keep(scenario: &Scenario) -> Keep {
+    let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
+    let frames = FRAMES.min(MAX_KEPT / (side * side)).max(20.0);
+    Keep {
+        traces: true,
+        frames: Some(spacing(scenario, frames)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::{Quantity, unwatched};
+
+    #[test]
+    fn the_mesh_error_needs_no_second_answer() {
+        let scenario = Scenario::default();
+        let answer = Simulate(scenario.clone()).answer(&mut unwatched).unwrap();
+        let query = MeshQuery::of(&answer);
+        let question = EstimateMesh { scenario, query };
+        let damage = question.answer(&mut unwatched).unwrap().errors[Quantity::Damage].unwrap();
+        assert!((20.0..40.0).contains(&damage), "{damage}");
+    }
+}

@@ -1,0 +1,36 @@
+//! A step of a value, of a cursor or of time.
+
+/// A step up or down, small or large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    /// Up, not down.
+    pub up: bool,
+    /// A large step.
+    pub coarse: bool,
+}
+
+impl Step {
+    /// A small step down.
+    pub const LESS: Self = Self::new(false, false);
+    /// A small step up.
+    pub const MORE: Self = Self::new(true, false);
+    /// A large step down.
+    pub const MUCH_LESS: Self = Self::new(false, true);
+    /// A large step up.
+    pub const MUCH_MORE: Self = Self::new(true, true);
+
+    const fn new(up: bool, coarse: bool) -> Self {
+        Self { up, coarse }
+    }
+
+    /// 1 or -1.
+    pub fn sign(self) -> f64 {
+        if self.up { 1.0 } else { -1.0 }
+    }
+
+    /// The same step the other way.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self::new(!self.up, self.coarse)
+    }
+}
