@@ -1,6 +1,6 @@
 //! What acts beside springs, drag and pulse: a projectile, the fluid, dashpots.
 //!
-//! A scene that has none of them compiles none, and takes the paths of [`super::integrator`]
+//! A scene that has none of them compiles none, and takes the paths of [`super::composition`]
 //! untouched. A scene that has some moves the whole eye: the row kernel computes the springs, the
 //! parts here add their accelerations, and [`super::verlet`] makes the steps.
 //!
@@ -10,6 +10,7 @@ use super::contact::{Body, Contact, Touch};
 use super::dashpots::Dashpots;
 use super::fluid::{Fluid, PA_PER_MMHG};
 use super::march::Cost;
+use super::scene::SceneKind;
 use super::state::State;
 use super::system::{LANES, System};
 use crate::eye::{Eye, GLOBE_RADIUS_M, depth_m};
@@ -19,6 +20,7 @@ use nalgebra::{Point2, Vector2};
 /// The parts of one scene.
 #[derive(Debug, Clone)]
 pub struct Coupled {
+    pub(super) kind: SceneKind,
     /// A projectile.
     pub contact: Option<Contact>,
     /// The fluid in the globe.
@@ -77,7 +79,8 @@ pub(super) struct Workspace {
 impl Coupled {
     /// The parts that `scenario` asks for, if any, for `eye` compiled whole as `system`.
     pub fn new(scenario: &Scenario, eye: &Eye, system: &System) -> Option<Self> {
-        if !needed(scenario) {
+        let kind = SceneKind::of(scenario);
+        if kind == SceneKind::Springs {
             return None;
         }
         let ring: Vec<Point2<f64>> = eye
@@ -116,6 +119,7 @@ impl Coupled {
                 .flat_map(|g| (0..LANES).map(move |l| (g, l)))
         };
         Some(Self {
+            kind,
             contact,
             fluid,
             dashpots,
@@ -226,16 +230,6 @@ impl Coupled {
         });
         squares.fold(0.0, f64::max).sqrt()
     }
-}
-
-/// Whether a scene has anything for this module to do.
-pub fn needed(scenario: &Scenario) -> bool {
-    let shot = matches!(scenario.impact, Impact::Projectile(_));
-    let parts = match &scenario.model {
-        Model::Paper => false,
-        Model::Physiological(parts) => parts.pressure || parts.dashpots,
-    };
-    shot || parts
 }
 
 fn read(readings: &mut Readings, touch: &Touch) {

@@ -17,6 +17,7 @@ use super::coupled::Coupled;
 use super::lanes;
 use super::load::{ArcLoad, Pulse};
 use super::ring::{self, Ring};
+use super::scene::SceneKind;
 use super::stability;
 use crate::eye::{Eye, SpringKind};
 use fearless_simd::{Level, dispatch};
@@ -281,6 +282,12 @@ impl System {
         debug_assert!(coupled.is_none() || !self.mirrored());
         self.coupled = coupled;
         self
+    }
+
+    /// What kind of scene it was compiled for.
+    pub fn kind(&self) -> SceneKind {
+        let coupled = self.coupled.as_ref();
+        coupled.map_or(SceneKind::Springs, |coupled| coupled.kind)
     }
 
     /// Projectile, fluid and dashpots, where the scene has any.

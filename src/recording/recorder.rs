@@ -112,7 +112,7 @@ impl Recorder {
                 .map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
             coupled: CoupledWatch::new(system),
-            provable: system.coupled().is_none(),
+            provable: system.kind().bounded_by_energy(),
         }
     }
 

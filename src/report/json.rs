@@ -6,7 +6,7 @@
 //! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
 //! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
-use crate::dynamics::{PA_PER_MMHG, kernel_name};
+use crate::dynamics::{PA_PER_MMHG, SceneKind, kernel_name};
 use crate::eye::Monitor;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
@@ -94,7 +94,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
     if !risks.is_empty() {
         object["injury"] = super::injury::json(&risks);
     }
-    if answer.case.system.coupled().is_some() {
+    if answer.case.system.kind() != SceneKind::Springs {
         let cost = &answer.cost;
         object["numerics"]["contact_tests"] = cost.contact_tests.into();
         object["numerics"]["pressure_evaluations"] = cost.pressure_evaluations.into();

@@ -97,7 +97,7 @@ pub struct Accuracy {
 
 fn plans(case: &Case) -> Vec<Plan> {
     let mut plans = Vec::new();
-    for &integrator in case.integrators() {
+    for &integrator in case.rules().integrators {
         let limit = case.step_limit(integrator);
         let plan = |share: f64, local_tolerance| Plan {
             integrator,
@@ -148,11 +148,7 @@ fn part(watch: Watch, from: f64, size: f64) -> impl FnMut(f64) -> ControlFlow<()
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
 pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
     let case = Case::new(scenario);
-    let method = if case.system.coupled().is_some() {
-        case.automatic().0
-    } else {
-        Integrator::Srkn11b
-    };
+    let method = case.rules().reference;
     let reference = Plan {
         integrator: method,
         step: REFERENCE_SHARE * case.step_limit(method),

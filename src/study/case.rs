@@ -1,29 +1,16 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
 use super::results::Results;
+use super::rules::{Automatic, Rules};
 use crate::dynamics::{
     ArcLoad, Cost, Coupled, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse,
-    State, Survey, System, march, needed, stability,
+    SceneKind, State, Survey, System, march, stability,
 };
 use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
 use crate::scenario::{Impact, Scenario};
 use std::ops::ControlFlow;
-
-/// The integrator that `Auto` takes for an answer.
-const AUTO: Integrator = Integrator::Srkn6b;
-/// The integrator that `Auto` takes for one run alone: as accurate at the same cost, with fewer and
-/// longer steps to record.
-const AUTO_ALONE: Integrator = Integrator::Srkn11b;
-/// The share of its stability limit that the automatic step of an answer takes, which leaves room
-/// for a second, coarser run that gives the error.
-pub(super) const AUTO_SHARE: f64 = 0.8;
-/// The largest share that any run takes on its own account, and that of one run alone.
-pub(super) const LONE_SHARE: f64 = 0.95;
-
-/// The same for scenes with a projectile, a fluid or dashpots, whose method is of second order.
-const COUPLED_SHARE: f64 = 0.3;
 
 /// More than this takes longer than half an hour.
 const MOST_SPRING_EVALUATIONS: f64 = 1e12;
@@ -47,11 +34,13 @@ pub enum Refusal {
     /// The asked integrator cannot solve such a scene.
     #[error(
         "numerics.integrator: {integrator} does not solve scenes with a projectile, pressure or \
-         dashpots: allowed Auto, VelocityVerlet"
+         dashpots: allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.
         integrator: &'static str,
+        /// Those that can, with a comma between two.
+        allowed: String,
     },
     /// The motion left the finite numbers.
     #[error(transparent)]
@@ -160,7 +149,8 @@ impl Case {
             Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),
             Impact::Projectile(_) => (Pulse::none(), ArcLoad::none()),
         };
-        let system = System::new(&eye, pulse, &load, whole || needed(scenario), portable);
+        let whole = whole || SceneKind::of(scenario).needs_whole_eye();
+        let system = System::new(&eye, pulse, &load, whole, portable);
         let coupled = Coupled::new(scenario, &eye, &system);
         let system = system.with(coupled);
         Self {
@@ -183,33 +173,15 @@ impl Case {
         stability::step_limit(integrator, &self.system)
     }
 
-    /// The integrators that can solve it, the automatic one first where there is only one.
-    pub fn integrators(&self) -> &'static [Integrator] {
-        if self.system.coupled().is_some() {
-            &[Integrator::VelocityVerlet]
-        } else {
-            Integrator::ALL
-        }
+    /// What holds for such a scene.
+    pub(super) fn rules(&self) -> &'static Rules {
+        Rules::of(self.system.kind())
     }
 
-    /// The integrator that `Auto` takes, and the share of its stability limit for an answer.
-    pub(super) fn automatic(&self) -> (Integrator, f64) {
-        if self.system.coupled().is_some() {
-            (Integrator::VelocityVerlet, COUPLED_SHARE)
-        } else {
-            (AUTO, AUTO_SHARE)
-        }
-    }
-
-    /// Order by which the step error is taken to fall: the integrator's, but one with a
-    /// projectile, whose force has a kink at touch and sends out sharp waves, and with dashpots and
-    /// fluid, where folding springs leave no better.
+    /// Order by which the step error of `integrator` is taken to fall.
     pub fn order(&self, integrator: Integrator) -> i32 {
-        if self.system.coupled().is_some() {
-            1
-        } else {
-            integrator.method().order
-        }
+        let estimate = &self.rules().estimate;
+        estimate.order.unwrap_or(integrator.method().order)
     }
 
     /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
@@ -218,8 +190,7 @@ impl Case {
     /// # Errors
     /// Refuses a step above the stability limit.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        let (auto, share) = self.automatic();
-        self.plan_by(scenario, auto, share)
+        self.plan_by(scenario, &self.rules().answer)
     }
 
     /// The same for one run alone, as a batch and a mesh error make it.
@@ -227,19 +198,20 @@ impl Case {
     /// # Errors
     /// As [`Self::plan`].
     pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        let (auto, share) = if self.system.coupled().is_some() {
-            self.automatic()
-        } else {
-            (AUTO_ALONE, LONE_SHARE)
-        };
-        self.plan_by(scenario, auto, share)
+        self.plan_by(scenario, &self.rules().alone)
     }
 
-    fn plan_by(&self, scenario: &Scenario, auto: Integrator, share: f64) -> Result<Plan, Refusal> {
-        let integrator = scenario.numerics.integrator.unwrap_or(auto);
-        if !self.integrators().contains(&integrator) {
+    fn plan_by(&self, scenario: &Scenario, automatic: &Automatic) -> Result<Plan, Refusal> {
+        let integrator = scenario.numerics.integrator.unwrap_or(automatic.integrator);
+        let allowed = self.rules().integrators;
+        if !allowed.contains(&integrator) {
             return Err(Refusal::IntegratorUnfit {
                 integrator: integrator.name(),
+                allowed: allowed
+                    .iter()
+                    .map(|i| i.spelling())
+                    .collect::<Vec<_>>()
+                    .join(", "),
             });
         }
         let limit = self.step_limit(integrator);
@@ -252,7 +224,7 @@ impl Case {
                 });
             }
             Some(step_us) => step_us * 1e-6,
-            None => share * limit,
+            None => automatic.share * limit,
         };
         let plan = Plan {
             integrator,

@@ -9,6 +9,7 @@ use super::case::{Case, Refusal, Watch};
 use super::mesh_error::{at_level, between, rescaled};
 use super::quantity::Quantity;
 use super::results::Results;
+use super::rules::{Automatic, share_for};
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
@@ -106,7 +107,10 @@ fn meet(
     watch: Watch,
     reasons: &mut Vec<String>,
 ) -> Result<Answer, Refusal> {
-    let (automatic, share) = case.automatic();
+    let Automatic {
+        integrator: automatic,
+        share,
+    } = case.rules().answer;
     let plan = |integrator| Plan {
         integrator,
         step: share * case.step_limit(integrator),
@@ -128,7 +132,6 @@ fn meet(
         ));
     }
     let mut plan = plan(automatic);
-    let power = 1.0 / f64::from(case.order(automatic));
     let mut error = f64::INFINITY;
     for _ in 0..MOST_ATTEMPTS {
         let answer = solve_by(case.clone(), plan, keep, watch)?;
@@ -141,7 +144,7 @@ fn meet(
             ));
             return Ok(answer);
         }
-        plan.step *= (0.9 * (percent / error).powf(power)).clamp(0.25, 0.8);
+        plan.step *= (0.9 * share_for(percent, error, case.order(automatic))).clamp(0.25, 0.8);
     }
     Err(Refusal::ToleranceNotMet {
         percent,

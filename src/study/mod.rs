@@ -18,6 +18,7 @@ pub mod ordered;
 pub mod point;
 pub mod quantity;
 mod results;
+mod rules;
 mod solve;
 pub mod spreads;
 pub mod statistics;

@@ -13,6 +13,7 @@
 use super::case::{Case, Refusal, Watch};
 use super::flags::{self, Evidence, FlagKind};
 use super::results::Results;
+use super::rules::{LONGEST_SHARE, share_for};
 use super::solve::solve_by;
 use crate::dynamics::Plan;
 use crate::recording::{Extremes, Keep};
@@ -22,8 +23,6 @@ use crate::scenario::Scenario;
 pub const PROMISE_PERCENT: f64 = 0.1;
 /// How often a step is shortened, each time at most to a half.
 const MOST_ATTEMPTS: usize = 6;
-/// The share of the stability limit that a step may take.
-const LONGEST_SHARE: f64 = 0.95;
 
 /// What a run among many gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +74,7 @@ fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refu
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
         && !plan.integrator.method().adaptive()
-        && case.system.coupled().is_none()
+        && case.rules().may_lengthen
     {
         plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
     }
@@ -166,7 +165,7 @@ pub fn compared(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<P
 
 /// The factor on the step that brings a step error, in %, to what is promised.
 fn shortening(plan: &Plan, error: f64) -> f64 {
-    (PROMISE_PERCENT / error).powf(1.0 / f64::from(plan.integrator.method().order))
+    share_for(PROMISE_PERCENT, error, plan.integrator.method().order)
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@
 use super::case::{Case, Refusal, Solution, Watch};
 use super::flags::{self, Evidence, Flag};
 use super::results::Results;
-use super::step_error::{hanging_together, second_plan};
+use super::rules::share_for;
+use super::step_error::{second_plan, stated};
 use crate::dynamics::{Cost, Plan};
 use crate::injury::{DamageIndex, Risk, assess};
 use crate::recording::{Keep, Recording};
@@ -15,23 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Nor is any result of a projectile claimed to be better than this, in %, times the share of the
-/// stability limit that the step takes: where within a step the contact begins and ends is chance,
-/// which two runs may share. At a share of 0.3 it was seen to be worth 0.01 to 0.2 %.
-const CONTACT_PERCENT: f64 = 1.0;
-/// Step error that an automatic step is shortened for, in %.
-const AUTO_PERCENT: f64 = 1.0;
-/// Energy residual that it is shortened for, folded or not, in %.
-const AUTO_BALANCE_PERCENT: f64 = 0.5;
-/// How often it is shortened, at most to a half each time: a person waits, and what is left is flagged.
-const MOST_ATTEMPTS: usize = 3;
-/// The same for a mesh that folded under an object, whose results scatter anyway.
-const FOLDED_PERCENT: f64 = 3.0;
 /// A shorter step helped if it brought the error below this share of the one before.
 const HELPED: f64 = 0.8;
-/// No result is claimed to be better than this, in %: rounding and the search for peaks end here.
-const FLOOR_PERCENT: f64 = 1e-6;
-
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
@@ -128,7 +114,8 @@ pub(super) fn solve_case(
     let begun = Instant::now();
     let mut plan = case.plan(scenario)?;
     let automatic = scenario.numerics.step_us.is_none();
-    let mut attempts = if automatic { MOST_ATTEMPTS } else { 0 };
+    let rule = &case.rules().refinement;
+    let mut attempts = if automatic { rule.attempts } else { 0 };
     let mut best: Option<(Plan, Measured)> = None;
     loop {
         let share = match measured(&case, &plan, keep, watch) {
@@ -136,7 +123,7 @@ pub(super) fn solve_case(
                 let before = best.as_ref().map(|(_, solved)| solved);
                 let share = shorter(&case, &plan, &solved, before);
                 // Where the mesh folded, a shorter step need not be the better one.
-                if before.is_none_or(|before| solved.is_better_than(before)) {
+                if before.is_none_or(|before| solved.is_better_than(before, rule.balance_percent)) {
                     best = Some((plan, solved));
                 }
                 share
@@ -168,13 +155,15 @@ fn shorter(case: &Case, plan: &Plan, solved: &Measured, before: Option<&Measured
     let error = solved.errors.time_step_percent();
     let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
     let folded = solved.solution.recording.extremes.folded_at.is_some();
-    if solved.errors.energy_balance > AUTO_BALANCE_PERCENT {
+    let rule = &case.rules().refinement;
+    if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
-    } else if folded && case.system.coupled().is_some() {
-        (error > FOLDED_PERCENT && helped).then_some(0.5)
-    } else if error > AUTO_PERCENT && !folded {
-        let order = f64::from(case.order(plan.integrator));
-        Some((0.8 * (AUTO_PERCENT / error).powf(1.0 / order)).clamp(0.5, 0.8))
+    } else if folded {
+        let worth = rule.folded_percent.is_some_and(|most| error > most);
+        (worth && helped).then_some(0.5)
+    } else if error > rule.error_percent {
+        let share = share_for(rule.error_percent, error, case.order(plan.integrator));
+        Some((0.8 * share).clamp(0.5, 0.8))
     } else {
         None
     }
@@ -205,9 +194,9 @@ struct Measured {
 }
 
 impl Measured {
-    /// By its energy where one of them does not keep it, else by its step error.
-    fn is_better_than(&self, other: &Self) -> bool {
-        let balance = |run: &Self| run.errors.energy_balance.max(AUTO_BALANCE_PERCENT);
+    /// By its energy where one of them does not keep it to `balance_percent`, else by its step error.
+    fn is_better_than(&self, other: &Self, balance_percent: f64) -> bool {
+        let balance = |run: &Self| run.errors.energy_balance.max(balance_percent);
         let error = |run: &Self| run.errors.time_step_percent();
         (balance(self), error(self)) <= (balance(other), error(other))
     }
@@ -243,19 +232,14 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         .results(&second?.recording.extremes)
         .difference_percent(&results);
     let disagreement = difference.headline();
-    let coupled = case.system.coupled();
-    let floor = if coupled.is_some_and(|c| c.contact.is_some()) {
-        let step = plan.step / plan.multiple;
-        CONTACT_PERCENT * step / case.step_limit(plan.integrator)
+    let time_step = if extremes.missed() {
+        // All of an eye that is not hit is exactly 0.
+        difference.map(|_, difference| difference.map(|_| 0.0))
     } else {
-        FLOOR_PERCENT
+        stated(case, plan, &difference, factor)
     };
-    let missed = extremes.missed();
-    // All of an eye that is not hit is exactly 0.
-    let state = |d: f64| if missed { 0.0 } else { factor * d + floor };
-    let stated = difference.map(|_, difference| difference.map(state));
     let errors = Errors {
-        time_step: hanging_together(stated, coupled.is_some()),
+        time_step,
         mesh: None,
         energy_balance: 100.0 * extremes.energy_residual,
     };

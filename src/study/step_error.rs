@@ -1,31 +1,11 @@
-//! How two runs tell the step error: the second run, the factor, and what no result is better than.
+//! How two runs tell the step error: the second run, and from their difference to what is stated.
 //!
-//! The second run's step differs by a factor r. For an integrator of order p the difference d between
-//! the two is about (r^p - 1) times the error of the finer run, and (1 - r^-p) times that of the
-//! coarser. Peaks do not always follow the order, so the estimate is multiplied by a safety factor.
+//! The idea and all its numbers are in [`super::rules`].
 
-use super::case::{AUTO_SHARE, Case, LONE_SHARE};
-use super::quantity::Family;
+use super::case::Case;
 use super::results::Results;
+use super::rules::{Floor, LONGEST_SHARE};
 use crate::dynamics::{Plan, Pulse};
-
-/// For scenes with a projectile, a fluid or dashpots, for which first order is assumed where order
-/// two is mostly seen. The worst stated error of a scene is then mostly several times the true one.
-const COUPLED_SAFETY: f64 = 3.0;
-/// No result of such a scene is claimed to be better than this share of the worst.
-const COUPLED_KINSHIP: f64 = 0.2;
-/// Ratio of the two steps: the longest that a run takes against the automatic one.
-const RATIO: f64 = LONE_SHARE / AUTO_SHARE;
-/// The same for scenes with a projectile, a fluid or dashpots, whose steps are far below the limit.
-const COUPLED_RATIO: f64 = 2.0;
-/// Multiplies the estimate, because peaks do not always follow the order. With 5, and [`KINSHIP`], the
-/// stated errors hold in more than 95 % of random scenes for each result and are 5 to 9 times the
-/// true ones in the median; see `coverage`.
-const SAFETY: f64 = 5.5;
-/// Two runs may give the same peak by chance though neither is right. The forces at the three nodes
-/// of the shell come from the same waves, so none is claimed to be better than this share of the
-/// worst of them. (The force at the centre is far smoother, and really is better.)
-const KINSHIP: f64 = 0.03;
 
 /// The smallest ratio, over all segments, of the steps of `more` to those of `fewer`.
 fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
@@ -41,11 +21,7 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
 pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     let limit = case.step_limit(plan.integrator);
     let order = case.order(plan.integrator);
-    let (ratio, safety) = if case.system.coupled().is_some() {
-        (COUPLED_RATIO, COUPLED_SAFETY)
-    } else {
-        (RATIO, SAFETY)
-    };
+    let (ratio, safety) = (case.rules().estimate.ratio, case.rules().estimate.safety);
     let pulse = &case.system.load().pulse;
     let coarser = Plan {
         step: plan.step * ratio,
@@ -58,7 +34,7 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     };
     // A coarser run is cheaper, but tells nothing if the load or short segments take the same steps.
     let telling = |steps: usize, fewer: usize| steps as f64 > 0.5 * (1.0 + ratio) * fewer as f64;
-    let coarser_tells = coarser.step <= LONE_SHARE * limit * (1.0 + 1e-9)
+    let coarser_tells = coarser.step <= LONGEST_SHARE * limit * (1.0 + 1e-9)
         && !pulse
             .segments(plan.window)
             .iter()
@@ -70,7 +46,7 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
         && telling(plan.steps(pulse), coarser.steps(pulse));
     if plan.integrator.method().adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.
-        (finer, SAFETY)
+        (finer, safety)
     } else if coarser_tells {
         (coarser, safety / (ratio.powi(order) - 1.0))
     } else {
@@ -79,12 +55,19 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
     }
 }
 
-/// Raises errors that are small by chance: where a projectile, a fluid or dashpots act, all results but
-/// the node forces come from the same motion; else the forces on the shell from the same waves.
-pub(super) fn hanging_together(errors: Results, coupled: bool) -> Results {
-    if coupled {
-        errors.raised(Family::Motion, COUPLED_KINSHIP)
-    } else {
-        errors.raised(Family::ShellForces, KINSHIP)
-    }
+/// What is stated of a run by `plan` whose second run differs by `difference` %, of which `factor` makes
+/// the estimate: no less than the floor, and raised where it is small by chance.
+pub(super) fn stated(case: &Case, plan: &Plan, difference: &Results, factor: f64) -> Results {
+    let estimate = &case.rules().estimate;
+    let floor = match estimate.floor {
+        Floor::Percent(percent) => percent,
+        Floor::PercentAtLimit(percent) => {
+            let step = plan.step / plan.multiple;
+            percent * step / case.step_limit(plan.integrator)
+        }
+    };
+    let (family, share) = estimate.family;
+    difference
+        .map(|_, difference| difference.map(|d| factor * d + floor))
+        .raised(family, share)
 }
