@@ -8,6 +8,7 @@
 //!
 //! Research and education, not diagnosis.
 
+#[cfg(feature = "app")]
 pub mod cli;
 pub mod dynamics;
 pub mod eye;
@@ -16,8 +17,11 @@ pub mod injury;
 mod normal;
 mod plain_text;
 pub mod recording;
+#[cfg(feature = "app")]
 pub mod report;
 pub mod scenario;
 pub mod study;
+#[cfg(feature = "app")]
 pub mod tui;
+#[cfg(feature = "app")]
 mod whole_file;

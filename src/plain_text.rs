@@ -14,9 +14,7 @@
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
-use std::io::{self, Write};
 
-use serde::Serialize;
 use unicode_width::UnicodeWidthChar;
 
 /// The longest piece of somebody else's text that a message repeats, in characters.
@@ -44,6 +42,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
 }
 
 /// Several lines: as [`printable`], with line ends and tabs kept.
+#[cfg(feature = "app")]
 pub fn printable_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| matches!(c, '\n' | '\t'), write_out)
 }
@@ -116,7 +115,11 @@ pub fn lines(each: impl ExactSizeIterator<Item = String>) -> String {
 ///
 /// # Errors
 /// Where `out` fails.
-pub fn write_json(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
+#[cfg(feature = "app")]
+pub fn write_json(
+    out: &mut dyn std::io::Write,
+    value: &impl serde::Serialize,
+) -> std::io::Result<()> {
     let json = serde_json::to_string_pretty(value)?;
     // Beyond strings JSON is ASCII, and its own line ends are the only control characters left.
     let written = escaped(
@@ -131,7 +134,7 @@ pub fn write_json(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()>
     writeln!(out, "{written}")
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "app"))]
 mod tests {
     use super::*;
 

@@ -1,5 +1,7 @@
 //! The program as a shell sees it: what it prints, where, and how it ends.
 
+#![cfg(feature = "app")]
+
 use std::fs;
 use std::io::Read;
 use std::path::Path;

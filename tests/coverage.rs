@@ -4,6 +4,8 @@
 //! segment of the load. A sixth-order one with fewer steps is cheaper, but no substitute: its peaks
 //! are searched in longer steps, and so differ from the finer one's by more than many true errors.
 
+#![cfg(feature = "app")]
+
 use contrecoup::study::coverage::{MOST_SCENES, check, coverage, misses};
 use contrecoup::study::{Quantity, Refusal};
 use std::ops::ControlFlow;

@@ -1,5 +1,7 @@
 //! Many runs as a shell sees them: what is refused, what a kill leaves, and that shards are the whole.
 
+#![cfg(feature = "app")]
+
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};

@@ -7,6 +7,8 @@
 //! Left out: commands that take minutes or need a quiet machine are not run to compare; their rows are named here, and
 //! rewriting fails if they are no longer printed.
 
+#![cfg(feature = "app")]
+
 #[path = "support/figures.rs"]
 mod figures;
 #[path = "support/renew.rs"]

@@ -1,5 +1,7 @@
 //! `contrecoup guide`, as a shell and as a terminal see it.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use contrecoup::guide::{TOPICS, contents};

@@ -2,6 +2,8 @@
 //!
 //! A build without optimization takes minutes over them, so only one of them runs there.
 
+#![cfg(feature = "app")]
+
 use assert_cmd::Command;
 use contrecoup::scenario::check::check;
 use contrecoup::study::FlagKind;

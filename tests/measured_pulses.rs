@@ -1,6 +1,8 @@
 //! Force curves as they were recorded: a table that samples a known pulse answers like it, a noisy one
 //! keeps its stated errors, and the program takes a CSV file from wherever a person has it.
 
+#![cfg(feature = "app")]
+
 use std::fs;
 use std::path::Path;
 

@@ -1,5 +1,6 @@
 //! Files of any size and readers that do not read take little memory, and what is interrupted
 //! leaves nothing behind.
+#![cfg(feature = "app")]
 #![cfg(unix)]
 
 mod common;

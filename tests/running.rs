@@ -1,5 +1,7 @@
 //! `run` and `export` as a shell sees them, and every preset.
 
+#![cfg(feature = "app")]
+
 mod common;
 
 use common::{json, program};

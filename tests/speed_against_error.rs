@@ -1,5 +1,7 @@
 //! `--tolerance`, `--mesh-error` and `accuracy` as a shell sees them.
 
+#![cfg(feature = "app")]
+
 mod common;
 
 use common::{json, program};

@@ -1,5 +1,7 @@
 //! Leaving the app by every door, and coming back: the terminal is as it was.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::fs;

@@ -1,6 +1,8 @@
 //! Keys, mouse, pastes and sizes at random, the same ones every time: nothing panics, nothing
 //! hangs, and the terminal comes back.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::time::Duration;

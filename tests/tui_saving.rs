@@ -1,5 +1,7 @@
 //! Saving presets, also where the system refuses.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::fs;

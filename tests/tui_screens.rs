@@ -2,6 +2,8 @@
 //!
 //! `INSTA_UPDATE=always cargo test --test tui_screens` takes what is drawn now for right.
 
+#![cfg(feature = "app")]
+
 use std::sync::Arc;
 
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};

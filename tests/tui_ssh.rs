@@ -1,5 +1,7 @@
 //! The app through a real secure shell server on the loopback, also over a narrow link.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::fs;

@@ -1,5 +1,7 @@
 //! The app in a terminal: a pty, real keys, real signals.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::fs;

@@ -1,5 +1,7 @@
 //! What goes over the wire: how much, how often, and in which colours.
 
+#![cfg(feature = "app")]
+
 mod support;
 
 use std::thread;

@@ -1,5 +1,7 @@
 //! Text that somebody else wrote never does anything to a terminal, and never floods it.
 
+#![cfg(feature = "app")]
+
 mod common;
 
 use std::fs;

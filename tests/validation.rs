@@ -1,5 +1,7 @@
 //! Published experiments run again, and the fit to some of them, as a person asks for them.
 
+#![cfg(feature = "app")]
+
 mod common;
 
 use common::{json, program};
