@@ -19,6 +19,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use contrecoup::guide::TOPICS;
+use contrecoup::scenario::fields::FIELDS;
 use contrecoup::tui::keys;
 use figures::{FIGURES, Figures, Form, form, printed};
 
@@ -74,19 +75,44 @@ fn find(name: &str) -> &'static Figures {
     found.unwrap_or_else(|| panic!("nothing makes the figures {name}"))
 }
 
+/// The content of a block that is no figures but a list of the program's own, the same to the letter.
+fn list(name: &str) -> Option<String> {
+    match name {
+        "keys" => Some(keys::markdown() + "\n"),
+        "fields" => Some(format!("\n```text\n{}```\n\n", fields())),
+        _ => None,
+    }
+}
+
+/// Every field of a scenario and what it accepts, in 80 columns.
+fn fields() -> String {
+    const NAMES: usize = 30;
+    let mut text = String::new();
+    for field in FIELDS {
+        let mut line = format!("{:<NAMES$}", field.path);
+        for word in field.allowed().split(' ') {
+            if line.chars().count() + 1 + word.chars().count() > 80 {
+                text += &(line + "\n");
+                line = " ".repeat(NAMES);
+            }
+            line = line + " " + word;
+        }
+        text += &(line + "\n");
+    }
+    text
+}
+
 /// Puts what the program prints now in the place of the figures that are asked for.
 fn write_again(page: &Path, outputs: &mut Outputs) {
     let mut text = read(page);
     // From the end, so that the places before stay where they are.
     for (name, at) in blocks(&text.clone()).into_iter().rev() {
         if renew::is_asked(name) {
-            let content = if name == "keys" {
-                keys::markdown() + "\n"
-            } else {
+            let content = list(name).unwrap_or_else(|| {
                 let figures = find(name);
                 let found = (figures.excerpt)(outputs.of(figures.command));
                 format!("\n```text\n{found}```\n\n")
-            };
+            });
             text.replace_range(at, &content);
         }
     }
@@ -114,8 +140,8 @@ fn figures_have_the_form_of_what_their_command_prints() {
     for page in pages() {
         let text = read(&page);
         for (name, at) in blocks(&text) {
-            if name == "keys" {
-                assert_eq!(text[at], keys::markdown() + "\n", "not the keys of the app");
+            if let Some(list) = list(name) {
+                assert_eq!(text[at], list, "the {name} are others now");
                 continue;
             }
             let (figures, shown) = (find(name), inner(&text[at]));
@@ -157,6 +183,28 @@ fn a_form_keeps_words_and_units_but_no_digits() {
     ] {
         assert_ne!(form(rows), form(other));
     }
+}
+
+#[test]
+fn what_the_benchmark_prints_is_read_without_running_it() {
+    let name = "one answer with its step error, wall";
+    let others = "plain Verlet within 0.1 %: 0.755 us, the same";
+    let end = "process start to end, median";
+    let printed = format!(
+        "{name:<62}{:>9.3} ms\n{others:<62}{:>9.3} ms{:>12.4} %\n{end:<62}{:>9.3} ms\n\n\
+         | target | ratio | wanted | met |\n|---|---|---|---|\n\
+         | a run | 15.151 | at least 12.0 | yes |\n| another | 1.500 | at most 1.250 | no |\n",
+        1.5, 12.672, 0.0887, 3.9
+    );
+    let whole = (find("speed").excerpt)(&printed);
+    let lines: Vec<&str> = whole.lines().collect();
+    assert!(lines.iter().all(|line| line.len() <= 80), "{whole}");
+    assert_eq!(lines.len(), 7);
+    assert!(lines[1].starts_with(others) && lines[1].ends_with("12.672 ms      0.0887 %"));
+    assert!(lines[5].ends_with("15.151 >= 12.0") && lines[6].ends_with("1.500 <= 1.250 !"));
+    let short = (find("speed-in-short").excerpt)(&printed);
+    assert_eq!(short.lines().count(), 3);
+    assert!(short.contains("plain Verlet within 0.1 %  "));
 }
 
 #[test]
