@@ -30,7 +30,7 @@ const MOST_UNREAD: usize = 1000;
 /// Which rows: number i of n, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Which.
+    /// Which of the shards, from 1.
     pub index: usize,
     /// Of how many.
     pub of: usize,

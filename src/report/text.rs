@@ -1,6 +1,8 @@
 //! Results as text for a terminal of 80 columns.
 
 use super::errors;
+use unicode_width::UnicodeWidthStr;
+
 use crate::dynamics::PA_PER_MMHG;
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
@@ -44,14 +46,14 @@ pub fn percent(value: f64) -> String {
 /// Columns of a line.
 pub(super) const WIDTH: usize = 80;
 
-/// `text` in lines of at most `width` characters, broken between words but not before a percent sign.
-pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+/// `text` in lines of at most `width` cells, broken between words but not before a percent sign.
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let held = text.replace(" %", "\u{a0}%");
     for word in held.split_ascii_whitespace() {
         let word = word.replace('\u{a0}', " ");
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+            Some(line) if line.width() + 1 + word.width() <= width => {
                 line.push(' ');
                 line.push_str(&word);
             }

@@ -28,11 +28,6 @@ pub(super) fn suffix(field: &Field, scenario: &Scenario) -> String {
     doubt.map_or_else(String::new, |d| format!(" {} {}", SIGNS[0], plain(*d)))
 }
 
-/// `text` in place of the field's value, with the doubt that the field has now.
-pub fn keeping(field: &Field, scenario: &Scenario, text: &str) -> String {
-    format!("{text}{}", suffix(field, scenario))
-}
-
 /// The value and the doubt of what was typed.
 pub(super) fn split(text: &str) -> (&str, Option<&str>) {
     let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));
@@ -123,7 +118,7 @@ mod tests {
     use super::*;
     use crate::scenario::check::check as check_all;
     use crate::scenario::load::{parse, to_ron};
-    use crate::scenario::set::set;
+    use crate::scenario::set::{put_number, set};
 
     fn doubtful(text: &str) -> Scenario {
         let mut scenario = Scenario::default();
@@ -144,10 +139,11 @@ mod tests {
     }
 
     #[test]
-    fn a_plain_number_drops_the_doubt_unless_it_is_kept_by_name() {
+    fn a_plain_number_that_is_typed_drops_the_doubt_and_a_step_keeps_it() {
         let mut scenario = doubtful("300 +- 20");
         let field = fields::find("impact.force_n").unwrap();
-        assert_eq!(keeping(field, &scenario, "310"), "310 ± 20");
+        put_number(&mut scenario, field, 310.0);
+        assert_eq!(field.text(&scenario).unwrap(), "310 ± 20");
         set(&mut scenario, "impact.force_n", "310").unwrap();
         assert!(scenario.doubt.is_empty());
     }

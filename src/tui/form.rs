@@ -7,10 +7,9 @@ use tui_input::Input;
 
 use super::step::Step;
 use crate::scenario::check::check;
-use crate::scenario::doubt;
-use crate::scenario::fields::{FIELDS, Field, Kind};
+use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
-use crate::scenario::set::set;
+use crate::scenario::set::{put_number, set};
 use crate::scenario::{Impact, Scenario};
 
 /// A row of the form.
@@ -231,31 +230,42 @@ pub fn nudged(
     step: Step,
     present: Option<f64>,
 ) -> Result<Scenario, String> {
-    let text = match &field.kind {
-        Kind::Number(bounds, place) => (place.get)(scenario).map(|value| {
-            let size = if step.coarse {
-                bounds.coarse
-            } else {
-                bounds.fine
-            };
-            stepped(*value, size, step.up).clamp(bounds.min, bounds.max)
-        }),
-        Kind::OptionalNumber(bounds, place) => {
-            let value = (place.get)(scenario).copied().flatten().or(present);
-            let size = if step.coarse {
-                bounds.coarse
-            } else {
-                bounds.fine
-            };
-            value.map(|value| stepped(value, size, step.up).clamp(bounds.min, bounds.max))
+    let next = |value: f64, bounds: &Bounds| {
+        let size = if step.coarse {
+            bounds.coarse
+        } else {
+            bounds.fine
+        };
+        stepped(value, size, step.up).clamp(bounds.min, bounds.max)
+    };
+    let mut changed = scenario.clone();
+    match &field.kind {
+        Kind::Number(bounds, place) => {
+            if let Some(value) = (place.get)(scenario) {
+                put_number(&mut changed, field, next(*value, bounds));
+            }
         }
-        Kind::Integer(min, max, place) => (place.get)(scenario)
-            .map(|value| (f64::from(*value) + step.sign()).clamp(f64::from(*min), f64::from(*max))),
+        Kind::OptionalNumber(bounds, place) => {
+            if let Some(place) = (place.get_mut)(&mut changed)
+                && let Some(value) = place.or(present)
+            {
+                *place = Some(next(value, bounds));
+            }
+        }
+        Kind::Integer(min, max, place) => {
+            if let Some(value) = (place.get_mut)(&mut changed) {
+                let next = if step.up {
+                    value.saturating_add(1)
+                } else {
+                    value.saturating_sub(1)
+                };
+                *value = next.clamp(*min, *max);
+            }
+        }
         Kind::Toggle(place) => {
-            let flipped = (place.get)(scenario).map(|value| (!value).to_string());
-            return flipped.map_or(Ok(scenario.clone()), |text| {
-                with_text(scenario, field, &text)
-            });
+            if let Some(value) = (place.get_mut)(&mut changed) {
+                *value = !*value;
+            }
         }
         Kind::Choice(choices) => {
             let names = choices.names();
@@ -272,11 +282,9 @@ pub fn nudged(
         Kind::Integers(..) | Kind::Text(..) => {
             return Err("Enter opens it for typing".to_owned());
         }
-    };
-    text.map_or(Ok(scenario.clone()), |value| {
-        let text = doubt::keeping(field, scenario, &value.to_string());
-        with_text(scenario, field, &text)
-    })
+    }
+    check(&changed).map_err(|error| words(&error))?;
+    Ok(changed)
 }
 
 /// The next multiple of `size` above or below.

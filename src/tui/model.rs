@@ -13,6 +13,8 @@ use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
+use super::view::eye::{Line, lines};
+use super::view::heat::hottest;
 use crate::scenario::{self, Scenario};
 use crate::study::Answer;
 
@@ -67,7 +69,7 @@ pub struct Choice {
     pub origin: &'static str,
 }
 
-/// The last good result.
+/// An answer with what every picture of it needs.
 #[derive(Debug, Clone)]
 pub struct Shown {
     /// What was asked.
@@ -76,6 +78,20 @@ pub struct Shown {
     pub answer: Arc<Answer>,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
+    /// The springs that are drawn.
+    pub lines: Vec<Line>,
+}
+
+impl Shown {
+    /// The answer to a scenario.
+    pub fn new(scenario: Scenario, answer: Answer) -> Self {
+        Self {
+            scenario,
+            hottest: hottest(&answer),
+            lines: lines(&answer.case.eye),
+            answer: Arc::new(answer),
+        }
+    }
 }
 
 /// Something in front of the screen.

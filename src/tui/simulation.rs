@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::ensemble;
 use super::model::{Model, Shown};
 use super::task::{Question, Report};
-use super::view::heat::hottest;
 use crate::recording::{Keep, Spacing};
 use crate::scenario::{Impact, Scenario};
 use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
@@ -77,11 +76,7 @@ fn show(model: &mut Model, scenario: Scenario, answer: Answer) {
         let question = EstimateMesh { scenario, query };
         model.mesh.ask(question, &mut model.out);
     }
-    model.shown = Some(Shown {
-        scenario,
-        hottest: hottest(&answer),
-        answer: Arc::new(answer),
-    });
+    model.shown = Some(Shown::new(scenario, answer));
 }
 
 /// A run that was cancelled begins by no key, but by the next edit.

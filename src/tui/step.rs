@@ -23,11 +23,6 @@ impl Step {
         Self { up, coarse }
     }
 
-    /// 1 or -1.
-    pub fn sign(self) -> f64 {
-        if self.up { 1.0 } else { -1.0 }
-    }
-
     /// The same step the other way.
     #[must_use]
     pub fn reversed(self) -> Self {

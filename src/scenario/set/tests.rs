@@ -3,7 +3,8 @@
 use super::*;
 use crate::scenario::fields::tests::every_variant;
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Integrator, Model, Physiological, ProjectileStiffness, PulseShape,
+    EyeInput, ForcePulse, Impact, Integrator, Model, Physiological, Projectile,
+    ProjectileStiffness, PulseShape,
 };
 
 fn after(path: &str, text: &str) -> Scenario {
@@ -178,5 +179,26 @@ fn refusals_of_a_path_lead_to_the_right_one() {
     assert_eq!(
         error.to_string(),
         "impact.shape.edge_fraction: impact.shape is Triangle, which has no edge_fraction"
+    );
+}
+
+#[test]
+fn a_number_that_is_put_is_no_longer_unverified() {
+    let mut scenario = Scenario {
+        impact: Impact::Projectile(Projectile {
+            unverified: vec!["speed_m_s".to_owned(), "mass_g".to_owned()],
+            ..Projectile::default()
+        }),
+        ..Scenario::default()
+    };
+    put_number(
+        &mut scenario,
+        fields::find("impact.speed_m_s").unwrap(),
+        40.0,
+    );
+    let shot = fields::shot_mut(&mut scenario).unwrap();
+    assert_eq!(
+        (shot.speed_m_s, &shot.unverified[..]),
+        (40.0, &["mass_g".to_owned()][..])
     );
 }

@@ -109,8 +109,7 @@ fn views(traces: &Traces) -> Vec<View> {
     VIEWS.iter().filter(there).copied().collect()
 }
 
-/// The screen.
-pub const SCREEN: Screen = Screen::new(
+pub(crate) const SCREEN: Screen = Screen::new(
     "Forces",
     "the force profiles",
     &[Pane {

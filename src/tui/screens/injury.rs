@@ -20,8 +20,7 @@ const FIGURES: u16 = 23;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
-/// The screen.
-pub const SCREEN: Screen = Screen::new(
+pub(crate) const SCREEN: Screen = Screen::new(
     "Injury",
     "what published injury curves say",
     &[Pane {

@@ -25,8 +25,7 @@ use crate::tui::view::theme::Theme;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
-/// The screen.
-pub const SCREEN: Screen = Screen::new(
+pub(crate) const SCREEN: Screen = Screen::new(
     "Replay",
     "the replay in full size",
     &[Pane {
@@ -58,7 +57,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
     let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
     Scene {
-        answer: &shown.answer,
+        shown,
         time: model.time(),
         largest: shown.hottest,
         zoom: model.clock.zoom(),

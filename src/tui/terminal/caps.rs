@@ -34,11 +34,11 @@ pub enum Symbols {
 /// How many colours there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Depth {
-    /// None.
+    /// No colours.
     Mono,
-    /// 16.
+    /// The 16 of every terminal.
     Sixteen,
-    /// 256.
+    /// The 256 of most terminals.
     TwoFiveSix,
 }
 

@@ -26,7 +26,7 @@ const SLOW: f64 = 12_000.0;
 const SAMPLES: usize = 16;
 /// Fewer say too little, and so do frames of much the same size, in bytes.
 const FEWEST: usize = 5;
-const SPREAD: f64 = 100.0;
+const LEAST_DEVIATION: f64 = 100.0;
 
 /// Counts questions and replies and says when a frame may go out.
 #[derive(Debug, Default)]
@@ -90,9 +90,9 @@ impl Pacer {
             let part = |s: &(f64, f64)| of(s.0 - size, s.1 - delay);
             self.samples.iter().map(part).sum()
         };
-        let spread = sum(&|bytes, _| bytes * bytes) / count;
-        if self.samples.len() >= FEWEST && spread > SPREAD * SPREAD {
-            self.per_byte = sum(&|bytes, seconds| bytes * seconds) / count / spread;
+        let variance = sum(&|bytes, _| bytes * bytes) / count;
+        if self.samples.len() >= FEWEST && variance > LEAST_DEVIATION * LEAST_DEVIATION {
+            self.per_byte = sum(&|bytes, seconds| bytes * seconds) / count / variance;
         }
     }
 

@@ -14,7 +14,7 @@ use ratatui::style::{Color, Modifier};
 
 /// Begins a synchronized update, which terminals that do not know it ignore.
 pub const BEGIN: &[u8] = b"\x1b[?2026h";
-/// Ends it.
+/// Ends it: the terminal shows the whole frame at once.
 pub const END: &[u8] = b"\x1b[?2026l";
 /// Asks for the cursor's place.
 pub const QUESTION: &[u8] = b"\x1b[6n";

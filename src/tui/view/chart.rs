@@ -9,11 +9,11 @@ use super::theme::Theme;
 use crate::report::text::significant;
 use crate::tui::model::Look;
 
-/// One curve.
+/// A curve over time.
 pub struct Curve<'a> {
     /// Times in s.
     pub time: &'a [f64],
-    /// Values.
+    /// Its values in SI, one for each time.
     pub values: &'a [f64],
     /// From the values to the unit on show.
     pub factor: f64,
@@ -142,7 +142,7 @@ pub struct Chart<'a> {
 const LABELS: u16 = 7;
 
 impl Chart<'_> {
-    /// Draws it.
+    /// Draws the chart with its axes, its curves and its cursor.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
         if area.height < 4 || area.width < LABELS + 8 {

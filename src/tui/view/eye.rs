@@ -11,13 +11,13 @@ use super::heat::{heat_glyph, step_of, thresholds};
 use super::projection::Projection;
 use super::raster::{Ink, Raster};
 use super::theme::Theme;
-use crate::eye::{Eye, GLOBE_RADIUS_M, Region, Spring, SpringKind};
+use crate::eye::{Eye, Region, Spring, SpringKind};
 use crate::recording::{Frame, nearest};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Kind};
 use crate::study::Answer;
 use crate::tui::clock::Detail;
-use crate::tui::model::Look;
+use crate::tui::model::{Look, Shown};
 use crate::tui::terminal::caps::Symbols;
 
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
@@ -41,7 +41,7 @@ pub fn number(scenario: &Scenario, path: &str) -> Option<f64> {
 /// What is drawn.
 pub struct Scene<'a> {
     /// The result that is shown.
-    pub answer: &'a Answer,
+    pub shown: &'a Shown,
     /// The moment, in s.
     pub time: f64,
     /// The largest force of the colour scale, in N.
@@ -68,10 +68,10 @@ impl Scene<'_> {
         let theme = Theme::of(self.look);
         let thresholds = thresholds(self.largest, theme.heat_steps());
         let mut digits = Vec::new();
-        if let Some(frame) = frame_at(self.answer, self.time) {
+        if let Some(frame) = frame_at(&self.shown.answer, self.time) {
             let drawing = Drawing {
                 scene: self,
-                eye: &self.answer.case.eye,
+                eye: &self.shown.answer.case.eye,
                 frame,
                 thresholds: &thresholds,
                 theme,
@@ -155,6 +155,58 @@ pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
     frames.get(nearest(frames, time))
 }
 
+/// A spring that is drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Line {
+    ends: (usize, usize),
+    region: Region,
+}
+
+/// The springs that are drawn, which depends on the mesh alone.
+pub fn lines(eye: &Eye) -> Vec<Line> {
+    let line = |spring: &Spring| {
+        let (ends, region) = ((spring.a, spring.b), part(eye, spring)?);
+        Some(Line { ends, region })
+    };
+    eye.springs.iter().filter_map(line).collect()
+}
+
+/// Which part of the eye a spring draws, if it is drawn at all: sides of the level-1 mesh, and
+/// the whole shell, lens and orbit of any mesh.
+fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
+    let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
+    let (along, across) = (a.grid.0.abs_diff(b.grid.0), a.grid.1.abs_diff(b.grid.1));
+    if along + across != 1 || spring.kind == SpringKind::Filament {
+        return None;
+    }
+    let both = |region| a.region == region && b.region == region;
+    if both(Region::Orbit) {
+        return Some(Region::Orbit);
+    }
+    if both(Region::Retina) {
+        return Some(Region::Retina);
+    }
+    if a.region.on_shell() && b.region.on_shell() {
+        return Some(Region::Shell);
+    }
+    let level = eye.level as usize;
+    let on_coarse_line = if along == 1 {
+        a.grid.1.is_multiple_of(level)
+    } else {
+        a.grid.0.is_multiple_of(level)
+    };
+    if !on_coarse_line {
+        return None;
+    }
+    Some(if both(Region::Lens) {
+        Region::Lens
+    } else if a.region.in_globe() && b.region.in_globe() {
+        Region::Interior
+    } else {
+        Region::Fat
+    })
+}
+
 struct Drawing<'a> {
     scene: &'a Scene<'a>,
     eye: &'a Eye,
@@ -171,53 +223,18 @@ impl Drawing<'_> {
         self.projection.dot(moved.x, moved.y)
     }
 
-    /// Which part of the eye a spring draws, if it is drawn at all: sides of the level-1 mesh, and
-    /// the whole shell, lens and orbit of any mesh.
-    fn part(&self, spring: &Spring) -> Option<Region> {
-        let (a, b) = (&self.eye.nodes[spring.a], &self.eye.nodes[spring.b]);
-        let (along, across) = (a.grid.0.abs_diff(b.grid.0), a.grid.1.abs_diff(b.grid.1));
-        if along + across != 1 || spring.kind == SpringKind::Filament {
-            return None;
-        }
-        let both = |region| a.region == region && b.region == region;
-        if both(Region::Orbit) {
-            return Some(Region::Orbit);
-        }
-        if both(Region::Retina) {
-            return Some(Region::Retina);
-        }
-        if a.region.on_shell() && b.region.on_shell() {
-            return Some(Region::Shell);
-        }
-        let level = self.eye.level as usize;
-        let on_coarse_line = if along == 1 {
-            a.grid.1.is_multiple_of(level)
-        } else {
-            a.grid.0.is_multiple_of(level)
-        };
-        if !on_coarse_line {
-            return None;
-        }
-        Some(if both(Region::Lens) {
-            Region::Lens
-        } else if a.region.in_globe() && b.region.in_globe() {
-            Region::Interior
-        } else {
-            Region::Fat
-        })
-    }
-
     fn springs(&self, raster: &mut Raster) {
         let all = self.scene.detail == Detail::Edges;
-        for spring in &self.eye.springs {
-            let Some(region) = self.part(spring) else {
-                continue;
-            };
+        for Line {
+            ends: (a, b),
+            region,
+        } in self.scene.shown.lines.iter().copied()
+        {
             let outline = matches!(region, Region::Orbit | Region::Shell | Region::Retina);
             if !(all || outline || region == Region::Lens) {
                 continue;
             }
-            let force = 0.5 * (self.frame.forces[spring.a] + self.frame.forces[spring.b]);
+            let force = 0.5 * (self.frame.forces[a] + self.frame.forces[b]);
             let step = match region {
                 Region::Orbit => 0,
                 // On a slow link the outline keeps its colours: recolouring it is most of a frame.
@@ -231,7 +248,7 @@ impl Drawing<'_> {
             if self.scene.lean && !outline && 2 * step <= self.thresholds.len() {
                 continue;
             }
-            let (from, to) = (self.place(spring.a), self.place(spring.b));
+            let (from, to) = (self.place(a), self.place(b));
             raster.line(from, to, self.ink(region, step));
             if region == Region::Retina {
                 self.second_line(raster, from, to, step);
@@ -327,7 +344,7 @@ impl Drawing<'_> {
     /// The projectile is a circle in the load's own style, where it is whatever the zoom.
     fn projectile(&self, raster: &mut Raster) {
         const SIDES: u32 = 48;
-        let coupled = self.scene.answer.case.system.coupled();
+        let coupled = self.scene.shown.answer.case.system.coupled();
         let (Some(centre), Some(contact)) =
             (self.frame.projectile, coupled.and_then(|c| c.contact))
         else {
@@ -349,7 +366,7 @@ impl Drawing<'_> {
 
     /// While the load acts, the shell under it is drawn in the load's own style.
     fn loaded_arc(&self, raster: &mut Raster) {
-        let case = &self.scene.answer.case;
+        let case = &self.scene.shown.answer.case;
         if self.scene.time > case.system.load().pulse.duration() {
             return;
         }
@@ -366,9 +383,4 @@ impl Drawing<'_> {
             }
         }
     }
-}
-
-/// The radius of the globe in mm, for a scale beside the picture.
-pub fn globe_mm() -> f64 {
-    GLOBE_RADIUS_M * 1e3
 }

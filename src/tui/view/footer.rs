@@ -8,7 +8,7 @@ use super::theme::Theme;
 use crate::tui::keys::live;
 use crate::tui::model::{Model, Overlay, Question};
 
-/// Draws it.
+/// Draws the footer.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     buffer.set_style(area, theme.bar());

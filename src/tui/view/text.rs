@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
-use crate::report::text::digits;
+use crate::report::text::{self, digits};
 use crate::study::FlagKind;
 
 /// How many cells a text takes.
@@ -66,19 +66,10 @@ pub fn fitted(text: &str, room: usize) -> String {
     cut
 }
 
-/// A text in lines of at most so many cells, broken between words.
+/// A text in lines of at most so many cells; a word that is longer is cut.
 pub fn wrapped(text: &str, room: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.width() + 1 + word.width() <= room => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(fitted(word, room)),
-        }
-    }
-    lines
+    let lines = text::wrapped(text, room);
+    lines.iter().map(|line| fitted(line, room)).collect()
 }
 
 /// Parts in as few lines as fit, none of them broken.

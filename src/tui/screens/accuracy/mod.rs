@@ -13,8 +13,7 @@ use crate::tui::step::Step;
 use crate::tui::update::change;
 use measurement::{MeasureAccuracy, adopted};
 
-/// The screen.
-pub const SCREEN: Screen = Screen {
+pub(crate) const SCREEN: Screen = Screen {
     opened,
     attend,
     hear: |model, report| model.screens.accuracy.hear(report),

@@ -1,11 +1,11 @@
 //! The presets marked for comparison, their answers, and the order of the table.
 
 use std::cmp::Ordering;
-use std::sync::Arc;
 
 use super::SimulateMarked;
 use crate::scenario::Scenario;
 use crate::study::{Answer, Quantity};
+use crate::tui::model::Shown;
 use crate::tui::task::Task;
 
 /// The name under which the form stands in the list.
@@ -40,8 +40,8 @@ impl Column {
 pub enum Found {
     /// Nothing yet.
     Awaited,
-    /// Its answer, and the largest force on any node in any frame, in N.
-    Answer(Arc<Answer>, f64),
+    /// Its answer.
+    Answer(Box<Shown>),
     /// Why there is none.
     Refused(String),
 }
@@ -61,7 +61,7 @@ impl Entry {
     /// The answer, if there is one.
     pub fn answer(&self) -> Option<&Answer> {
         match &self.found {
-            Found::Answer(answer, _) => Some(answer),
+            Found::Answer(shown) => Some(&shown.answer),
             _ => None,
         }
     }
@@ -204,7 +204,7 @@ mod tests {
             let scenario = library::find(name).unwrap().scenario().unwrap();
             comparison.mark(name, &scenario).unwrap();
             let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
-            comparison.take(name, Found::Answer(Arc::new(answer), 0.0));
+            comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
         }
         comparison
     }

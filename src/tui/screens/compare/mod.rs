@@ -5,8 +5,6 @@ mod overlaid;
 mod replays;
 mod view;
 
-use std::sync::Arc;
-
 use ratatui::layout::Rect;
 
 use super::{Mouse, Pane, Screen, screen};
@@ -16,13 +14,12 @@ use crate::scenario::Scenario;
 use crate::study::{Answer, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Work};
+use crate::tui::model::{Model, Shown, Work};
 use crate::tui::screens::forces::CURVES;
 use crate::tui::screens::replay::FRAME_KEYS;
 use crate::tui::simulation::Simulate;
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
-use crate::tui::view::heat::hottest;
 use comparison::{FORM, Found, MAX_MARKED};
 
 /// The places of the panes.
@@ -30,8 +27,7 @@ const LIST: usize = 0;
 const TABLE: usize = 1;
 const REPLAYS: usize = 2;
 
-/// The screen.
-pub const SCREEN: Screen = Screen {
+pub(crate) const SCREEN: Screen = Screen {
     given,
     attend,
     hear,
@@ -150,10 +146,7 @@ fn hear(model: &mut Model, report: &mut Option<Report>) {
     };
     let why = compare.task.complaint.take().map(|(_, why)| why);
     let found = match outcome {
-        Some(answer) => {
-            let hottest = hottest(&answer);
-            Found::Answer(Arc::new(answer), hottest)
-        }
+        Some(answer) => Found::Answer(Shown::new(asked.scenario.clone(), answer).into()),
         None => Found::Refused(why.unwrap_or_default()),
     };
     compare.take(&asked.name, found);

@@ -22,7 +22,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
     let largest = entries
         .iter()
         .filter_map(|entry| match &entry.found {
-            Found::Answer(_, hottest) => Some(*hottest),
+            Found::Answer(shown) => Some(shown.hottest),
             _ => None,
         })
         .fold(0.0, f64::max);
@@ -49,9 +49,9 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         put(buffer, place, (3, 0), &name, theme.strong());
         let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
         match &entry.found {
-            Found::Answer(answer, _) => Scene {
-                answer,
-                time: model.time().min(answer.case.window),
+            Found::Answer(shown) => Scene {
+                shown,
+                time: model.time().min(shown.answer.case.window),
                 largest,
                 zoom: model.clock.zoom(),
                 detail: model.clock.detail,

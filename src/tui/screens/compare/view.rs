@@ -234,7 +234,7 @@ fn row(
     // In a row of one line what there is to say stands beside the name.
     let brief = area.height < 2;
     let flags = match &entry.found {
-        Found::Answer(answer, _) => answer.flags.len(),
+        Found::Answer(shown) => shown.answer.flags.len(),
         _ => 0,
     };
     let beside = if brief && flags > 0 {
@@ -256,7 +256,7 @@ fn row(
             put(buffer, area, said, &why, theme.error());
             return;
         }
-        Found::Answer(answer, _) => answer,
+        Found::Answer(shown) => &shown.answer,
     };
     for (column, right) in columns(model, area) {
         let Some(value) = column.of(answer) else {

@@ -8,8 +8,7 @@ use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
 
-/// The screen.
-pub const SCREEN: Screen = Screen {
+pub(crate) const SCREEN: Screen = Screen {
     opened,
     attend: ensemble::attend,
     cancel: |model| model.ensemble.task.end(&mut model.out),

@@ -28,8 +28,7 @@ const MAX_SMALL_STEPS: usize = 20;
 const ANGLE: &str = "impact.angle_deg";
 const HALF_WIDTH: &str = "impact.half_width_deg";
 
-/// The screen.
-pub const SCREEN: Screen = Screen {
+pub(crate) const SCREEN: Screen = Screen {
     mouse,
     ..Screen::new(
         "Main",

@@ -45,7 +45,7 @@ fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) 
 const GAUGE: u16 = 18;
 const SHORTEST: u16 = 4;
 
-/// Draws it.
+/// Draws the score below a line that says whether it is out of date.
 pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let index = &shown.answer.index;

@@ -91,7 +91,7 @@ fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     let aiming = model.has_focus(DIAL);
     let time = model.time();
     Scene {
-        answer: &shown.answer,
+        shown,
         time,
         largest: shown.hottest,
         zoom: model.clock.zoom(),

@@ -14,8 +14,7 @@ use crate::tui::model::Model;
 use crate::tui::step::Step;
 use crate::tui::update::change;
 
-/// The screen.
-pub const SCREEN: Screen = Screen {
+pub(crate) const SCREEN: Screen = Screen {
     attend,
     hear: |model, report| model.screens.map.hear(report),
     cancel: |model| model.screens.map.task.stop(Some("stopped"), &mut model.out),
