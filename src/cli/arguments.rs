@@ -9,6 +9,7 @@ use std::str::FromStr;
 use clap::Args;
 
 use super::CliError;
+use crate::dynamics::Integrator;
 use crate::plain_text::{self, printable, quoted};
 use crate::scenario::Scenario;
 use crate::scenario::check::check;
@@ -33,7 +34,7 @@ pub struct ScenarioArgs {
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub level: Option<String>,
     /// Integrator, as in velocity-verlet; short for `--set numerics.integrator=NAME`
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", long_help = integrators())]
     pub integrator: Option<String>,
     /// Time step in microseconds; short for `--set numerics.step_us=X`
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
@@ -47,6 +48,23 @@ pub struct Assignment {
     pub path: String,
     /// The value, as typed.
     pub text: String,
+}
+
+/// What `--integrator` may be, a line for each.
+fn integrators() -> String {
+    let rows = Integrator::ALL.iter().map(|integrator| {
+        let method = integrator.method();
+        let (name, order, evaluations) = (method.name, method.order, method.evaluations());
+        format!(
+            "\n- {name}: {} Order {order}, {evaluations} force evaluations a step.",
+            method.about
+        )
+    });
+    let lines: Vec<String> = rows.collect();
+    format!(
+        "Integrator; short for `--set numerics.integrator=NAME`\n{}\n- auto: the program chooses.",
+        lines.concat()
+    )
 }
 
 impl FromStr for Assignment {

@@ -1,12 +1,26 @@
 //! Motion: m a = springs + drag + load, solved by one of several integrators.
 //!
-//! `system` compiles an eye and a load into rows, `kernel` computes forces, `integrator` composes
-//! kicks and drifts, `stability` bounds the step, `march` goes through the window. `plain` is the
-//! same physics as a simple loop over an edge list: the tested reference of the kernel and the
-//! baseline of the benchmarks.
+//! `system` compiles an eye and a load into rows and `kernel` computes forces. `march` goes through the
+//! window in the steps that a `stepper` makes: a `composition` of kicks and drifts, a `runge_kutta`
+//! method, or the substepped `verlet`. `method` has a row for each integrator, and `stability` bounds
+//! the step. `plain` is the same physics as a simple loop over an edge list: the tested reference of
+//! the kernel and the baseline of the benchmarks.
 //!
 //! A scene with a projectile, a fluid or dashpots has them in `coupled` (`contact`, `fluid`,
-//! `dashpots`) and is moved by `verlet`; any other does none of their work.
+//! `dashpots`) and is moved by `verlet`; any other does none of their work. `scene` tells which it is.
+//!
+//! Where further things plug in, and what the compiler then asks for:
+//!
+//! * An integrator is a name in [`Integrator`] and a row in `method`.
+//! * A kind of impact is a variant of [`crate::scenario::Impact`]. [`SceneKind::of`] says what it
+//!   needs, `study::Case::with` what is compiled of it. A force that is known beforehand is a [`Pulse`]
+//!   on an [`ArcLoad`]; a body that the eye pushes back is a part of [`Coupled`], which takes its force,
+//!   its energy and its share of the stability bound, and keeps its state in [`Readings`].
+//! * An eye of nodes and springs on the grid needs nothing here: it is another [`crate::eye::Eye`]. One
+//!   of other elements, as a body of revolution made of solid cells, brings its own rows, forces and
+//!   march, because those of here are made for springs. It joins at [`SceneKind`]: a variant more, for
+//!   which `study::rules` asks its integrators and how its error is told, and `study::Case` what it
+//!   compiles and runs instead of a [`System`].
 //!
 //! The orbit is rigid and never integrated. Left out, as in the paper: rupture.
 

@@ -37,6 +37,7 @@ pub(super) fn stepper<'a>(system: &'a System, plan: &Plan) -> Box<dyn Stepper + 
 pub(super) struct EqualSteps {
     start: f64,
     end: f64,
+    length: f64,
     total: usize,
     taken: usize,
 }
@@ -46,6 +47,7 @@ impl EqualSteps {
         Self {
             start: segment.start,
             end: segment.end,
+            length: (segment.end - segment.start) / total as f64,
             total,
             taken: 0,
         }
@@ -53,7 +55,7 @@ impl EqualSteps {
 
     /// Length of a step, in s.
     pub fn length(&self) -> f64 {
-        (self.end - self.start) / self.total as f64
+        self.length
     }
 
     /// Steps taken so far.
@@ -68,7 +70,7 @@ impl EqualSteps {
         if self.taken == self.total {
             self.end
         } else {
-            self.start + self.length() * self.taken as f64
+            self.start + self.length * self.taken as f64
         }
     }
 }

@@ -64,6 +64,29 @@ pub(super) struct SubsteppedVerlet<'a> {
     substeps: usize,
     /// Counts short steps.
     clock: EqualSteps,
+    short: Drift,
+    long: Drift,
+}
+
+/// A step of one length.
+#[derive(Debug, Clone, Copy, Default)]
+struct Drift {
+    /// In s.
+    step: f64,
+    /// Distance per speed in globe and fat, in s.
+    reach: [f64; 2],
+    /// Share of the speed that is left, in globe and fat.
+    keep: [f64; 2],
+}
+
+impl Drift {
+    fn new(decay: [f64; 2], step: f64) -> Self {
+        Self {
+            step,
+            reach: decay.map(|rate| exact_reach(rate, step)),
+            keep: decay.map(|rate| (-rate * step).exp()),
+        }
+    }
 }
 
 impl<'a> SubsteppedVerlet<'a> {
@@ -74,6 +97,8 @@ impl<'a> SubsteppedVerlet<'a> {
             work: coupled.workspace(system.rest_x.len()),
             substeps: coupled.substeps(),
             clock: EqualSteps::default(),
+            short: Drift::default(),
+            long: Drift::default(),
         }
     }
 
@@ -91,15 +116,6 @@ impl<'a> SubsteppedVerlet<'a> {
         self.work.vx.copy_from_slice(&state.vx);
         self.work.vy.copy_from_slice(&state.vy);
         self.evaluate(state, force, cost)
-    }
-
-    /// Distance per speed, and share of the speed that is left, in globe and fat.
-    fn drifts(&self, h: f64) -> ([f64; 2], [f64; 2]) {
-        let decay = self.system.decay;
-        (
-            decay.map(|rate| exact_reach(rate, h)),
-            decay.map(|rate| (-rate * h).exp()),
-        )
     }
 
     /// Whether the projectile could come to touch within `time` s.
@@ -122,23 +138,32 @@ impl Stepper for SubsteppedVerlet<'_> {
     ) -> Survey {
         let long_steps = steps.div_ceil(self.substeps);
         self.clock = EqualSteps::new(segment, long_steps * self.substeps);
+        let (decay, short) = (self.system.decay, self.clock.length());
+        self.short = Drift::new(decay, short);
+        self.long = Drift::new(decay, short * self.substeps as f64);
         state.time = segment.start;
         let force = self.system.load().pulse.force(segment.piece, segment.start);
         self.evaluate_afresh(state, force, cost)
     }
 
     fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey {
-        let short = self.clock.length();
         let long = self.clock.taken().is_multiple_of(self.substeps)
-            && !self.may_touch(state, short * self.substeps as f64);
-        let share = if long { self.substeps } else { 1 };
-        let h = short * share as f64;
+            && !self.may_touch(state, self.long.step);
+        let (share, drift) = if long {
+            (self.substeps, self.long)
+        } else {
+            (1, self.short)
+        };
+        let Drift {
+            step: h,
+            reach,
+            keep,
+        } = drift;
         let half = 0.5 * h;
         let pulse = &self.system.load().pulse;
         let forces = [state.time, state.time + h].map(|time| pulse.force(segment.piece, time));
         let before = state.load_speed(self.system);
         let earlier = state.readings;
-        let (reach, keep) = self.drifts(h);
         let len = self.coupled.inverse_mass.len();
         let groups = &self.system.groups;
         for slot in 0..len {

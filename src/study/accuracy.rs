@@ -2,9 +2,9 @@
 //!
 //! A point is one integrator at one step on the scenario's mesh. Its error is against a reference
 //! on the same mesh, so it is the step error alone; its time is the median of runs interleaved with
-//! those of all other points, so that a busy moment hits them alike. The front holds the points
-//! that no other beats in both. Levels are compared with the finest one computed, which tells the
-//! mesh error.
+//! those of all other points, so that a busy moment hits them alike. The points that no
+//! other beats in both make the Pareto front of this work-precision diagram. Levels are compared with
+//! the finest one computed, which tells the mesh error.
 
 use super::case::{Case, Refusal, Watch};
 use super::mesh_error::at_level;
@@ -126,7 +126,7 @@ fn plans(case: &Case) -> Vec<Plan> {
     plans
 }
 
-/// Marks the points that no other point beats in time and error.
+/// Marks the Pareto front: the points that no other point beats in time and error.
 fn mark_front(points: &mut [Point]) {
     let all: Vec<(f64, f64)> = points.iter().map(|p| (p.seconds, p.error())).collect();
     for (point, &(time, error)) in points.iter_mut().zip(&all) {

@@ -1,4 +1,5 @@
-//! The mesh error of an answer, from the next finer mesh.
+//! The mesh error of an answer, from the next finer mesh: grid convergence by Richardson's
+//! extrapolation.
 //!
 //! The results of levels k and k + 1 differ by about C/(k (k + 1)) if they converge with the first
 //! order of the spacing, which is the slowest seen; the error of level k is then C/k, or k + 1 times
