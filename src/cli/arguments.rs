@@ -56,7 +56,7 @@ fn integrators() -> String {
         let method = integrator.method();
         let (name, order, evaluations) = (method.name, method.order, method.evaluations());
         format!(
-            "\n- {name}: {} Order {order}, {evaluations} force evaluations a step.",
+            "\n- {name}: {} Order {order}; force evaluations a step: {evaluations}.",
             method.about
         )
     });
