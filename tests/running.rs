@@ -32,7 +32,7 @@ fn the_readmes_command_prints_every_result() {
                         .and(contains("right"))
                         .and(contains("top")),
                 )
-                .and(contains("time step"))
+                .and(contains("Step error"))
                 .and(contains("220 nodes, 883 springs"))
                 .and(contains("unit depth"))
                 .and(contains("Solved in"))
@@ -96,6 +96,13 @@ fn json_has_the_agreed_names() {
     );
     assert!(object.pointer("/numerics/integrator").unwrap().is_string());
     assert!(object.pointer("/flags").unwrap().is_array());
+    let results = &object["results"];
+    for node in ["centre", "front", "right", "top"] {
+        let key = format!("peak_force_{node}_n");
+        assert_eq!(results["peak_force_n"][node], results[&key]);
+        let times = &results["peak_time_ms_by_result"];
+        assert_eq!(results["peak_time_ms"][node], times[&key]);
+    }
     assert_eq!(object["numerics"]["nodes"], 220);
     assert_eq!(object["numerics"]["springs"], 883);
 }

@@ -75,7 +75,7 @@ pub(super) fn between(level: u32, results: &Results, neighbour: u32, others: &Re
     results.map(|quantity, value| {
         let (value, other) = ((*value)?, others[quantity]?);
         let difference = (value - other).abs();
-        (quantity.row().family != Family::Derived).then(|| {
+        (quantity.row().family != Family::Unstated).then(|| {
             if difference == 0.0 {
                 0.0
             } else {

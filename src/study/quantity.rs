@@ -67,8 +67,9 @@ pub enum Family {
     ShellForces,
     /// Stands for itself.
     Alone,
-    /// Has no error of its own: a published curve turned another result, or the input, into it.
-    Derived,
+    /// No error is stated of it: a published curve turned another result, or the input, into it, or
+    /// it is looked at at step ends only, so that two runs may share what they miss.
+    Unstated,
 }
 
 /// How a result is read from what a march left.
@@ -285,7 +286,7 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
 const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
     Row {
         factor: 1e2,
-        family: Family::Derived,
+        family: Family::Unstated,
         ..number(key, label, short, "%")
     }
 }
@@ -307,7 +308,7 @@ mod tests {
             }
             if let Read::Risk(injury, measure) = row.read {
                 assert!(curve_of(injury, measure).is_some(), "{}", row.key);
-                assert_eq!(row.family, Family::Derived);
+                assert_eq!(row.family, Family::Unstated);
             }
         }
     }

@@ -82,14 +82,14 @@ impl Results {
     }
 
     /// |self - b| in % of b for each result that both have; 0 where both are nothing but rounding.
-    /// Risks have none: what they rest on has.
+    /// Risks have none, what they rest on has; nor has what no error is stated of.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
         self.map(|quantity, a| {
             let (a, b) = ((*a)?, b[quantity]?);
             let row = quantity.row();
             let difference = (a - b).abs();
-            (row.family != Family::Derived).then(|| {
+            (row.family != Family::Unstated).then(|| {
                 if difference == 0.0 || b == 0.0 && difference < row.rounding {
                     0.0
                 } else {

@@ -157,9 +157,12 @@ fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
     let compare = &model.screens.compare;
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / each).min(columns.len() - 1);
-    let last = compare.column.clamp(count, columns.len() - 1);
+    // The error, which is the last, is always there; the results before it scroll.
+    let results = count.saturating_sub(1);
+    let last = compare.column.clamp(results, columns.len() - 2);
     let right = |i: usize| area.width - each * (count - 1 - i) as u16;
-    let shown = columns.into_iter().skip(last + 1 - count).take(count);
+    let shown = columns.into_iter().skip(last + 1 - results);
+    let shown = shown.take(results).chain([Column::Error]);
     shown
         .enumerate()
         .map(|(i, column)| (column, right(i)))
