@@ -31,6 +31,8 @@ pub struct Extremes {
     pub meridian_growth: Peak,
     /// Work done by the load, in J; by a projectile: the kinetic energy it has given up.
     pub work: f64,
+    /// Energy stored in all springs, in J, at step ends.
+    pub elastic: Peak,
     /// |l/l0 - 1| over all springs.
     pub strain: Peak,
     /// Smallest ratio of a quad's signed area to its area at rest.
@@ -64,6 +66,7 @@ impl Extremes {
         self.apex = nothing;
         self.shell_growth = nothing;
         self.meridian_growth = nothing;
+        self.elastic = nothing;
         self.strain = nothing;
         self.work = 0.0;
         let missing = |shot: ShotExtremes| (shot.energy / shot.energy_before).abs();

@@ -54,6 +54,7 @@ pub struct Recorder {
     energy: f64,
     loaded: bool,
     window: f64,
+    elastic: Peak,
     strain: Peak,
     least_quad: f64,
     folded_at: Option<f64>,
@@ -99,6 +100,7 @@ impl Recorder {
             shell: growth(Measure::Length(pairs)),
             meridian: growth(Measure::Length(vec![marks.meridian.into()])),
             apex: growth(Measure::MeanX(marks.apex.to_vec())),
+            elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
             folded_at: None,
@@ -122,6 +124,7 @@ impl Recorder {
         for (peak, force) in self.forces.iter_mut().zip(forces) {
             peak.offer(force, state.time);
         }
+        self.elastic.offer(survey.elastic, state.time);
         self.strain.offer(survey.strain, state.time);
         self.least_quad = self.least_quad.min(survey.quad_ratio);
         if survey.quad_ratio <= 0.0 && self.folded_at.is_none() {
@@ -183,6 +186,8 @@ impl Recorder {
         let strain = self.bounds.strain.reach(self.energy);
         strain <= self.strain.value.min(UNFOLDED_STRAIN)
             && self.forces_are_final()
+            // No more can be stored than is left.
+            && self.energy <= self.elastic.value
             && self.apex.last() + self.bounds.apex.travel(self.energy, left) <= self.apex.peak.value
             && self.meridian.last() + self.bounds.meridian.travel(self.energy, left)
                 <= self.meridian.peak.value
@@ -206,6 +211,7 @@ impl Recorder {
             shell_growth: relative(&self.shell),
             meridian_growth: relative(&self.meridian),
             work: state.work,
+            elastic: self.elastic,
             strain: self.strain,
             least_quad_ratio: self.least_quad,
             folded_at: self.folded_at,

@@ -33,6 +33,9 @@ pub enum Quantity {
     ForceRight,
     /// Peak force at the node behind 12 o'clock, N.
     ForceTop,
+    /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
+    /// was imparted the tissues held at once, before it went into drag.
+    StoredEnergy,
     /// Peak intraocular pressure, in megapascals, where the eye holds a fluid.
     Pressure,
     /// Peak force of contact, mean over 100 us, N, where a projectile hits.
@@ -168,6 +171,12 @@ impl Quantity {
                 read: Read::Peak(|e| Some(e.force[Monitor::Top as usize])),
                 trace: Some(|t| &t.force[Monitor::Top as usize]),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
+            },
+            Self::StoredEnergy => Row {
+                rounding: 1e-16,
+                family: Family::Unstated,
+                read: Read::Peak(|e| Some(e.elastic)),
+                ..number("peak_stored_energy_j", "stored energy", "stored", "J")
             },
             Self::Pressure => Row {
                 factor: 1e-6,
