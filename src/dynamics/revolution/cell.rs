@@ -11,7 +11,7 @@
 //! * Shear: (G/2) V0 (J^(-2/3) I1 - 3) on the gradient in the middle of the quad, where J is that
 //!   gradient's, and a Newtonian viscosity.
 //!
-//! This is the plain form: [`super::lanes`] computes the same of many cells at once and is tested
+//! This is the plain form: [`super::quads`] computes the same of many cells at once and is tested
 //! against it.
 
 use crate::eye::revolution::{Cell, RevolutionEye};

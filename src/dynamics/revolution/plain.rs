@@ -1,4 +1,4 @@
-//! The cells one by one: the tested reference of [`super::lanes`] and the baseline of the benchmarks.
+//! The cells one by one: the tested reference of [`super::quads`] and the baseline of the benchmarks.
 
 use super::cell::Rest;
 use super::sensor;
@@ -98,6 +98,10 @@ impl Cells for Plain {
             self.energy += response.energy;
         }
         sums
+    }
+
+    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+        state.advance(kick, drift);
     }
 
     fn pressures(&self) -> Vec<f64> {

@@ -7,11 +7,13 @@ use super::contact::{Target, Touch};
 use super::object::{Flight, Object};
 use super::plain::Plain;
 use super::results::{Energy, Extremes, Frame, Keep, Peak, Run, Traces};
+use super::rows::Rows;
 use super::sensor::{Accelerometers, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
 use crate::dynamics::load::Pulse;
 use crate::eye::revolution::RevolutionEye;
+use fearless_simd::Level;
 use std::ops::ControlFlow;
 
 /// Share of the stability bound that steps take unless asked otherwise.
@@ -35,10 +37,14 @@ pub enum Blow {
 }
 
 /// How the cells are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Form {
     /// One by one.
     Plain,
+    /// In rows, many at once.
+    Rows,
+    /// The same with certain vectors.
+    Vectors(Level),
 }
 
 /// A run without a result.
@@ -70,7 +76,7 @@ pub fn run(
     keep: Keep,
     watch: Watch,
 ) -> Result<Run, Refusal> {
-    run_as(Form::Plain, eye, blow, window, step_share, keep, watch)
+    run_as(Form::Rows, eye, blow, window, step_share, keep, watch)
 }
 
 /// The same with the cells computed in a certain form.
@@ -88,6 +94,11 @@ pub fn run_as(
 ) -> Result<Run, Refusal> {
     match form {
         Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(step_share, watch),
+        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(step_share, watch),
+        Form::Vectors(level) => {
+            let rows = Rows::with_level(eye, level);
+            Motion::new(eye, rows, blow, keep, window).go(step_share, watch)
+        }
     }
 }
 
@@ -284,7 +295,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                     .sum();
                 self.energy.work += now.force * speed * kick;
             }
-            self.state.advance(kick, step);
+            self.cells.advance(&mut self.state, kick, step);
             if let Some((_, flight)) = &mut self.object {
                 flight.advance(kick, step);
             }

@@ -46,6 +46,8 @@ pub(super) trait Cells {
     fn place(&self, node: usize) -> usize;
     /// Sets the forces of all nodes to those of the cells.
     fn forces(&mut self, state: &mut State) -> Sums;
+    /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
+    fn advance(&self, state: &mut State, kick: f64, drift: f64);
     /// Pressure of each cell of the eye after `forces`, Pa.
     fn pressures(&self) -> Vec<f64>;
 }
@@ -53,17 +55,11 @@ pub(super) trait Cells {
 impl State {
     /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
     pub fn advance(&mut self, kick: f64, drift: f64) {
-        let n = self.x.len();
-        let along = [
-            (&mut self.x, &mut self.vx, &self.fx, &self.free_x),
-            (&mut self.r, &mut self.vr, &self.fr, &self.free_r),
-        ];
-        for (x, v, f, free) in along {
-            let (x, v, f, free) = (&mut x[..n], &mut v[..n], &f[..n], &free[..n]);
-            for i in 0..n {
-                v[i] += kick * f[i] * free[i];
-                x[i] += drift * v[i];
-            }
+        for i in 0..self.x.len() {
+            self.vx[i] += kick * self.fx[i] * self.free_x[i];
+            self.vr[i] += kick * self.fr[i] * self.free_r[i];
+            self.x[i] += drift * self.vx[i];
+            self.r[i] += drift * self.vr[i];
         }
     }
 }

@@ -3,9 +3,14 @@
 use super::cell::{Rest, volume};
 use super::contact::Target;
 use super::object::{Flight, HARD, Object, Outline, Surface};
+use super::plain::Plain;
+use super::rows::Rows;
 use super::shell::Shell;
+use super::state::{Cells, State, Sums};
+use crate::dynamics::vector_sets;
 use crate::eye::revolution::{Parameters, RevolutionEye, ShellParameters};
 use proptest::prelude::*;
+use std::fmt::Debug;
 
 fn free_eye(level: u32) -> RevolutionEye {
     let parameters = Parameters {
@@ -213,5 +218,79 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
         }
         assert!(worst < 0.02 && worst < last, "{level} {worst}");
         last = worst;
+    }
+}
+
+/// A state that is far from rest and moves, the same for every form of the cells.
+fn shaken(cells: &impl Cells, eye: &RevolutionEye) -> State {
+    let mut state = cells.rest();
+    for (node, &fixed) in eye.fixed.iter().enumerate() {
+        let wave = |k: f64| (k * (node as f64 + 1.0)).sin();
+        let (x, r) = eye.at(node);
+        let place = cells.place(node);
+        if !fixed {
+            state.x[place] = 0.93 * x + 3e-4 / f64::from(eye.level) * wave(1.3);
+            state.vx[place] = 30.0 * wave(2.1);
+        }
+        if !fixed && r > 0.0 {
+            state.r[place] = 1.05 * r + 3e-4 / f64::from(eye.level) * wave(0.7);
+            state.vr[place] = 30.0 * wave(1.7);
+        }
+    }
+    state
+}
+
+fn numbers(sums: &Sums) -> [f64; 6] {
+    [
+        sums.limit,
+        sums.loss,
+        sums.pressure,
+        sums.sensor,
+        sums.volume,
+        sums.least_triangle,
+    ]
+}
+
+fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
+    assert!((a - b).abs() <= 1e-11 * scale, "{what:?}: {a} {b}");
+}
+
+#[test]
+fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
+    for level in [1, 2, 5] {
+        for surround in [None, Parameters::default().surround] {
+            let parameters = Parameters {
+                surround,
+                ..Parameters::default()
+            };
+            let eye = RevolutionEye::new(&parameters, level);
+            let mut plain = Plain::new(&eye);
+            let mut expected = shaken(&plain, &eye);
+            let sums = plain.forces(&mut expected);
+            let largest = expected.fx.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+            let mut narrow: Option<State> = None;
+            for vectors in vector_sets() {
+                let mut rows = Rows::with_level(&eye, vectors);
+                let mut state = shaken(&rows, &eye);
+                rows.share(&mut state);
+                let others = rows.forces(&mut state);
+                for (a, b) in numbers(&others).into_iter().zip(numbers(&sums)) {
+                    near(level, a, b, b.abs());
+                }
+                for node in 0..eye.mass.len() {
+                    let place = rows.place(node);
+                    near((level, node), state.fx[place], expected.fx[node], largest);
+                    near((level, node), state.fr[place], expected.fr[node], largest);
+                }
+                for (a, b) in rows.pressures().iter().zip(plain.pressures()) {
+                    near(level, *a, b, 1e8);
+                }
+                rows.advance(&mut state, 1e-7, 1e-7);
+                if let Some(narrow) = &narrow {
+                    assert_eq!(narrow, &state, "{vectors:?}");
+                }
+                narrow = Some(state);
+            }
+        }
     }
 }
