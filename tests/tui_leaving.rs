@@ -5,12 +5,13 @@
 mod support;
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use portable_pty::CommandBuilder;
+use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 use support::{PATIENCE, RIGHT, Replies, TO_FORCE, Term, app, plain, started};
 
 #[test]
@@ -30,11 +31,56 @@ fn q_and_control_c_leave_a_clean_terminal() {
 
 #[test]
 fn a_termination_signal_leaves_a_clean_terminal() {
-    for (name, code) in [("TERM", 143), ("INT", 130)] {
+    for (name, code) in [
+        ("TERM", 143),
+        ("INT", 130),
+        ("HUP", 129),
+        ("USR1", 138),
+        ("ALRM", 142),
+    ] {
         let mut term = started();
         term.signal(name);
         assert_eq!(term.exit_code(), code);
         term.assert_restored();
+    }
+}
+
+#[test]
+fn a_signal_ends_the_app_while_the_terminal_does_not_read() {
+    for twice in [false, true] {
+        let size = PtySize {
+            rows: 200,
+            cols: 500,
+            pixel_width: 0,
+            pixel_height: 0,
+        };
+        let pair = native_pty_system().openpty(size).unwrap();
+        let command = app(&["tui", "--color", "256", "--symbols", "block"]);
+        let mut child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let pid = child.process_id().unwrap();
+        let mut writer = pair.master.take_writer().unwrap();
+        // Help comes and goes over the whole screen until a write has no room left.
+        let begun = Instant::now();
+        let held_up = || {
+            let wait = fs::read_to_string(format!("/proc/{pid}/wchan")).unwrap_or_default();
+            wait.contains("tty") || wait.contains("wait_woken") || wait == "n_tty_write"
+        };
+        while begun.elapsed() < Duration::from_secs(6)
+            && !(held_up() && begun.elapsed() > Duration::from_secs(4))
+        {
+            let _ = writer.write_all(b"2 ?\x0c?\x0c");
+            thread::sleep(Duration::from_millis(100));
+        }
+        let told = Instant::now();
+        support::signal("TERM", pid);
+        if twice {
+            thread::sleep(Duration::from_millis(100));
+            support::signal("TERM", pid);
+        }
+        let status = child.wait().unwrap();
+        assert_eq!(status.exit_code(), 143);
+        assert!(told.elapsed() < PATIENCE, "{:?}", told.elapsed());
     }
 }
 

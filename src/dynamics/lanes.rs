@@ -8,7 +8,9 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdInto, f64x8};
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::{Level, SimdInto, f64x8};
+use fearless_simd::{Simd, SimdBase, SimdFloat};
 #[cfg(target_arch = "x86_64")]
 use std::arch::x86_64::{__m512d, _mm512_rsqrt14_pd};
 

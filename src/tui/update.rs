@@ -157,6 +157,7 @@ pub(crate) fn leave(model: &mut Model) {
 }
 
 /// Stops until the shell goes on.
+#[cfg(unix)]
 pub(crate) fn suspend(model: &mut Model) {
     model.out.effects.push(Effect::Suspend);
 }

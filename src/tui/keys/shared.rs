@@ -27,6 +27,7 @@ const ESC: Press = plain(KeyCode::Esc);
 const TAB: Press = plain(KeyCode::Tab);
 const BACK_TAB: Press = plain(KeyCode::BackTab);
 
+#[cfg(unix)]
 const STOP: Binding = bind(
     &[SUSPEND],
     update::suspend,
@@ -49,6 +50,7 @@ pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
     bind(&[ESC], update::cancel, "", "cancel a long run"),
     bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer"),
     bind(&[ctrl('l')], update::repaint, "", "draw everything afresh"),
+    #[cfg(unix)]
     STOP,
     LEAVE,
 ]);
@@ -105,6 +107,7 @@ static TYPING: KeyTable = KeyTable::new("Typing", &[
     bind(&[ENTER], update::accept, "accept", "accept"),
     bind(&[ESC], update::cancel, "restore", "restore what was there"),
     LEAVE,
+    #[cfg(unix)]
     STOP,
 ]);
 
@@ -120,6 +123,7 @@ static PICKER: KeyTable = KeyTable::new("List of presets", &[
     bind(&[ENTER], update::accept, "open", "open it"),
     bind(&[ESC, c('p'), c('q')], update::cancel, "close", "close the list"),
     LEAVE,
+    #[cfg(unix)]
     STOP,
 ]);
 
@@ -129,6 +133,7 @@ static QUESTION: KeyTable = KeyTable::new("Question", &[
     bind(&[c('y'), ENTER], |m| update::reply(m, true), "yes", "yes"),
     bind(&[c('n'), ESC], |m| update::reply(m, false), "no", "no"),
     LEAVE,
+    #[cfg(unix)]
     STOP,
 ]);
 
@@ -141,6 +146,7 @@ static HELP: KeyTable = KeyTable::new("Help", &[
     bind(&[PAGE_DOWN], |m| scroll(m, PAGE), "", "ten lines down"),
     bind(&[c('?'), ESC, c('q')], update::help, "close", "close the help"),
     LEAVE,
+    #[cfg(unix)]
     STOP,
 ]);
 

@@ -9,15 +9,14 @@ use std::time::{Duration, Instant};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use signal_hook::consts::signal::SIGXFSZ;
-use signal_hook::consts::{SIGCONT, SIGTSTP, SIGWINCH};
 
-use super::event::{self, Event};
+use super::event::Event;
 use super::input::{Input, Parser};
 use super::jobs::Jobs;
 use super::pacer::{Cause, Pacer};
 use super::paint::{BEGIN, END, Pen, QUESTION};
 use super::session::Session;
+use super::system;
 use crate::scenario::library;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
@@ -33,8 +32,6 @@ pub struct Settings {
     pub fail_on: Option<char>,
 }
 
-/// A lone ESC becomes a key after this long. A slow link may split a sequence between two packets.
-const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
@@ -44,15 +41,15 @@ const LARGEST: (u16, u16) = (500, 200);
 /// Where the terminal fails.
 pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let (send, events) = channel();
-    let signals = event::signals()?;
+    let signals = system::signals()?;
     let session = Session::enter()?;
-    event::listen(&send, signals);
+    system::listen(&send, signals);
     let mut app = App {
         jobs: Jobs::new(send),
         model,
         session,
         events,
-        pacer: Pacer::default(),
+        pacer: system::pacer(),
         parser: Parser::default(),
         escape_since: None,
         screen: Screen::default(),
@@ -122,7 +119,9 @@ impl App {
                 wake = Some(wake.map_or(time, |other: Instant| other.min(time)));
             }
         };
-        at(self.escape_since.map(|since| since + ESCAPE_PATIENCE));
+        at(self
+            .escape_since
+            .map(|since| since + self.parser.patience()));
         let wants_frame = self.dirty || self.model.clock.playing;
         if wants_frame {
             let due = self.last_frame.map(|last| last + self.frame_time);
@@ -196,33 +195,27 @@ impl App {
                 return Ok(());
             }
             Event::Input(input) => return self.take_input(input),
-            Event::Hangup => {
-                self.exit = Some(129);
+            Event::Resized => {
+                self.dirty = true;
                 return Ok(());
             }
-            Event::Signal(signal) => return self.take_signal(signal),
+            Event::Continued => {
+                // Whoever stopped the app may have left the terminal in any state.
+                self.session.retake()?;
+                self.repaint();
+                return Ok(());
+            }
+            Event::End(code) => {
+                self.exit = Some(code);
+                return Ok(());
+            }
             Event::News(message) => message,
         };
         self.tell(message)
     }
 
-    fn take_signal(&mut self, signal: i32) -> io::Result<()> {
-        match signal {
-            SIGCONT => {
-                // Whoever stopped the app may have left the terminal in any state.
-                self.session.retake()?;
-                self.repaint();
-            }
-            SIGWINCH => self.dirty = true,
-            // The write that went beyond the limit fails by itself, and that is shown.
-            SIGXFSZ => {}
-            other => self.exit = Some(u8::try_from(128 + other).unwrap_or(1)),
-        }
-        Ok(())
-    }
-
     fn flush_escape(&mut self) -> io::Result<()> {
-        let overdue = |since: Instant| since.elapsed() >= ESCAPE_PATIENCE;
+        let overdue = |since: Instant| since.elapsed() >= self.parser.patience();
         if self.escape_since.is_some_and(overdue) {
             self.escape_since = None;
             if let Some(input) = self.parser.flush() {
@@ -345,7 +338,7 @@ impl App {
         news.retain(|event| !event.is_suspend());
         if !news.iter().any(Event::is_end) {
             self.session.leave();
-            signal_hook::low_level::raise(SIGTSTP)?;
+            system::stop()?;
             self.session.resume()?;
             self.repaint();
         }

@@ -78,9 +78,19 @@ fn by_environment(no_color: bool, rich: bool, term: &str) -> Depth {
     }
 }
 
-/// The symbols to use. The consoles of Linux and of real terminals have no braille.
+/// The symbols to use. The consoles of Linux and of real terminals have no braille, and a locale that
+/// is not in UTF-8 has nothing beyond ASCII. Where no locale is set nobody knows; most terminals have
+/// all of it.
 pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> Symbols {
+    let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
+        .iter()
+        .find_map(|name| env(name).filter(|value| !value.is_empty()));
+    let is_utf8 = locale.is_none_or(|locale| {
+        let locale = locale.to_ascii_lowercase();
+        locale.contains("utf-8") || locale.contains("utf8")
+    });
     flag.unwrap_or_else(|| match env("TERM").unwrap_or_default().as_str() {
+        _ if !is_utf8 => Symbols::Ascii,
         "linux" => Symbols::Block,
         term if term.starts_with("vt") => Symbols::Ascii,
         _ => Symbols::Braille,
@@ -140,10 +150,30 @@ mod tests {
 
     #[test]
     fn braille_is_left_out_where_the_font_lacks_it() {
-        let by_term = |term: &str| symbols(None, |_| Some(term.to_owned()));
+        let by_term = |term: &str| symbols(None, |name| (name == "TERM").then(|| term.to_owned()));
         assert_eq!(by_term("linux"), Symbols::Block);
         assert_eq!(by_term("vt100"), Symbols::Ascii);
         assert_eq!(by_term("xterm"), Symbols::Braille);
         assert_eq!(symbols(Some(Symbols::Ascii), |_| None), Symbols::Ascii);
+    }
+
+    #[test]
+    fn a_locale_without_utf_8_gets_ascii() {
+        let by = |set: &[(&str, &str)]| {
+            symbols(None, |name| {
+                let found = set.iter().find(|(known, _)| *known == name);
+                found.map(|(_, value)| (*value).to_owned())
+            })
+        };
+        assert_eq!(
+            by(&[("LC_ALL", "C"), ("LANG", "en_US.UTF-8")]),
+            Symbols::Ascii
+        );
+        assert_eq!(by(&[("LC_ALL", ""), ("LANG", "POSIX")]), Symbols::Ascii);
+        assert_eq!(by(&[("LC_ALL", "C.UTF-8")]), Symbols::Braille);
+        assert_eq!(
+            by(&[("LC_CTYPE", "de_DE.utf8"), ("LANG", "C")]),
+            Symbols::Braille
+        );
     }
 }

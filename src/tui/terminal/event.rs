@@ -1,12 +1,4 @@
-//! What comes from outside, and the threads that wait for it.
-
-use std::io::{self, Read};
-use std::sync::mpsc::Sender;
-use std::thread;
-
-use signal_hook::consts::signal::SIGXFSZ;
-use signal_hook::consts::{SIGCONT, SIGINT, SIGQUIT, SIGTERM, SIGWINCH};
-use signal_hook::iterator::Signals;
+//! What comes from outside.
 
 use super::input::Input;
 use crate::tui::keys::shared::SUSPEND;
@@ -15,25 +7,28 @@ use crate::tui::update::Message;
 /// Something that came from outside.
 pub(super) enum Event {
     /// What was typed, and replies of the terminal.
+    #[cfg_attr(windows, expect(dead_code, reason = "a console gives keys, not bytes"))]
     Bytes(Vec<u8>),
-    /// What was typed while the terminal was about to be handed over.
+    /// What was typed, already told apart.
     Input(Input),
-    /// The terminal is gone.
-    Hangup,
-    /// A signal.
-    Signal(i32),
+    /// The terminal has another size.
+    Resized,
+    /// The shell goes on with the app; the terminal may be in any state.
+    #[cfg_attr(windows, expect(dead_code, reason = "nothing is stopped there"))]
+    Continued,
+    /// The app must leave with this exit code.
+    End(u8),
     /// What a thread found out.
     News(Message),
 }
 
 impl Event {
+    /// The terminal is gone.
+    pub(super) const HANGUP: Self = Self::End(129);
+
     /// Whether the app must leave.
     pub(super) fn is_end(&self) -> bool {
-        match self {
-            Self::Hangup => true,
-            Self::Signal(signal) => !matches!(*signal, SIGCONT | SIGWINCH | SIGXFSZ),
-            _ => false,
-        }
+        matches!(self, Self::End(_))
     }
 
     /// Whether it asks to stop until the shell goes on.
@@ -42,42 +37,6 @@ impl Event {
             return false;
         };
         SUSPEND.is(*key)
-    }
-}
-
-/// The signals that are listened to, from now on.
-pub(super) fn signals() -> io::Result<Signals> {
-    Signals::new([SIGWINCH, SIGTERM, SIGINT, SIGQUIT, SIGCONT, SIGXFSZ])
-}
-
-/// Sends what is typed and which signals come.
-pub(super) fn listen(send: &Sender<Event>, mut signals: Signals) {
-    let sender = send.clone();
-    thread::spawn(move || {
-        for signal in signals.forever() {
-            if sender.send(Event::Signal(signal)).is_err() {
-                return;
-            }
-        }
-    });
-    let sender = send.clone();
-    thread::spawn(move || read_keyboard(&sender));
-}
-
-fn read_keyboard(send: &Sender<Event>) {
-    let mut keyboard = io::stdin().lock();
-    let mut bytes = [0; 4096];
-    loop {
-        let event = match keyboard.read(&mut bytes) {
-            Ok(0) => Event::Hangup,
-            Ok(count) => Event::Bytes(bytes[..count].to_vec()),
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(_) => Event::Hangup,
-        };
-        let over = matches!(event, Event::Hangup);
-        if send.send(event).is_err() || over {
-            return;
-        }
     }
 }
 
@@ -92,9 +51,7 @@ mod tests {
         let ctrl_z = key(KeyCode::Char('z'), KeyModifiers::CONTROL);
         assert!(ctrl_z.is_suspend() && !ctrl_z.is_end());
         assert!(!key(KeyCode::Char('z'), KeyModifiers::NONE).is_suspend());
-        assert!(Event::Hangup.is_end() && Event::Signal(SIGTERM).is_end());
-        for harmless in [SIGCONT, SIGWINCH, SIGXFSZ] {
-            assert!(!Event::Signal(harmless).is_end());
-        }
+        assert!(Event::HANGUP.is_end());
+        assert!(!Event::Continued.is_end() && !Event::Resized.is_end());
     }
 }

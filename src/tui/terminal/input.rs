@@ -4,6 +4,8 @@
 //! that nothing more came, which makes a lone ESC the Escape key. Unknown sequences are dropped
 //! whole, so no reply of a terminal is ever taken for a key.
 
+use std::time::Duration;
+
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseEvent};
 
 use super::mouse;
@@ -25,6 +27,10 @@ pub enum Input {
 const LONGEST_PASTE: usize = 4096;
 /// No sequence is longer; anything beyond is rubbish.
 const LONGEST_SEQUENCE: usize = 64;
+/// A lone ESC becomes a key after this long. A slow link may split a sequence between two packets.
+const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
+/// A paste whose end does not come, as when the link loses it, is over after this long.
+const PASTE_PATIENCE: Duration = Duration::from_secs(1);
 const PASTE_END: &[u8] = b"\x1b[201~";
 
 /// Takes bytes and gives inputs.
@@ -51,8 +57,7 @@ impl Parser {
                 pasted.push(byte);
                 if pasted.ends_with(PASTE_END) {
                     pasted.truncate(pasted.len() - PASTE_END.len());
-                    pasted.truncate(LONGEST_PASTE);
-                    inputs.push(Input::Paste(String::from_utf8_lossy(pasted).into_owned()));
+                    inputs.push(paste(std::mem::take(pasted)));
                     self.pasted = None;
                 } else if pasted.len() > 2 * LONGEST_PASTE {
                     // Keep the tail, which may hold the beginning of the end mark.
@@ -68,11 +73,23 @@ impl Parser {
 
     /// Whether something is unfinished.
     pub fn is_waiting(&self) -> bool {
-        !self.held.is_empty()
+        !self.held.is_empty() || self.pasted.is_some()
     }
 
-    /// Nothing more came: a lone ESC is a key, any other remainder is dropped.
+    /// How long after the last byte what is unfinished counts as all there is.
+    pub fn patience(&self) -> Duration {
+        if self.pasted.is_some() {
+            PASTE_PATIENCE
+        } else {
+            ESCAPE_PATIENCE
+        }
+    }
+
+    /// Nothing more came: a lone ESC is a key, a paste is over, any other remainder is dropped.
     pub fn flush(&mut self) -> Option<Input> {
+        if let Some(pasted) = self.pasted.take() {
+            return Some(paste(pasted));
+        }
         let held = std::mem::take(&mut self.held);
         match held.as_slice() {
             [0x1b] => Some(key(KeyCode::Esc, KeyModifiers::NONE)),
@@ -100,6 +117,11 @@ impl Parser {
             self.held.drain(..used);
         }
     }
+}
+
+fn paste(mut bytes: Vec<u8>) -> Input {
+    bytes.truncate(LONGEST_PASTE);
+    Input::Paste(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
@@ -352,6 +374,16 @@ mod tests {
         long.extend(PASTE_END);
         let inputs = keys(&long);
         assert!(matches!(&inputs[..], [Input::Paste(text)] if text.len() == LONGEST_PASTE));
+    }
+
+    #[test]
+    fn a_paste_that_never_ends_is_over_after_a_silence_and_keys_are_keys_again() {
+        let mut parser = Parser::default();
+        assert!(parser.feed(b"\x1b[200~450").is_empty());
+        assert!(parser.is_waiting() && parser.patience() == PASTE_PATIENCE);
+        assert_eq!(parser.flush(), Some(Input::Paste("450".to_owned())));
+        assert!(!parser.is_waiting());
+        assert_eq!(parser.feed(b"q"), [plain(KeyCode::Char('q'))]);
     }
 
     proptest! {

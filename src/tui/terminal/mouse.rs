@@ -5,8 +5,10 @@
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// Asks for presses and drags, with coordinates of any size.
+#[cfg(unix)]
 pub const ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
 /// Asks for nothing any more.
+#[cfg(unix)]
 pub const OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
 
 /// The event of `ESC [ < button ; column ; row M`, given what stands between `<` and the last

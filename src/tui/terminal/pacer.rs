@@ -34,6 +34,8 @@ pub struct Pacer {
     /// When frames without a reply went out, and how large they were.
     open: VecDeque<(Instant, usize)>,
     given_up: u32,
+    /// Whether whoever shows the frames takes them as they are written.
+    local: bool,
     silences: u32,
     free_at: Option<Instant>,
     /// Bytes of the last frames and the seconds until their replies.
@@ -52,16 +54,24 @@ pub enum Cause {
 }
 
 impl Pacer {
+    /// For a terminal that has shown a frame when the write returns: nothing is asked or waited for.
+    pub fn local() -> Self {
+        Self {
+            local: true,
+            ..Self::default()
+        }
+    }
+
     /// Whether a frame should end with a question.
     pub fn asks(&self) -> bool {
-        self.silences < MAX_SILENCES
+        !self.local && self.silences < MAX_SILENCES
     }
 
     /// A frame of so many bytes went out.
     pub fn sent(&mut self, now: Instant, bytes: usize) {
         if self.asks() {
             self.open.push_back((now, bytes));
-        } else {
+        } else if !self.local {
             self.free_at = Some(now + Duration::from_secs_f64(bytes as f64 / BUDGET));
         }
     }
@@ -136,7 +146,7 @@ impl Pacer {
 
     /// Whether bytes take long to arrive, or no one says whether they do.
     pub fn is_slow(&self) -> bool {
-        !self.asks() || self.per_byte > 1.0 / SLOW
+        !self.local && !self.asks() || self.per_byte > 1.0 / SLOW
     }
 }
 
@@ -224,6 +234,15 @@ mod tests {
             ..Pacer::default()
         };
         assert_eq!(mute.farewell(), Duration::ZERO);
+    }
+
+    #[test]
+    fn a_local_console_is_neither_asked_nor_waited_for() {
+        let mut pacer = Pacer::local();
+        let start = Instant::now();
+        pacer.sent(start, 1_000_000);
+        assert!(!pacer.asks() && !pacer.awaits() && !pacer.is_slow());
+        assert!(pacer.is_free(start, Replay));
     }
 
     #[test]

@@ -1,13 +1,13 @@
 //! The terminal's modes: entered once, and left again whatever happens.
 
-use std::fs::File;
 use std::io::{self, Write};
-use std::os::fd::AsFd;
 use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(unix)]
+use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
-use super::mouse;
+use super::system;
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[2J\x1b[?2004h\x1b[?25l";
@@ -20,7 +20,7 @@ static MOUSE: AtomicBool = AtomicBool::new(false);
 
 /// A terminal in the app's hands.
 pub struct Session {
-    out: File,
+    out: system::Out,
 }
 
 impl Session {
@@ -29,9 +29,7 @@ impl Session {
     /// # Errors
     /// Where the terminal refuses.
     pub fn enter() -> io::Result<Self> {
-        // A handle of its own takes no lock, so a panic on any thread can write.
-        let out = File::from(io::stdout().as_fd().try_clone_to_owned()?);
-        let spare = out.try_clone()?;
+        let (out, spare) = (system::out()?, system::out()?);
         let before = std::panic::take_hook();
         std::panic::set_hook(Box::new(move |info| {
             leave(&spare);
@@ -53,9 +51,9 @@ impl Session {
         ENTERED.store(true, Ordering::SeqCst);
         self.out.write_all(ENTER)?;
         if MOUSE.load(Ordering::SeqCst) {
-            self.out.write_all(mouse::ON)?;
+            system::listen_to_mouse(&self.out, true)?;
         }
-        Ok(())
+        self.out.flush()
     }
 
     /// Has the mouse reported, or no longer. Says nothing to a terminal that does so already.
@@ -66,8 +64,7 @@ impl Session {
         if MOUSE.swap(listen, Ordering::SeqCst) == listen {
             return Ok(());
         }
-        self.out
-            .write_all(if listen { mouse::ON } else { mouse::OFF })
+        system::listen_to_mouse(&self.out, listen)
     }
 
     /// Takes the terminal over again after somebody else may have changed it.
@@ -90,7 +87,8 @@ impl Session {
     /// # Errors
     /// Where the terminal is gone.
     pub fn write(&mut self, frame: &[u8]) -> io::Result<()> {
-        self.out.write_all(frame)
+        self.out.write_all(frame)?;
+        self.out.flush()
     }
 }
 
@@ -100,13 +98,27 @@ impl Drop for Session {
     }
 }
 
-fn leave(mut out: &File) {
+/// Gives back what can be given back of a terminal that does not read, and ends the program.
+#[cfg(unix)]
+pub(super) fn abandon(code: i32) -> ! {
+    // The app may be held up in a write, so this one must not be waited for.
+    thread::spawn(|| {
+        if let Ok(out) = system::out() {
+            leave(&out);
+        }
+    });
+    thread::sleep(Duration::from_millis(200));
+    let _ = disable_raw_mode();
+    std::process::exit(code)
+}
+
+fn leave(mut out: &system::Out) {
     if ENTERED.swap(false, Ordering::SeqCst) {
         if MOUSE.load(Ordering::SeqCst) {
-            let _ = out.write_all(mouse::OFF);
+            let _ = system::listen_to_mouse(out, false);
         }
         // A terminal that is gone needs no restoring.
-        let _ = out.write_all(LEAVE);
+        let _ = out.write_all(LEAVE).and_then(|()| out.flush());
         let _ = disable_raw_mode();
     }
 }

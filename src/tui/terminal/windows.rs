@@ -1,0 +1,88 @@
+//! What Windows alone has: a console that is read by events and drawn on by its own calls.
+//!
+//! Left out: signals and the stop of a job, which there are none of; a console that is closed ends
+//! its programs. Pasted text comes as keys.
+
+use std::io;
+use std::sync::mpsc::Sender;
+use std::thread;
+
+use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
+
+use super::event::Event;
+use super::input::Input;
+use super::pacer::Pacer;
+
+/// Where the app draws: only this handle turns UTF-8 into what a console takes.
+pub(super) type Out = io::Stdout;
+
+/// Opens what is drawn on.
+///
+/// # Errors
+/// Where the console is older than escape sequences (Windows 10 of 2016).
+pub(super) fn out() -> io::Result<Out> {
+    if crossterm::ansi_support::supports_ansi() {
+        Ok(io::stdout())
+    } else {
+        Err(io::Error::other("the console knows no escape sequences"))
+    }
+}
+
+/// A console has drawn a frame when the write returns, and its replies would come as keys.
+pub(super) fn pacer() -> Pacer {
+    Pacer::local()
+}
+
+/// Has the console report its mouse, or no longer.
+///
+/// # Errors
+/// Where the console is gone.
+pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
+    if listen {
+        crossterm::execute!(out, EnableMouseCapture)
+    } else {
+        crossterm::execute!(out, DisableMouseCapture)
+    }
+}
+
+/// There are none.
+pub(super) struct Signals;
+
+/// There are none.
+///
+/// # Errors
+/// None.
+pub(super) fn signals() -> io::Result<Signals> {
+    Ok(Signals)
+}
+
+/// Sends what is typed and when the window changes.
+pub(super) fn listen(send: &Sender<Event>, _: Signals) {
+    let send = send.clone();
+    thread::spawn(move || {
+        loop {
+            let event = match console::read() {
+                Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
+                    Event::Input(Input::Key(key))
+                }
+                Ok(console::Event::Mouse(mouse)) => Event::Input(Input::Mouse(mouse)),
+                Ok(console::Event::Paste(text)) => Event::Input(Input::Paste(text)),
+                Ok(console::Event::Resize(..)) => Event::Resized,
+                Ok(_) => continue,
+                Err(_) => Event::HANGUP,
+            };
+            let over = event.is_end();
+            if send.send(event).is_err() || over {
+                return;
+            }
+        }
+    });
+}
+
+/// Nothing to stop for; no key asks for it.
+///
+/// # Errors
+/// None.
+pub(super) fn stop() -> io::Result<()> {
+    Ok(())
+}
