@@ -21,6 +21,30 @@ use std::f64::consts::FRAC_PI_3;
 /// Radius of a cell at least, in m: where there is no cell, it may be 0.
 const LEAST_RADIUS: f64 = 1e-9;
 
+/// An array of four, written out: a closure would not be compiled for the vectors' instructions.
+macro_rules! four {
+    ($i:ident => $of:expr) => {
+        [
+            {
+                let $i = 0usize;
+                $of
+            },
+            {
+                let $i = 1usize;
+                $of
+            },
+            {
+                let $i = 2usize;
+                $of
+            },
+            {
+                let $i = 3usize;
+                $of
+            },
+        ]
+    };
+}
+
 /// x and r, or along x and along r, of a corner.
 type At<S> = (V<S>, V<S>);
 
@@ -159,15 +183,17 @@ fn gather<S: Simd>(simd: S, rows: &Rows, run: Run, state: &mut State) {
     let [c0, c1, c2, c3] = &rows.corners;
     for i in (0..run.node_places).step_by(V::<S>::LEN) {
         let at = run.corners + i;
-        let sum = |of: [&[f64]; 4]| {
-            let low = load(simd, of[0], at) + load(simd, of[1], at - 1);
-            low + (load(simd, of[3], at - run.columns) + load(simd, of[2], at - run.columns - 1))
-        };
-        let fx = sum([&c0.0, &c1.0, &c2.0, &c3.0]);
-        let fr = sum([&c0.1, &c1.1, &c2.1, &c3.1]);
+        let fx = around(simd, [&c0.0, &c1.0, &c2.0, &c3.0], at, run.columns);
+        let fr = around(simd, [&c0.1, &c1.1, &c2.1, &c3.1], at, run.columns);
         store::<S>(&mut state.fx, run.nodes + i, fx);
         store::<S>(&mut state.fr, run.nodes + i, fr);
     }
+}
+
+#[inline(always)]
+fn around<S: Simd>(simd: S, of: [&[f64]; 4], at: usize, columns: usize) -> V<S> {
+    let low = load(simd, of[0], at) + load(simd, of[1], at - 1);
+    low + (load(simd, of[3], at - columns) + load(simd, of[2], at - columns - 1))
 }
 
 /// Forces of some cells on their corners.
@@ -187,19 +213,26 @@ fn cells<S: Simd>(
     pressures: &mut [f64],
     totals: &mut Totals,
 ) -> [At<S>; 4] {
-    let c = |field: usize| load(simd, &constants.0[field], lane);
-    let number = |value: f64| splat(simd, value);
+    macro_rules! c {
+        ($field:expr) => {
+            load(simd, &constants.0[$field], lane)
+        };
+    }
+    macro_rules! number {
+        ($value:expr) => {
+            splat(simd, $value)
+        };
+    }
     let low = run.nodes + at;
     let high = low + run.columns;
-    let corner = |of: (&[f64], &[f64]), at: usize| (load(simd, of.0, at), load(simd, of.1, at));
     let places = [low, low + 1, high + 1, high];
-    let p = places.map(|at| corner((&state.x, &state.r), at));
-    let v = places.map(|at| corner((&state.vx, &state.vr), at));
+    let p = four!(i => (load(simd, &state.x, places[i]), load(simd, &state.r, places[i])));
+    let v = four!(i => (load(simd, &state.vx, places[i]), load(simd, &state.vr, places[i])));
 
-    let edges: [Edge<S>; 4] = std::array::from_fn(|i| Edge::new(p[i], p[(i + 1) % 4]));
+    let edges: [Edge<S>; 4] = four!(i => Edge::new(p[i], p[(i + 1) % 4]));
     let cross = [Edge::<S>::new(p[0], p[2]), Edge::new(p[1], p[3])];
-    let w: [V<S>; 4] = std::array::from_fn(|i| edges[i].volume());
-    let rate: [V<S>; 4] = std::array::from_fn(|i| edges[i].rate(v[i], v[(i + 1) % 4]));
+    let w: [V<S>; 4] = four!(i => edges[i].volume());
+    let rate: [V<S>; 4] = four!(i => edges[i].rate(v[i], v[(i + 1) % 4]));
     let (w02, w13) = (cross[0].volume(), cross[1].volume());
     let (rate02, rate13) = (cross[0].rate(v[0], v[2]), cross[1].rate(v[1], v[3]));
 
@@ -218,25 +251,24 @@ fn cells<S: Simd>(
     ];
     let volume = triangle[1] + triangle[3];
     let volume_rate = triangle_rate[1] + triangle_rate[3];
-    let volume_at_rest = c(field::VOLUME);
-    let now = volume.max(volume_at_rest * number(FLAT));
+    let volume_at_rest = c!(field::VOLUME);
+    let now = volume.max(volume_at_rest * number!(FLAT));
 
     let a = (cross[0].along, p[2].1 - p[0].1);
     let b = (cross[1].along, p[3].1 - p[1].1);
-    let det = (a.0 * b.1 - b.0 * a.1).max(c(field::LEAST_DET));
+    let det = (a.0 * b.1 - b.0 * a.1).max(c!(field::LEAST_DET));
     // A square is as large as the parallelogram of its diagonals; where there is no cell all may be 0.
     let squares = (a.0 * a.0 + a.1 * a.1).max(b.0 * b.0 + b.1 * b.1);
-    let longest = squares.max(c(field::LEAST_DET)).sqrt();
-    let radius = ((p[0].1 + p[1].1 + (p[2].1 + p[3].1)) * number(0.25)).max(number(LEAST_RADIUS));
+    let longest = squares.max(c!(field::LEAST_DET)).sqrt();
+    let radius = ((p[0].1 + p[1].1 + (p[2].1 + p[3].1)) * number!(0.25)).max(number!(LEAST_RADIUS));
 
-    let at_rest: [V<S>; 4] = std::array::from_fn(|i| c(field::TRIANGLE + i));
-    let squeezed: [V<S>; 4] =
-        std::array::from_fn(|i| triangle[i].max(at_rest[i] * number(SQUEEZED)));
+    let at_rest: [V<S>; 4] = four!(i => c!(field::TRIANGLE + i));
+    let squeezed: [V<S>; 4] = four!(i => triangle[i].max(at_rest[i] * number!(SQUEEZED)));
     // 1/z of eight numbers by one division.
     let (t01, t23) = (squeezed[0] * squeezed[1], squeezed[2] * squeezed[3]);
     let (vd, lr) = (now * det, longest * radius);
     let (left, right) = (t01 * t23, vd * lr);
-    let inverse = number(1.0) / (left * right);
+    let inverse = number!(1.0) / (left * right);
     let (of_left, of_right) = (inverse * right, inverse * left);
     let (of_01, of_23) = (of_left * t23, of_left * t01);
     let (of_vd, of_lr) = (of_right * lr, of_right * vd);
@@ -249,39 +281,39 @@ fn cells<S: Simd>(
     let (inverse_now, inverse_det) = (of_vd * det, of_vd * now);
     let (inverse_longest, inverse_radius) = (of_lr * radius, of_lr * longest);
 
-    let length = number(0.5) * det * inverse_longest;
-    let inverse_length = number(2.0) * longest * inverse_det;
+    let length = number!(0.5) * det * inverse_longest;
+    let inverse_length = number!(2.0) * longest * inverse_det;
     let expansion = volume_rate * inverse_now;
     let inverse_j = volume_at_rest * inverse_now;
-    let pressure = c(field::BULK) * (inverse_j - number(1.0));
+    let pressure = c!(field::BULK) * (inverse_j - number!(1.0));
     store::<S>(pressures, run.cells + at, pressure);
-    let closing = expansion.min(number(0.0));
+    let closing = expansion.min(number!(0.0));
     let artificial =
-        (c(field::QUADRATIC) * length * closing - c(field::LINEAR)) * length * expansion;
+        (c!(field::QUADRATIC) * length * closing - c!(field::LINEAR)) * length * expansion;
     let mut loss = -(artificial * expansion * now);
 
     // Bound of the step.
-    let viscous_speed = c(field::CONSTANT_SPEED)
-        + number(2.0) * c(field::KINEMATIC) * inverse_length
-        + c(field::QUADRATIC_SPEED) * length * expansion.max(-expansion);
-    let stiff = c(field::BULK_SPEED) * inverse_j * inverse_j + c(field::OTHER_SPEED);
+    let viscous_speed = c!(field::CONSTANT_SPEED)
+        + number!(2.0) * c!(field::KINEMATIC) * inverse_length
+        + c!(field::QUADRATIC_SPEED) * length * expansion.max(-expansion);
+    let stiff = c!(field::BULK_SPEED) * inverse_j * inverse_j + c!(field::OTHER_SPEED);
     let waves = ((stiff + viscous_speed * viscous_speed).sqrt() + viscous_speed) * inverse_length;
-    let diffusion = number(4.0) * c(field::KINEMATIC) * inverse_length * inverse_length;
+    let diffusion = number!(4.0) * c!(field::KINEMATIC) * inverse_length * inverse_length;
     let most = load(simd, &totals.rate, lane).max(waves.max(diffusion));
     store::<S>(&mut totals.rate, lane, most);
 
     // Pressures of the corners, which are subtracted from an edge's coefficient.
     let mut whole = pressure + artificial;
     let mut least = load(simd, &totals.triangle, lane);
-    let eta = c(field::CORNER) * length;
-    let absent = c(field::ABSENT);
-    let own: [V<S>; 4] = std::array::from_fn(|i| {
-        let j = triangle[i] * c(field::INVERSE_TRIANGLE + i);
+    let eta = c!(field::CORNER) * length;
+    let absent = c!(field::ABSENT);
+    let own: [V<S>; 4] = four!(i => {
+        let j = triangle[i] * c!(field::INVERSE_TRIANGLE + i);
         least = least.min(j + absent);
         let over = at_rest[i] * inverse_squeezed[i];
         let cube = over * over * over;
-        let below = number(SQUEEZED) - j.min(number(SQUEEZED));
-        let elastic = c(field::SUBZONAL) * (cube - number(1.0) + number(3.0) * below * cube * over);
+        let below = number!(SQUEEZED) - j.min(number!(SQUEEZED));
+        let elastic = c!(field::SUBZONAL) * (cube - number!(1.0) + number!(3.0) * below * cube * over);
         let shape_rate = triangle_rate[i] * inverse_squeezed[i] - expansion;
         let viscous = eta * shape_rate;
         let share = viscous * squeezed[i];
@@ -291,9 +323,9 @@ fn cells<S: Simd>(
     });
     store::<S>(&mut totals.triangle, lane, least);
 
-    let zero = number(0.0);
+    let zero = number!(0.0);
     let mut on = [(zero, zero); 4];
-    let unit = number(-FRAC_PI_3);
+    let unit = number!(-FRAC_PI_3);
     for i in 0..4 {
         let k = (i + 1) % 4;
         let by = unit * (whole + own[i] + own[k]);
@@ -311,38 +343,38 @@ fn cells<S: Simd>(
     }
 
     // Shear.
-    let d: [V<S>; 4] = std::array::from_fn(|i| c(field::DIAGONAL + i));
+    let d: [V<S>; 4] = four!(i => c!(field::DIAGONAL + i));
     let f = [
         a.0 * d[0] + b.0 * d[2],
         a.0 * d[1] + b.0 * d[3],
         a.1 * d[0] + b.1 * d[2],
         a.1 * d[1] + b.1 * d[3],
     ];
-    let hoop = radius * c(field::INVERSE_RADIUS);
+    let hoop = radius * c!(field::INVERSE_RADIUS);
     let xx = f[0] * f[0] + f[1] * f[1];
     let xr = f[0] * f[2] + f[1] * f[3];
     let rr = f[2] * f[2] + f[3] * f[3];
     let hh = hoop * hoop;
-    let third = (xx + rr + hh) * number(1.0 / 3.0);
-    let isochoric = inverse_cube_root_squared(simd, det * c(field::INVERSE_DET) * hoop);
-    let g = c(field::SHEAR) * isochoric;
+    let third = (xx + rr + hh) * number!(1.0 / 3.0);
+    let isochoric = inverse_cube_root_squared(simd, det * c!(field::INVERSE_DET) * hoop);
+    let g = c!(field::SHEAR) * isochoric;
 
     let va = (v[2].0 - v[0].0, v[2].1 - v[0].1);
     let vb = (v[3].0 - v[1].0, v[3].1 - v[1].1);
     let l_xx = (va.0 * b.1 - vb.0 * a.1) * inverse_det;
     let l_rr = (vb.1 * a.0 - va.1 * b.0) * inverse_det;
     let shearing =
-        number(0.5) * inverse_det * (vb.0 * a.0 - va.0 * b.0 + (va.1 * b.1 - vb.1 * a.1));
-    let l_hh = number(0.25) * (v[0].1 + v[1].1 + (v[2].1 + v[3].1)) * inverse_radius;
-    let mean = (l_xx + l_rr + l_hh) * number(1.0 / 3.0);
+        number!(0.5) * inverse_det * (vb.0 * a.0 - va.0 * b.0 + (va.1 * b.1 - vb.1 * a.1));
+    let l_hh = number!(0.25) * (v[0].1 + v[1].1 + (v[2].1 + v[3].1)) * inverse_radius;
+    let mean = (l_xx + l_rr + l_hh) * number!(1.0 / 3.0);
     let (d_xx, d_rr, d_hh) = (l_xx - mean, l_rr - mean, l_hh - mean);
-    let n = c(field::VISCOSITY) * now * number(FRAC_PI_3);
+    let n = c!(field::VISCOSITY) * now * number!(FRAC_PI_3);
     let s_xx = g * (xx - third) + n * d_xx;
     let s_xr = g * xr + n * shearing;
     let s_rr = g * (rr - third) + n * d_rr;
     let s_hh = g * (hh - third) + n * d_hh;
-    let squares = d_xx * d_xx + d_rr * d_rr + d_hh * d_hh + number(2.0) * shearing * shearing;
-    let loss = loss * number(FRAC_PI_3) + n * squares;
+    let squares = d_xx * d_xx + d_rr * d_rr + d_hh * d_hh + number!(2.0) * shearing * shearing;
+    let loss = loss * number!(FRAC_PI_3) + n * squares;
     let on_a = (
         (s_xx * b.1 - s_xr * b.0) * inverse_det,
         (s_xr * b.1 - s_rr * b.0) * inverse_det,
@@ -351,12 +383,12 @@ fn cells<S: Simd>(
         (s_xr * a.0 - s_xx * a.1) * inverse_det,
         (s_rr * a.0 - s_xr * a.1) * inverse_det,
     );
-    let out = number(0.25) * s_hh * inverse_radius;
+    let out = number!(0.25) * s_hh * inverse_radius;
 
     add(simd, &mut totals.loss, lane, loss);
-    add(simd, &mut totals.mean, lane, c(field::MEAN) * pressure);
-    add(simd, &mut totals.sensor, lane, c(field::SENSOR) * pressure);
-    add(simd, &mut totals.volume, lane, c(field::GLOBE) * volume);
+    add(simd, &mut totals.mean, lane, c!(field::MEAN) * pressure);
+    add(simd, &mut totals.sensor, lane, c!(field::SENSOR) * pressure);
+    add(simd, &mut totals.volume, lane, c!(field::GLOBE) * volume);
     [
         (on[0].0 + on_a.0, on[0].1 + on_a.1 - out),
         (on[1].0 + on_b.0, on[1].1 + on_b.1 - out),
@@ -368,17 +400,39 @@ fn cells<S: Simd>(
 /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
 #[inline(always)]
 pub(super) fn advance<S: Simd>(simd: S, state: &mut State, kick: f64, drift: f64) {
-    let along = [
-        (&mut state.x, &mut state.vx, &state.fx, &state.free_x),
-        (&mut state.r, &mut state.vr, &state.fr, &state.free_r),
-    ];
-    for (x, v, f, free) in along {
-        for i in (0..x.len()).step_by(V::<S>::LEN) {
-            let free = load(simd, free, i);
-            let speed = load(simd, v, i) + splat(simd, kick) * load(simd, f, i) * free;
-            store::<S>(v, i, speed);
-            let to = load(simd, x, i) + splat(simd, drift) * speed;
-            store::<S>(x, i, to);
-        }
+    let by = (kick, drift);
+    move_along(
+        simd,
+        &mut state.x,
+        &mut state.vx,
+        &state.fx,
+        &state.free_x,
+        by,
+    );
+    move_along(
+        simd,
+        &mut state.r,
+        &mut state.vr,
+        &state.fr,
+        &state.free_r,
+        by,
+    );
+}
+
+#[inline(always)]
+fn move_along<S: Simd>(
+    simd: S,
+    x: &mut [f64],
+    v: &mut [f64],
+    f: &[f64],
+    free: &[f64],
+    (kick, drift): (f64, f64),
+) {
+    for i in (0..x.len()).step_by(V::<S>::LEN) {
+        let force = load(simd, f, i) * load(simd, free, i);
+        let speed = load(simd, v, i) + splat(simd, kick) * force;
+        store::<S>(v, i, speed);
+        let to = load(simd, x, i) + splat(simd, drift) * speed;
+        store::<S>(x, i, to);
     }
 }
