@@ -9,7 +9,7 @@ use contrecoup::dynamics::{
     vector_sets, vectors_name,
 };
 use contrecoup::recording::Keep;
-use contrecoup::scenario::{Impact, Scenario};
+use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
 use contrecoup::study::batch::{solve_all, solve_one};
 use contrecoup::study::{Case, median, solve, unwatched};
 use std::hint::black_box;
@@ -88,7 +88,7 @@ fn row(what: &str, seconds: f64, error: Option<f64>) {
 fn case(level: u32, whole: bool, portable: bool) -> Case {
     let mut scenario = Scenario::default();
     scenario.eye.level = level;
-    Case::with(&scenario, whole, portable)
+    Case::with(&scenario.check().unwrap(), whole, portable)
 }
 
 fn plain(case: &Case) -> Plain {
@@ -291,14 +291,14 @@ fn standard_case(targets: &mut Targets) {
 fn batches(targets: &mut Targets) {
     const COUNT: u32 = 200;
     println!("\nBatches: {COUNT} head-on scenes, results only, no frames");
-    let scenarios: Vec<Scenario> = (0..COUNT)
+    let scenarios: Vec<CheckedScenario> = (0..COUNT)
         .map(|i| {
             let mut scenario = Scenario::default();
             let Impact::ForcePulse(pulse) = &mut scenario.impact else {
                 panic!()
             };
             pulse.force_n = 100.0 + 2.0 * f64::from(i);
-            scenario
+            scenario.check().unwrap()
         })
         .collect();
     let some = &scenarios[80..120];

@@ -11,6 +11,7 @@
 #[cfg(feature = "app")]
 pub mod cli;
 pub mod dynamics;
+mod error;
 pub mod eye;
 pub mod guide;
 pub mod injury;
@@ -25,3 +26,5 @@ pub mod study;
 pub mod tui;
 #[cfg(feature = "app")]
 mod whole_file;
+
+pub use error::Error;

@@ -62,7 +62,7 @@ fn noisy(n: u32) -> PulseShape {
 }
 
 fn answer(scenario: &Scenario) -> Answer {
-    solve(scenario, Keep::default(), &mut unwatched).unwrap()
+    solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
 }
 
 /// The largest relative difference of any leading result.

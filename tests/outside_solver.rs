@@ -270,7 +270,7 @@ fn agrees(name: &str, blow: &ForcePulse, filaments: bool) {
     if !filaments {
         scenario.eye.filament_hops.clear();
     }
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     // Within the pulse, soon after it, and when the motion has died down.
     let last = scenario.window_ms;
     let times = [0.37 * blow.duration_ms, 0.31, 0.9, last];

@@ -203,7 +203,7 @@ fn halving_the_step_shows_each_integrators_order() {
         window_ms: 0.24,
         ..Scenario::default()
     };
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for &integrator in Integrator::ALL {
         // Every edge of the pulse, 20 us, is a whole number of these steps.
@@ -232,7 +232,7 @@ fn a_jump_of_the_load_costs_no_order() {
         shape: PulseShape::SmoothRectangle { edge_fraction: 0.0 },
         ..ForcePulse::default()
     });
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for (integrator, step) in [
         (Integrator::VelocityVerlet, 5e-7),
@@ -335,7 +335,7 @@ proptest! {
         scenario.eye.filament_hops = hops;
         scenario.eye.opening_deg = opening_deg;
         scenario.window_ms = 0.12;
-        let case = Case::with(&scenario, false, portable);
+        let case = Case::with(&scenario.check().unwrap(), false, portable);
         let step = 0.5 * case.step_limit(Integrator::VelocityVerlet);
         let state = end_state(Integrator::VelocityVerlet, step, &case);
         let mut plain = Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load);
@@ -354,7 +354,7 @@ fn the_energy_residual_shrinks_with_the_order_of_the_method() {
         window_ms: 0.3,
         ..Scenario::default()
     };
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     let worst = |integrator, step| {
         let mut state = State::at_rest(&case.system);
         let mut log = Log::default();
@@ -402,7 +402,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
     scenario.eye.globe_drag_ns_m = 0.0;
     scenario.eye.fat_drag_ns_m = 0.0;
     scenario.window_ms = 5.0;
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     for &integrator in Integrator::ALL {
         let limit = stability::step_limit(integrator, &case.system);
         let energy = |share: f64| {
@@ -439,7 +439,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
 fn the_same_scenario_gives_the_same_bits() {
     let scenario = Scenario::default();
     let run = || {
-        let case = Case::new(&scenario);
+        let case = Case::new(&scenario.check().unwrap());
         let state = end_state(Integrator::Srkn6b, 3e-6, &case);
         (0..case.eye.nodes.len())
             .map(|i| {

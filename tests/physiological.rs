@@ -17,7 +17,7 @@ fn physiological(change: impl FnOnce(&mut Physiological)) -> Scenario {
 }
 
 fn answer(scenario: &Scenario) -> Answer {
-    solve(scenario, Keep::default(), &mut unwatched).unwrap()
+    solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
 }
 
 fn without_force(mut scenario: Scenario) -> Scenario {
@@ -71,7 +71,7 @@ fn the_eye_at_rest_stays_at_rest() {
             traces: false,
             frames: Some(Spacing::even(3e-3)),
         };
-        let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
         let last = answer.recording.frames.last().unwrap();
         assert!((last.time - 3e-3).abs() < 1e-12);
         for (place, node) in last.positions.iter().zip(&answer.case.eye.nodes) {
@@ -97,7 +97,7 @@ fn a_ring_under_pressure_carries_p_r_over_t() {
     scenario.eye.lens = false;
     scenario.eye.filament_hops = Vec::new();
     scenario.window_ms = 60.0;
-    let mut case = Case::new(&scenario);
+    let mut case = Case::new(&scenario.check().unwrap());
     let mut coupled = case.system.coupled().unwrap().clone();
     // A globe filled with more than fits.
     coupled.fluid.as_mut().unwrap().rest_area *= 1.01;
@@ -214,8 +214,8 @@ fn a_bb_does_about_what_was_seen() {
 fn integrators_that_cannot_solve_it_are_refused_by_name() {
     let mut scenario = physiological(|_| ());
     scenario.numerics.integrator = Some(contrecoup::scenario::Integrator::Srkn6b);
-    let refusal = solve(&scenario, Keep::default(), &mut unwatched).unwrap_err();
+    let refusal = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap_err();
     assert!(refusal.to_string().contains("srkn6b does not solve"));
     scenario.numerics.integrator = Some(contrecoup::scenario::Integrator::VelocityVerlet);
-    assert!(solve(&scenario, Keep::default(), &mut unwatched).is_ok());
+    assert!(solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).is_ok());
 }

@@ -34,7 +34,7 @@ fn paper(shot: Projectile) -> Scenario {
 }
 
 fn answer(scenario: &Scenario) -> Answer {
-    solve(scenario, Keep::default(), &mut unwatched).unwrap()
+    solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
 }
 
 fn shot(answer: &Answer) -> &ShotExtremes {
@@ -243,7 +243,7 @@ impl Observer for Ledger {
 #[test]
 fn momentum_and_energy_balance_with_the_projectile_counted_in() {
     for scenario in [physiological(bb(62.5)), paper(bb(30.0))] {
-        let case = Case::new(&scenario);
+        let case = Case::new(&scenario.check().unwrap());
         let contact = case.system.coupled().unwrap().contact.unwrap();
         let mut plan = case.plan(&scenario).unwrap();
         let mut ledger = Ledger {
@@ -301,7 +301,7 @@ fn a_shot_head_on_gives_a_symmetric_answer() {
         traces: true,
         frames: Some(Spacing::even(1e-4)),
     };
-    let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     let eye = &answer.case.eye;
     for frame in &answer.recording.frames {
         for (i, node) in eye.nodes.iter().enumerate() {
@@ -364,7 +364,12 @@ fn a_force_on_the_papers_eye_does_none_of_this_work() {
     assert!(answer.case.system.coupled().is_none() && answer.case.system.mirrored());
     assert!(answer.recording.extremes.shot.is_none());
 
-    let shot = solve(&paper(bb(20.0)), Keep::default(), &mut unwatched).unwrap();
+    let shot = solve(
+        &paper(bb(20.0)).check().unwrap(),
+        Keep::default(),
+        &mut unwatched,
+    )
+    .unwrap();
     assert!(shot.cost.contact_tests > 0);
     assert_eq!(shot.cost.pressure_evaluations, 0);
     assert_eq!(shot.cost.dashpot_evaluations, 0);
@@ -489,7 +494,7 @@ fn eye_and_object_together_keep_their_momentum() {
         traces: false,
         frames: Some(Spacing::even(1e-4)),
     };
-    let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     let frames = &answer.recording.frames;
     let moment = |frame: &Frame| {
         let nodes = answer.case.eye.nodes.iter().zip(&frame.positions);

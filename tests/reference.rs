@@ -97,7 +97,7 @@ fn scenario(row: &Row) -> Scenario {
 }
 
 fn answer(scenario: &Scenario) -> Answer {
-    solve(scenario, Keep::default(), &mut unwatched).unwrap()
+    solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
 }
 
 /// Half a unit in the last printed digit, and a little for the digit before.
@@ -187,8 +187,8 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
         let mut scenario = Scenario::default();
         scenario.eye.level = level;
         scenario.window_ms = 0.6;
-        let half = Case::new(&scenario);
-        let whole = Case::with(&scenario, true, false);
+        let half = Case::new(&scenario.check().unwrap());
+        let whole = Case::with(&scenario.check().unwrap(), true, false);
         assert!(half.system.mirrored() && !whole.system.mirrored());
         let run = |case: &Case| {
             let plan = case.plan(&scenario).unwrap();
@@ -233,7 +233,7 @@ fn the_front_node_shows_the_papers_two_peaks() {
         traces: true,
         frames: None,
     };
-    let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     let traces = answer.recording.traces.unwrap();
     let largest = |from: f64, to: f64| {
         traces
@@ -286,7 +286,7 @@ fn stopping_early_changes_no_result_in_random_scenes() {
     let mut stopped = 0;
     for index in 0..40 {
         let scenario = scene(index, 7);
-        let case = Case::new(&scenario);
+        let case = Case::new(&scenario.check().unwrap());
         let plan = case.plan(&scenario).unwrap();
         let whole = Keep {
             traces: true,

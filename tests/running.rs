@@ -179,7 +179,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
     let mut objects = 0;
     for preset in library::built_in() {
         let scenario = preset.scenario().unwrap();
-        let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
         let name = &preset.name;
         let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
         assert!(answer.index.damage() > 0.0, "{name}");

@@ -5,7 +5,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use contrecoup::scenario::Scenario;
-use contrecoup::scenario::check::check;
 use contrecoup::scenario::fields::{Bounds, FIELDS, Kind};
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
@@ -119,7 +118,7 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
         for (inside, outside) in ends {
             let mut scenario = roomy.clone();
             set(&mut scenario, field.path, &inside).unwrap();
-            check(&scenario).unwrap_or_else(|error| panic!("{error}"));
+            scenario.check().unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(parse(&to_ron(&scenario), "").unwrap(), scenario);
             let before = scenario.clone();
             let error = set(&mut scenario, field.path, &outside).unwrap_err();

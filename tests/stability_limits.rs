@@ -135,7 +135,7 @@ fn the_gaps_of_the_compositions_are_where_they_are_said_to_be() {
 fn an_undamped_eye_takes_steps_below_the_first_gap() {
     let mut scenario = Scenario::default();
     set(&mut scenario, "eye.globe_drag_ns_m", "0").unwrap();
-    let case = Case::new(&scenario);
+    let case = Case::new(&scenario.check().unwrap());
     let limit = case.step_limit(Integrator::Srkn6b) * case.system.omega_bound();
     assert!(limit <= 3.163 * (1.0 + 1e-12));
 }
@@ -165,7 +165,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
             let (path, value) = setting.split_once('=').unwrap();
             set(&mut scenario, path, value).unwrap();
         }
-        let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
         assert!(answer.index.damage().is_finite() && answer.index.damage() < 100.0);
         assert!(answer.errors.energy_balance < 1.0, "{settings:?}");
     }
@@ -180,9 +180,9 @@ fn a_step_error_is_never_zero_because_both_runs_took_the_same_steps() {
     ] {
         set(&mut scenario, path, value).unwrap();
     }
-    let coarse = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let coarse = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     set(&mut scenario, "numerics.step_us", "0.0001").unwrap();
-    let fine = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     let truth = (coarse.index.energy / fine.index.energy - 1.0).abs() * 100.0;
     assert!(
         coarse.errors.time_step[Quantity::Energy].unwrap() >= truth,
@@ -194,7 +194,7 @@ fn a_step_error_is_never_zero_because_both_runs_took_the_same_steps() {
 fn nothing_moves_without_force() {
     let mut scenario = Scenario::default();
     set(&mut scenario, "impact.force_n", "0").unwrap();
-    let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     assert!(answer.flags.is_empty(), "{:?}", answer.flags);
     assert!(answer.index.damage() < 1e-9);
     assert!(answer.errors.time_step_percent() < 1e-5);
@@ -206,14 +206,14 @@ fn stated_and_true(settings: &[(&str, &str)]) -> Vec<(f64, f64)> {
     for (path, value) in settings {
         set(&mut scenario, path, value).unwrap();
     }
-    let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     for (path, value) in [
         ("numerics.integrator", "Srkn11b"),
         ("numerics.step_us", "0.2"),
     ] {
         set(&mut scenario, path, value).unwrap();
     }
-    let fine = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     let truth = answer.results().difference_percent(&fine.results());
     let stated = answer.errors.time_step;
     let pairs = truth

@@ -189,7 +189,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             let mut buffer = Buffer::empty(Rect::new(0, 0, size.0, size.1));
             view::draw(&model, &mut buffer);
             // What is worked on is always something that can be worked on.
-            contrecoup::scenario::check::check(&model.work.scenario).unwrap();
+            model.work.scenario.check().unwrap();
             assert!(model.screens.compare.entries.len() <= 6);
         }
         // From wherever it is, a few presses of Escape and an edit lead back to a result.

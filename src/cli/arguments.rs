@@ -11,14 +11,13 @@ use clap::Args;
 use super::CliError;
 use crate::dynamics::Integrator;
 use crate::plain_text::{self, printable, quoted};
-use crate::scenario::Scenario;
-use crate::scenario::check::check;
 use crate::scenario::fields::LONGEST_NAME;
 use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::set;
+use crate::scenario::{CheckedScenario, Scenario};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
@@ -87,7 +86,7 @@ impl ScenarioArgs {
     ///
     /// # Errors
     /// Says which file or argument is wrong, and what would be accepted.
-    pub fn scenario(&self) -> Result<Scenario, CliError> {
+    pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
         let mut scenario = resolve(&self.source)?;
         for Assignment { path, text } in &self.assignments {
             assign(&mut scenario, &format!("--set {path}={text}"), path, text)?;
@@ -103,12 +102,15 @@ impl ScenarioArgs {
             }
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
-        check(&scenario).map_err(|error| complaint("with these flags", "", &error))?;
+        let scenario = scenario
+            .check()
+            .map_err(|error| complaint("with these flags", "", &error))?;
         // The name tells of the values as they were, so what was changed stands beside it.
-        if self.assignments.iter().all(|a| a.path != "name") {
-            scenario.name = with_changes(&scenario.name, &self.assignments);
+        if self.assignments.iter().any(|a| a.path == "name") {
+            return Ok(scenario);
         }
-        Ok(scenario)
+        let name = with_changes(&scenario.name, &self.assignments);
+        Ok(scenario.renamed(name))
     }
 }
 
@@ -200,7 +202,7 @@ mod tests {
     use crate::cli::{Cli, Command};
     use crate::scenario::{Impact, Integrator};
 
-    fn scenario(flags: &[&str]) -> Result<Scenario, CliError> {
+    fn scenario(flags: &[&str]) -> Result<CheckedScenario, CliError> {
         let typed = ["contrecoup", "run", "paper-300n"];
         let cli = Cli::try_parse_from(typed.iter().chain(flags)).unwrap();
         let Some(Command::Run(args)) = cli.command else {
@@ -241,7 +243,7 @@ mod tests {
         let many: Vec<&str> = many.iter().map(String::as_str).collect();
         let changed = scenario(&many).unwrap();
         assert_eq!(changed.name, "300 N for 0.2 ms; 9 fields set");
-        check(&changed).unwrap();
+        changed.check().unwrap();
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::Error;
 use crate::scenario::problem::ScenarioError;
 use crate::study::Refusal;
 
@@ -17,24 +18,23 @@ pub enum CliError {
     /// What was asked for makes no sense.
     #[error("{0}")]
     Input(String),
-    /// The scenario makes no sense. Its lines begin with a place, as editors expect.
-    #[error(transparent)]
-    Scenario(#[from] ScenarioError),
+    /// The library refused. What speaks of a scenario begins with a place, as editors expect.
+    #[error("{lead}{0}", lead = if .0.is_of_input() { "" } else { "error: " })]
+    Library(#[from] Error),
     /// The answer could not be written to standard output.
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
 }
 
+impl From<ScenarioError> for CliError {
+    fn from(error: ScenarioError) -> Self {
+        Self::Library(error.into())
+    }
+}
+
 impl From<Refusal> for CliError {
     fn from(refusal: Refusal) -> Self {
-        match refusal {
-            Refusal::StepAboveLimit { .. }
-            | Refusal::TooMuchWork { .. }
-            | Refusal::IntegratorUnfit { .. } => Self::Input(refusal.to_string()),
-            Refusal::Diverged(_) | Refusal::ToleranceNotMet { .. } | Refusal::Cancelled => {
-                Self::Failed(refusal.to_string())
-            }
-        }
+        Self::Library(refusal.into())
     }
 }
 
@@ -44,8 +44,9 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             _ if self.is_broken_pipe() => 0,
-            Self::Failed(_) | Self::Output(_) => 1,
-            Self::Input(_) | Self::Scenario(_) => 2,
+            Self::Library(error) if error.is_of_input() => 2,
+            Self::Failed(_) | Self::Output(_) | Self::Library(_) => 1,
+            Self::Input(_) => 2,
             Self::Interrupted(_) => 130,
         }
     }

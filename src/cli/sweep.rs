@@ -65,7 +65,7 @@ impl Shard {
 pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let axes: Vec<Axis> = args.vary.clone();
-    let sweep = Sweep::new(scenario, axes).map_err(|error| {
+    let sweep = Sweep::new(scenario.into(), axes).map_err(|error| {
         let line = |p: &Problem| {
             let message = plain_text::message(&p.message);
             format!("--vary {}: {message}", quoted(&p.field))

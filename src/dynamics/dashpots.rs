@@ -112,7 +112,7 @@ mod tests {
             model: Model::Physiological(Physiological::default()),
             ..Scenario::default()
         };
-        let case = Case::new(&scenario);
+        let case = Case::new(&scenario.check().unwrap());
         let state = State::at_rest(&case.system);
         let dashpots = Dashpots::new(&case.eye, &case.system, 0.1, 0.22);
         let len = state.x.len();

@@ -2,25 +2,58 @@
 //!
 //! Every problem is found, not only the first. Ranges come from the registry of fields; only rules
 //! that join two fields are written out here.
+//!
+//! What has been checked is a type of its own, so that nothing else can be simulated.
+
+use std::ops::Deref;
 
 use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
 use super::{Impact, Projectile, Scenario, doubt};
 use crate::plain_text::printable;
 
-/// Everything that is wrong with the values, in the order of the fields.
-///
-/// # Errors
-/// Names each field that is out of range.
-pub fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
-    let ranges = FIELDS
-        .iter()
-        .filter_map(|field| check_field(field, scenario));
-    let rules = behind_bone(scenario)
-        .into_iter()
-        .chain(too_high(scenario))
-        .chain(unknown_marks(scenario));
-    outcome(ranges.chain(rules).chain(doubt::check(scenario)).collect())
+/// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
+/// be changed; change a [`Scenario`] and check it again.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CheckedScenario(Scenario);
+
+impl Scenario {
+    /// The same as something that can be simulated.
+    ///
+    /// # Errors
+    /// Names every field that is not allowed, its value and what would be, in the order of the fields.
+    pub fn check(&self) -> Result<CheckedScenario, ScenarioError> {
+        let ranges = FIELDS.iter().filter_map(|field| check_field(field, self));
+        let rules = behind_bone(self)
+            .into_iter()
+            .chain(too_high(self))
+            .chain(unknown_marks(self));
+        outcome(ranges.chain(rules).chain(doubt::check(self)).collect())?;
+        Ok(CheckedScenario(self.clone()))
+    }
+}
+
+impl Deref for CheckedScenario {
+    type Target = Scenario;
+
+    fn deref(&self) -> &Scenario {
+        &self.0
+    }
+}
+
+impl From<CheckedScenario> for Scenario {
+    fn from(checked: CheckedScenario) -> Self {
+        checked.0
+    }
+}
+
+impl CheckedScenario {
+    /// The same by a name that need not be one of a file: it changes no figure.
+    #[cfg(feature = "app")]
+    pub(crate) fn renamed(mut self, name: String) -> Self {
+        self.0.name = name;
+        self
+    }
 }
 
 /// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
@@ -164,7 +197,7 @@ mod tests {
 
     #[test]
     fn the_default_scenario_is_sound() {
-        assert_eq!(check(&Scenario::default()), Ok(()));
+        assert_eq!(Scenario::default().check(), Ok(CheckedScenario::default()));
     }
 
     #[test]
@@ -180,7 +213,7 @@ mod tests {
             panic!()
         };
         pulse.angle_deg = -10.5;
-        let error = check(&scenario).unwrap_err();
+        let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(
             fields,
@@ -201,7 +234,7 @@ mod tests {
             impact: Impact::Projectile(shot),
             ..Scenario::default()
         };
-        let error = check(&scenario).unwrap_err();
+        let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(fields, ["impact.angle_deg", "impact.unverified"]);
         assert!(error.problems[1].message.contains("colour"));

@@ -6,7 +6,6 @@
 use std::path::Path;
 
 use super::Scenario;
-use super::check::check;
 use super::curve_file::{Beside, with_files};
 use super::locate::locate;
 use super::problem::{Problem, ScenarioError};
@@ -38,7 +37,7 @@ fn parse_beside(text: &str, origin: &str, beside: &Beside) -> Result<Scenario, S
     let text = without_mark(text);
     let scenario: Scenario =
         with_files(beside, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
-    check(&scenario).map_err(|mut error| {
+    scenario.check().map_err(|mut error| {
         for problem in &mut error.problems {
             let (line, column) = locate(text, &problem.field);
             (problem.line, problem.column) = (Some(line), Some(column));

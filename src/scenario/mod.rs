@@ -6,7 +6,7 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
-pub mod check;
+mod check;
 mod curve;
 mod curve_file;
 pub mod doubt;
@@ -24,6 +24,7 @@ pub mod text_file;
 
 use std::collections::BTreeMap;
 
+pub use check::CheckedScenario;
 pub use curve::{Curve, CurveError};
 use curve_file::CurveFile;
 pub use integrator::Integrator;

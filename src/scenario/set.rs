@@ -77,8 +77,8 @@ fn put<T: DeserializeOwned>(
 }
 
 /// Sets the field or group at a dotted path, as in `impact.force_n`, `450`. On an error the
-/// scenario is left as it was. The file of a curve is looked for from the working directory. Rules that join two fields are not applied: see
-/// [`super::check::check`].
+/// scenario is left as it was. The file of a curve is looked for from the working directory. Rules that
+/// join two fields are not applied: see [`Scenario::check`].
 ///
 /// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older doubt:
 /// what is written is what holds.

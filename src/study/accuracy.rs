@@ -12,7 +12,7 @@ use super::results::Results;
 use super::statistics::median;
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -146,7 +146,7 @@ fn part(watch: Watch, from: f64, size: f64) -> impl FnMut(f64) -> ControlFlow<()
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
-pub fn measure(scenario: &Scenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
+pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
     let case = Case::new(scenario);
     let method = case.rules().reference;
     let reference = Plan {
@@ -243,7 +243,7 @@ fn measure_level(
     let mut other = scenario.clone();
     other.eye.level = level;
     other.numerics = crate::scenario::NumericsInput::default();
-    let case = Case::new(&other);
+    let case = Case::new(&other.check()?);
     let plan = case.plan_alone(&other)?;
     let rounds = if level < 3 { 3 } else { 1 };
     let mut times = Vec::new();
@@ -284,7 +284,7 @@ mod tests {
         };
         for limit in [0.0, 0.05, 0.3, 0.62, 0.9] {
             let (mut last, mut after) = (0.0, 0);
-            let outcome = measure(&scenario, 2, &mut |share| {
+            let outcome = measure(&scenario.check().unwrap(), 2, &mut |share| {
                 assert!((last..=1.0).contains(&share), "{share} after {last}");
                 after += usize::from(last > limit);
                 last = share;
@@ -306,7 +306,7 @@ mod tests {
             window_ms: 0.4,
             ..Scenario::default()
         };
-        let report = measure(&scenario, 2, &mut unwatched).unwrap();
+        let report = measure(&scenario.check().unwrap(), 2, &mut unwatched).unwrap();
         let front: Vec<&Point> = report.points.iter().filter(|p| p.on_front).collect();
         assert!(!front.is_empty());
         for a in &front {

@@ -7,7 +7,7 @@
 use super::case::{Case, Refusal, unwatched};
 use super::results::Results;
 use crate::recording::Keep;
-use crate::scenario::Scenario;
+use crate::scenario::CheckedScenario;
 use rayon::prelude::*;
 
 /// What a batch gives for one scenario.
@@ -23,7 +23,7 @@ pub struct Outcome {
 ///
 /// # Errors
 /// As for any run.
-pub fn solve_one(scenario: &Scenario) -> Result<Outcome, Refusal> {
+pub fn solve_one(scenario: &CheckedScenario) -> Result<Outcome, Refusal> {
     let case = Case::new(scenario);
     let plan = case.plan_alone(scenario)?;
     let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
@@ -35,7 +35,7 @@ pub fn solve_one(scenario: &Scenario) -> Result<Outcome, Refusal> {
 }
 
 /// Solves all scenarios on all cores of the current thread pool.
-pub fn solve_all(scenarios: &[Scenario]) -> Vec<Result<Outcome, Refusal>> {
+pub fn solve_all(scenarios: &[CheckedScenario]) -> Vec<Result<Outcome, Refusal>> {
     scenarios.par_iter().map(solve_one).collect()
 }
 
@@ -46,7 +46,8 @@ mod tests {
 
     #[test]
     fn a_batch_gives_the_same_bits_on_any_number_of_threads() {
-        let scenarios: Vec<Scenario> = (0..12).map(|i| scene(i, 3)).collect();
+        let scenarios: Vec<CheckedScenario> =
+            (0..12).map(|i| scene(i, 3).check().unwrap()).collect();
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)

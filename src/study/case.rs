@@ -9,7 +9,8 @@ use crate::dynamics::{
 use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
-use crate::scenario::{Impact, Scenario};
+use crate::scenario::problem::ScenarioError;
+use crate::scenario::{CheckedScenario, Impact, Scenario};
 use std::ops::ControlFlow;
 
 /// More than this takes longer than half an hour.
@@ -18,6 +19,9 @@ const MOST_SPRING_EVALUATIONS: f64 = 1e12;
 /// Why a scenario cannot be run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Refusal {
+    /// What was made of the scenario, as on a finer mesh, is not allowed.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
     /// The asked step could blow up.
     #[error(
         "numerics.step_us: {step_us} is above the stability limit of {integrator} on this mesh: \
@@ -67,6 +71,19 @@ pub enum Refusal {
     /// Whoever watched wanted no more of it.
     #[error("cancelled")]
     Cancelled,
+}
+
+impl Refusal {
+    /// Whether another input would help.
+    pub fn is_of_input(&self) -> bool {
+        match self {
+            Self::Scenario(_)
+            | Self::StepAboveLimit { .. }
+            | Self::TooMuchWork { .. }
+            | Self::IntegratorUnfit { .. } => true,
+            Self::Diverged(_) | Self::ToleranceNotMet { .. } | Self::Cancelled => false,
+        }
+    }
 }
 
 /// Is told the share of the window that has been simulated, now and then, and may stop the run.
@@ -136,14 +153,14 @@ pub struct Solution {
 }
 
 impl Case {
-    /// Compiles a validated scenario.
-    pub fn new(scenario: &Scenario) -> Self {
+    /// Compiles a scenario.
+    pub fn new(scenario: &CheckedScenario) -> Self {
         Self::with(scenario, false, false)
     }
 
-    /// Compiles a validated scenario; `whole` leaves symmetry unused, `portable` asks for the
+    /// Compiles a scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
-    pub fn with(scenario: &Scenario, whole: bool, portable: bool) -> Self {
+    pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
         let eye = Eye::of(scenario);
         let (pulse, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),

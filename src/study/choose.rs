@@ -13,7 +13,7 @@ use super::rules::{Automatic, share_for};
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 
 /// The finest level that is tried: the next would take a minute.
 pub const FINEST_TRIED: u32 = 6;
@@ -28,7 +28,7 @@ pub struct Chosen {
     /// The answer, its mesh error included.
     pub answer: Answer,
     /// The scenario with the chosen level.
-    pub scenario: Scenario,
+    pub scenario: CheckedScenario,
     /// What was tried and chosen, a sentence each.
     pub reasons: Vec<String>,
 }
@@ -44,16 +44,16 @@ fn of_damage(errors: &Results) -> f64 {
 /// # Errors
 /// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.
 pub fn within(
-    scenario: &Scenario,
+    scenario: &CheckedScenario,
     percent: f64,
     keep: Keep,
     watch: Watch,
 ) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
     let mut best = f64::INFINITY;
-    let mut at = scenario.clone();
+    let mut at = Scenario::from(scenario.clone());
     at.eye.level = 1;
-    let mut case = Case::new(&at);
+    let mut case = Case::new(&at.check()?);
     let (mut results, mut folded) = at_level(&at, 1, &case, watch)?;
     for level in 1..=FINEST_TRIED {
         if let Some(time) = folded {
@@ -65,9 +65,9 @@ pub fn within(
                 ),
             });
         }
-        let mut finer = scenario.clone();
+        let mut finer = Scenario::from(scenario.clone());
         finer.eye.level = level + 1;
-        let finer_case = Case::new(&finer);
+        let finer_case = Case::new(&finer.check()?);
         let (finer_like_this, finer_folded) = at_level(&finer, level + 1, &case, watch)?;
         let mesh = between(level, &results, level + 1, &finer_like_this);
         let mesh_error = of_damage(&mesh);
@@ -81,7 +81,7 @@ pub fn within(
             answer.errors.mesh = Some(mesh);
             return Ok(Chosen {
                 answer,
-                scenario: at,
+                scenario: at.check()?,
                 reasons,
             });
         }

@@ -133,7 +133,11 @@ pub fn check(
 }
 
 fn check_one(index: u32, seed: u32) -> Result<Checked, Refusal> {
-    let answer = solve(&scene(index, seed), Keep::default(), &mut unwatched)?;
+    let answer = solve(
+        &scene(index, seed).check()?,
+        Keep::default(),
+        &mut unwatched,
+    )?;
     let fine = Plan {
         multiple: answer.plan.multiple * REFERENCE_FINENESS,
         ..answer.plan
@@ -226,7 +230,7 @@ mod tests {
         for seed in [0, 1, u32::MAX] {
             for index in (0..2000).chain([MOST_SCENES - 1]) {
                 let scene = scene(index, seed);
-                assert!(crate::scenario::check::check(&scene).is_ok(), "{scene:?}");
+                assert!(scene.check().is_ok(), "{scene:?}");
             }
         }
     }

@@ -22,8 +22,7 @@ use super::results::Results;
 use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::median;
 use crate::injury::Blow;
-use crate::scenario::Scenario;
-use crate::scenario::check::check;
+use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -113,6 +112,7 @@ fn put_slope(results: &mut Results, blow: Option<Blow>, slope: f64) {
 /// What a refusal is counted under.
 fn name(refusal: &Refusal) -> String {
     match refusal {
+        Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
         Refusal::Diverged(_) => "diverged",
@@ -125,7 +125,7 @@ fn name(refusal: &Refusal) -> String {
 
 /// What every sample needs.
 struct Job<'a> {
-    scenario: &'a Scenario,
+    scenario: &'a CheckedScenario,
     inputs: &'a [Input],
     seed: u32,
     cap: Option<f64>,
@@ -146,19 +146,26 @@ impl Job<'_> {
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
         let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
-        if let Err(error) = check(&scenario) {
+        let checked = scenario.check().map_err(|error| {
             let field = error.problems.first().map_or("", |p| p.field.as_str());
-            let outcome = Err(format!("{field} not allowed"));
-            return Some(Sample { drawn, outcome });
-        }
+            format!("{field} not allowed")
+        });
+        let checked = match checked {
+            Ok(checked) => checked,
+            Err(why) => {
+                let outcome = Err(why);
+                return Some(Sample { drawn, outcome });
+            }
+        };
         let mut watch = self.watch();
         let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
         let run = if wants_check { compared } else { single };
-        let mut outcome = run(&scenario, self.cap, &mut watch);
+        let mut outcome = run(&checked, self.cap, &mut watch);
         if let Err(Refusal::StepAboveLimit { .. }) = outcome {
             // Left out, the stiff eyes would be missing from the bands.
             scenario.numerics.step_us = None;
-            outcome = run(&scenario, self.cap, &mut watch);
+            let free = scenario.check().map_err(Refusal::Scenario);
+            outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
         }
         let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
         let outcome = outcome.map(|mut point| {
@@ -229,13 +236,13 @@ fn longest_step(pilot: &[Sample]) -> f64 {
         .map_or(f64::INFINITY, |step| HEADROOM * step)
 }
 
-/// Runs `count` samples of `scenario`, which must have been checked. `watch` is told the share done
+/// Runs `count` samples of `scenario`. `watch` is told the share done
 /// after each; where it breaks, or `stop` is set, the samples done so far are the result.
 ///
 /// # Errors
 /// Whatever the scenario itself is refused for.
 pub fn run(
-    scenario: &Scenario,
+    scenario: &CheckedScenario,
     (count, seed): (u32, u32),
     stop: &AtomicBool,
     watch: SharedWatch,
@@ -299,7 +306,13 @@ mod tests {
     }
 
     fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
-        run(scenario, (count, seed), &AtomicBool::new(false), &go).unwrap()
+        run(
+            &scenario.check().unwrap(),
+            (count, seed),
+            &AtomicBool::new(false),
+            &go,
+        )
+        .unwrap()
     }
 
     #[test]
@@ -328,7 +341,7 @@ mod tests {
                 ControlFlow::Continue(())
             }
         };
-        let part = run(&quick(), (40, 1), &stop, &early).unwrap();
+        let part = run(&quick().check().unwrap(), (40, 1), &stop, &early).unwrap();
         assert!(part.stopped() && !whole.stopped());
         assert!(
             (8..40).contains(&part.samples.len()),
@@ -341,8 +354,8 @@ mod tests {
     #[test]
     fn seeds_differ_and_what_is_known_for_sure_has_no_band() {
         let mut sure = quick();
-        for spread in super::super::spreads::SPREADS {
-            sure.doubt.insert(spread.path.to_owned(), 0.0);
+        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
+            sure.doubt.insert(input.field.path.to_owned(), 0.0);
         }
         let first = ensemble(&sure, 8, 1);
         assert_eq!(first.inputs.len(), 1);

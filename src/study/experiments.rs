@@ -378,12 +378,11 @@ pub static EXPERIMENTS: &[Experiment] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::check::check;
 
     #[test]
     fn every_experiment_is_a_sound_scenario_with_a_name_of_its_own() {
         for (i, experiment) in EXPERIMENTS.iter().enumerate() {
-            assert_eq!(check(&(experiment.scenario)()), Ok(()));
+            assert_eq!((experiment.scenario)().check().err(), None);
             assert!(!EXPERIMENTS[..i].iter().any(|e| e.key == experiment.key));
             assert!(experiment.measured.holds(match experiment.measured {
                 Band::Below(limit) => 0.99 * limit,

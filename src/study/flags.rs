@@ -319,13 +319,13 @@ fn of_shot(
 mod tests {
     use super::*;
     use crate::recording::Keep;
-    use crate::scenario::Scenario;
+    use crate::scenario::CheckedScenario;
     use crate::study::{solve, unwatched};
     use FlagKind::{MeshFolded, NotPredictable, Unconverged};
 
     #[test]
     fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
-        let answer = solve(&Scenario::default(), Keep::default(), &mut unwatched).unwrap();
+        let answer = solve(&CheckedScenario::default(), Keep::default(), &mut unwatched).unwrap();
         let mut extremes = answer.recording.extremes;
         let mut kinds = |folded_at, error, disagreement| -> Vec<FlagKind> {
             extremes.folded_at = folded_at;

@@ -82,7 +82,7 @@ mod tests {
             traces: false,
             frames: Some(spacing),
         };
-        let kept = solve(&scenario, keep, &mut unwatched).unwrap();
+        let kept = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
         let mut streamed = Vec::new();
         let take = &mut |frame| {
             streamed.push(frame);

@@ -11,7 +11,7 @@ use super::results::Results;
 use super::solve::{Answer, solve_case};
 use crate::dynamics::{Integrator, Piece, Plan};
 use crate::recording::Keep;
-use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -138,7 +138,7 @@ fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
 /// The standard case by `integrator` at `share` of its stability limit.
 fn at_limit(share: f64, integrator: Integrator) -> Scenario {
     let mut scenario = Scenario::default();
-    let limit = Case::new(&scenario).step_limit(integrator);
+    let limit = Case::new(&CheckedScenario::default()).step_limit(integrator);
     scenario.numerics.integrator = Some(integrator);
     scenario.numerics.step_us = Some((share * limit * 1e10).round() * 1e-4);
     scenario
@@ -200,12 +200,12 @@ pub fn cases() -> Vec<HardCase> {
 
 impl HardCase {
     /// The case compiled, with its start.
-    fn compiled(&self) -> Case {
-        let mut case = Case::new(&self.scenario);
+    fn compiled(&self) -> Result<Case, Refusal> {
+        let mut case = Case::new(&self.scenario.check()?);
         let marks = &case.eye.landmarks;
         let place = |n: usize| (case.system.place(n), case.eye.nodes[n].position);
         match self.start {
-            Start::Rest => return case,
+            Start::Rest => return Ok(case),
             Start::OnOneSpot => {
                 let quarter = marks.shell.len() / 4;
                 let (moved, _) = place(marks.shell[quarter]);
@@ -222,17 +222,14 @@ impl HardCase {
         // What brought the nodes there counts as work, so that the energies add up.
         let survey = case.start.clone().evaluate(&case.system, Piece::Nothing);
         case.start.work = survey.elastic + survey.kinetic;
-        case
+        Ok(case)
     }
 
     /// Solves the case and its references and compares.
     pub fn run(&self) -> Outcome {
-        let solved = solve_case(
-            self.compiled(),
-            &self.scenario,
-            Keep::default(),
-            &mut unwatched,
-        );
+        let solved = self
+            .compiled()
+            .and_then(|case| solve_case(case, &self.scenario, Keep::default(), &mut unwatched));
         let answer = match solved {
             Ok(answer) => answer,
             Err(refusal) => {

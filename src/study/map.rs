@@ -10,7 +10,6 @@ use super::ordered;
 use super::point::single;
 use super::quantity::Quantity;
 use super::sweep::spaced;
-use crate::scenario::check::check;
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
 use std::ops::ControlFlow;
@@ -116,9 +115,9 @@ pub fn scenario_at(
 }
 
 fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
-    if check(scenario).is_err() {
+    let Ok(scenario) = scenario.check() else {
         return Some(Spot::Refused);
-    }
+    };
     let mut watch = |_: f64| {
         if stop.load(Ordering::Relaxed) {
             ControlFlow::Break(())
@@ -126,7 +125,7 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
             ControlFlow::Continue(())
         }
     };
-    match single(scenario, None, &mut watch) {
+    match single(&scenario, None, &mut watch) {
         Ok(point) => Some(match point.values[Quantity::Damage] {
             Some(value) if point.folded() => Spot::Folded(value),
             Some(value) => Spot::Damage(value),

@@ -45,7 +45,7 @@ fn with_mass(
     other.eye.level = level;
     // The mesh error is far larger than the step error of the automatic step.
     other.numerics = NumericsInput::default();
-    let case = Case::new(&other);
+    let case = Case::new(&other.check()?);
     let plan = case.plan_alone(&other)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
     let extremes = &solution.recording.extremes;

@@ -17,7 +17,7 @@ use super::rules::{LONGEST_SHARE, share_for};
 use super::solve::solve_by;
 use crate::dynamics::Plan;
 use crate::recording::{Extremes, Keep};
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 
 /// The step error that runs among many keep to, in %.
 pub const PROMISE_PERCENT: f64 = 0.1;
@@ -81,11 +81,15 @@ fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refu
     Ok(plan)
 }
 
-/// Runs a checked scenario once, with steps up to `cap`, in s, or else the automatic ones.
+/// Runs a scenario once, with steps up to `cap`, in s, or else the automatic ones.
 ///
 /// # Errors
 /// As for any run.
-pub fn single(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Point, Refusal> {
+pub fn single(
+    scenario: &CheckedScenario,
+    cap: Option<f64>,
+    watch: Watch,
+) -> Result<Point, Refusal> {
     let case = Case::new(scenario);
     let plan = plan(scenario, &case, cap)?;
     let solution = case.run(&plan, Keep::default(), watch)?;
@@ -96,7 +100,7 @@ pub fn single(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Poi
 ///
 /// # Errors
 /// As for any run.
-pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
+pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusal> {
     let case = Case::new(scenario);
     let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, Keep::default(), watch)?;
@@ -129,7 +133,11 @@ pub fn checked(scenario: &Scenario, watch: Watch) -> Result<Point, Refusal> {
 ///
 /// # Errors
 /// As for any run.
-pub fn compared(scenario: &Scenario, cap: Option<f64>, watch: Watch) -> Result<Point, Refusal> {
+pub fn compared(
+    scenario: &CheckedScenario,
+    cap: Option<f64>,
+    watch: Watch,
+) -> Result<Point, Refusal> {
     let case = Case::new(scenario);
     let mut plan = plan(scenario, &case, cap)?;
     let mut run = |plan: &Plan| case.run(plan, Keep::default(), &mut *watch);
@@ -175,7 +183,7 @@ mod tests {
 
     #[test]
     fn both_checks_shorten_the_step_until_the_promise_is_kept() {
-        let scenario = Scenario::default();
+        let scenario = CheckedScenario::default();
         let stated = checked(&scenario, &mut unwatched).unwrap();
         let check = stated.check.unwrap();
         assert!(check.last <= PROMISE_PERCENT && check.first >= check.last);
@@ -194,10 +202,10 @@ mod tests {
     fn a_rough_step_is_refined_and_what_it_would_have_been_is_said() {
         let mut scenario = Scenario::default();
         scenario.numerics.integrator = Some(crate::scenario::Integrator::VelocityVerlet);
-        let point = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
+        let point = compared(&scenario.check().unwrap(), Some(1.0), &mut unwatched).unwrap();
         let check = point.check.unwrap();
         assert!(check.first > PROMISE_PERCENT && check.last <= PROMISE_PERCENT);
-        let exact = compared(&Scenario::default(), Some(1e-6), &mut unwatched).unwrap();
+        let exact = compared(&CheckedScenario::default(), Some(1e-6), &mut unwatched).unwrap();
         for (quantity, a) in point.values.present() {
             let b = exact.values[quantity].unwrap();
             assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
@@ -208,7 +216,7 @@ mod tests {
     fn a_step_of_the_persons_own_stays() {
         let mut scenario = Scenario::default();
         scenario.numerics.step_us = Some(2.0);
-        let case = Case::new(&scenario);
+        let case = Case::new(&scenario.check().unwrap());
         assert_eq!(plan(&scenario, &case, Some(1.0)).unwrap().step, 2e-6);
     }
 }

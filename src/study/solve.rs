@@ -10,7 +10,7 @@ use super::step_error::{second_plan, stated};
 use crate::dynamics::{Cost, Plan};
 use crate::injury::{DamageIndex, Risk, assess};
 use crate::recording::{Keep, Recording};
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -89,7 +89,7 @@ impl Answer {
     }
 }
 
-/// Answers `scenario`, which must have been checked, under the eyes of `watch`.
+/// Answers `scenario` under the eyes of `watch`.
 ///
 /// An automatic step is shortened until every leading result's step error is below 1 %, unless
 /// the mesh folds, where no step helps.
@@ -97,7 +97,7 @@ impl Answer {
 /// # Errors
 /// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
 /// watch stops.
-pub fn solve(scenario: &Scenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
+pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     solve_case(Case::new(scenario), scenario, keep, watch)
 }
 

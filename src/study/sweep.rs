@@ -10,12 +10,11 @@ use super::case::{Refusal, Watch};
 use super::point::{Point, checked};
 use super::quantity::Quantity;
 use crate::injury::{Blow, Caution};
-use crate::scenario::Scenario;
-use crate::scenario::check::check;
 use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::set;
+use crate::scenario::{CheckedScenario, Scenario};
 
 /// Most rows of a grid.
 pub const MOST_ROWS: usize = 10_000_000;
@@ -159,19 +158,21 @@ impl Sweep {
     ///
     /// # Errors
     /// Where the values together are not allowed.
-    pub fn scenario(&self, row: usize) -> Result<Scenario, ScenarioError> {
+    pub fn scenario(&self, row: usize) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         for (axis, value) in self.axes.iter().zip(self.values(row)) {
             set(&mut scenario, &axis.path, value)?;
         }
-        check(&scenario)?;
-        Ok(scenario)
+        scenario.check()
     }
 
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
         let scenario = self.scenario(number);
-        let blow = scenario.as_ref().ok().and_then(Blow::of);
+        let blow = scenario
+            .as_ref()
+            .ok()
+            .and_then(|scenario| Blow::of(scenario));
         let caution = blow.and_then(|blow| blow.caution());
         let outcome = match scenario {
             Err(error) => Err(error.to_string()),

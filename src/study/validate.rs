@@ -87,7 +87,10 @@ pub(super) fn rows_of(
         .flat_map_iter(|(scenario, members)| {
             let scenario = change(scenario);
             let asked: Vec<_> = members.iter().map(|m| m.1).collect();
-            let answer = solve(&scenario, keep(&asked), &mut unwatched);
+            let answer = scenario
+                .check()
+                .map_err(Refusal::Scenario)
+                .and_then(|scenario| solve(&scenario, keep(&asked), &mut unwatched));
             let finer = finer(&scenario, keep(&asked));
             members.into_iter().map(move |(place, experiment)| {
                 let row = match &answer {
@@ -145,7 +148,7 @@ fn finer(scenario: &Scenario, keep: Keep) -> Option<(Eye, Recording)> {
 }
 
 fn single(scenario: &Scenario, keep: Keep) -> Result<(Eye, Recording), Refusal> {
-    let case = Case::new(scenario);
+    let case = Case::new(&scenario.check()?);
     let mut plan = case.plan(scenario)?;
     // An answer takes a finer run as well; this one stands alone.
     plan.step *= 0.5;

@@ -199,12 +199,12 @@ pub fn peak_at(answer: &Answer, time: f64) -> Option<String> {
 mod tests {
     use super::*;
     use crate::recording::{Keep, Spacing};
-    use crate::scenario::Scenario;
+    use crate::scenario::CheckedScenario;
     use crate::study::{solve, unwatched};
 
     #[test]
     fn g_visits_every_peak_in_order_and_goes_round() {
-        let answer = solve(&Scenario::default(), Keep::default(), &mut unwatched).unwrap();
+        let answer = solve(&CheckedScenario::default(), Keep::default(), &mut unwatched).unwrap();
         let all = peaks(&answer);
         let mut clock = Clock {
             moment: Moment::At(0.0),
@@ -239,7 +239,7 @@ mod tests {
                 every: 1e-4,
             }),
         };
-        let answer = solve(&Scenario::default(), keep, &mut unwatched).unwrap();
+        let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
         let frames = &answer.recording.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);
         assert!(!clock.playing);

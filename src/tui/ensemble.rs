@@ -32,7 +32,8 @@ impl Question for RunSamples {
     /// What is stopped gives the samples done.
     fn answer(&self, watch: Watch) -> Result<Ensemble, Refusal> {
         let count = (self.count, SEED);
-        overseen(watch, |stop, watch| run(&self.scenario, count, stop, watch))
+        let scenario = self.scenario.check()?;
+        overseen(watch, |stop, watch| run(&scenario, count, stop, watch))
     }
 }
 

@@ -6,7 +6,6 @@
 use tui_input::Input;
 
 use super::step::Step;
-use crate::scenario::check::check;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
@@ -215,7 +214,7 @@ pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scena
         Kind::Toggle(_) => format!("allowed {}", allowed(field)),
         _ => words(&error),
     })?;
-    check(&changed).map_err(|error| words(&error))?;
+    changed.check().map_err(|error| words(&error))?;
     Ok(changed)
 }
 
@@ -283,7 +282,7 @@ pub fn nudged(
             return Err("Enter opens it for typing".to_owned());
         }
     }
-    check(&changed).map_err(|error| words(&error))?;
+    changed.check().map_err(|error| words(&error))?;
     Ok(changed)
 }
 

@@ -24,7 +24,7 @@ impl Question for Simulate {
     type Answer = Answer;
 
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
-        solve(&self.0, keep(&self.0), watch)
+        solve(&self.0.check()?, keep(&self.0), watch)
     }
 }
 

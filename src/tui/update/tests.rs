@@ -48,7 +48,11 @@ fn running(model: &Model) -> Ticket {
 }
 
 fn answer(model: &mut Model, ticket: Ticket) {
-    let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
+    let answer = simulate(
+        &model.work.scenario.check().unwrap(),
+        Keep::default(),
+        &mut unwatched,
+    );
     let report = Report::done::<Simulate>(ticket, answer);
     update(model, Message::News(report));
 }
@@ -259,7 +263,11 @@ fn marks_are_simulated_one_after_another() {
     let effects = press(&mut model, "\x1b4j j ");
     let (first, _) = asked::<SimulateMarked>(&effects).unwrap();
     let done = |model: &mut Model, ticket| {
-        let answer = simulate(&model.work.scenario, Keep::default(), &mut unwatched);
+        let answer = simulate(
+            &model.work.scenario.check().unwrap(),
+            Keep::default(),
+            &mut unwatched,
+        );
         let report = Report::done::<SimulateMarked>(ticket, answer);
         update(model, Message::News(report))
     };

@@ -24,7 +24,8 @@ impl MeasureAccuracy {
     /// The measurement for a scenario.
     pub fn of(scenario: &Scenario) -> Self {
         Self(Scenario {
-            name: String::new(),
+            // No name would be refused.
+            name: "any".to_owned(),
             numerics: NumericsInput::default(),
             ..scenario.clone()
         })
@@ -35,7 +36,7 @@ impl Question for MeasureAccuracy {
     type Answer = Accuracy;
 
     fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
-        measure(&self.0, FINEST, watch)
+        measure(&self.0.check()?, FINEST, watch)
     }
 }
 

@@ -203,7 +203,8 @@ mod tests {
         for name in ["paper-300n", "paper-100n", "paper-600n"] {
             let scenario = library::find(name).unwrap().scenario().unwrap();
             comparison.mark(name, &scenario).unwrap();
-            let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+            let checked = scenario.check().unwrap();
+            let answer = solve(&checked, Keep::default(), &mut unwatched).unwrap();
             comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
         }
         comparison

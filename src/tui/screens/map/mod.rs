@@ -4,7 +4,6 @@ pub mod state;
 mod view;
 
 use super::{Mouse, Pane, Screen};
-use crate::scenario::check::check;
 use crate::tui::form::words;
 use crate::tui::keys::shared::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
@@ -81,7 +80,7 @@ fn adopt(model: &mut Model) {
     let Some(scenario) = model.screens.map.adopted(&model.work.scenario) else {
         return;
     };
-    if let Err(error) = check(&scenario) {
+    if let Err(error) = scenario.check() {
         model.notice = Some(words(&error));
         return;
     }
