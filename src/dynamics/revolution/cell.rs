@@ -74,6 +74,15 @@ struct Section {
     radius: f64,
 }
 
+/// The left Cauchy-Green tensor, and a third of its trace.
+struct Strain {
+    xx: f64,
+    xr: f64,
+    rr: f64,
+    hh: f64,
+    third: f64,
+}
+
 impl Response {
     fn push(&mut self, corner: usize, pressure: f64, gradient: Point) {
         self.force[corner].0 += pressure * gradient.0;
@@ -105,6 +114,15 @@ pub(super) fn volume<const N: usize>(p: [Point; N]) -> (f64, [Point; N]) {
         gradient[k].1 -= FRAC_PI_3 * along * (a.1 + 2.0 * b.1);
     }
     (sum, gradient)
+}
+
+/// The volume alone.
+fn swept<const N: usize>(p: [Point; N]) -> f64 {
+    let edge = |i: usize| {
+        let (a, b) = (p[i], p[(i + 1) % N]);
+        (b.0 - a.0) * (a.1 * a.1 + a.1 * b.1 + b.1 * b.1)
+    };
+    -FRAC_PI_3 * (0..N).map(edge).sum::<f64>()
 }
 
 fn rate<const N: usize>(gradient: &[Point; N], v: &[Point; N]) -> f64 {
@@ -204,6 +222,18 @@ impl Rest {
         response
     }
 
+    /// Stored, J, with corners at `p`: what [`Self::respond`] gives, for less work.
+    pub fn energy(&self, p: [Point; 4]) -> f64 {
+        let j = (swept(p) / self.volume).max(FLAT);
+        let mut energy = self.bulk * self.volume * (j - 1.0 - j.ln());
+        for (i, at_rest) in self.triangles.iter().enumerate() {
+            let (_, stored) = subzonal(swept(triangle(i).map(|k| p[k])) / at_rest);
+            energy += 0.5 * self.subzonal * at_rest * stored;
+        }
+        let (strain, isochoric) = self.strain(&self.section(p));
+        energy + 1.5 * self.volume * self.shear * (isochoric * strain.third - 1.0)
+    }
+
     fn section(&self, p: [Point; 4]) -> Section {
         let (a, b) = diagonals(p);
         let det = (a.0 * b.1 - b.0 * a.1).max(FLAT * 2.0 * self.area);
@@ -220,23 +250,14 @@ impl Rest {
     /// diagonals are mapped exactly by them.
     fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
         let Section { a, b, det, .. } = *section;
-        let d = &self.diagonals;
-        let f = [
-            a.0 * d[0] + b.0 * d[2],
-            a.0 * d[1] + b.0 * d[3],
-            a.1 * d[0] + b.1 * d[2],
-            a.1 * d[1] + b.1 * d[3],
-        ];
-        let hoop = section.radius / self.radius;
-        let jf = det / (2.0 * self.area) * hoop;
-        let (xx, xr, rr, hh) = (
-            f[0] * f[0] + f[1] * f[1],
-            f[0] * f[2] + f[1] * f[3],
-            f[2] * f[2] + f[3] * f[3],
-            hoop * hoop,
-        );
-        let third = (xx + rr + hh) / 3.0;
-        let isochoric = jf.powf(-2.0 / 3.0);
+        let (strain, isochoric) = self.strain(section);
+        let Strain {
+            xx,
+            xr,
+            rr,
+            hh,
+            third,
+        } = strain;
         let g = self.shear * isochoric * self.volume;
         response.energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
 
@@ -269,6 +290,33 @@ impl Rest {
             force.0 -= corner.0;
             force.1 -= corner.1 + out;
         }
+    }
+
+    /// The strain in the middle, and the factor that takes the change of volume out of it.
+    fn strain(&self, section: &Section) -> (Strain, f64) {
+        let Section { a, b, det, .. } = *section;
+        let d = &self.diagonals;
+        let f = [
+            a.0 * d[0] + b.0 * d[2],
+            a.0 * d[1] + b.0 * d[3],
+            a.1 * d[0] + b.1 * d[2],
+            a.1 * d[1] + b.1 * d[3],
+        ];
+        let hoop = section.radius / self.radius;
+        let (xx, rr, hh) = (
+            f[0] * f[0] + f[1] * f[1],
+            f[2] * f[2] + f[3] * f[3],
+            hoop * hoop,
+        );
+        let strain = Strain {
+            xx,
+            xr: f[0] * f[2] + f[1] * f[3],
+            rr,
+            hh,
+            third: (xx + rr + hh) / 3.0,
+        };
+        let change = det / (2.0 * self.area) * hoop;
+        (strain, change.powf(-2.0 / 3.0))
     }
 
     /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and

@@ -13,8 +13,6 @@ pub(super) struct Plain {
     /// Of each cell in the mean pressure and in the sensor's.
     weights: Vec<(f64, f64)>,
     pressures: Vec<f64>,
-    /// Elastic energy after `forces`, J.
-    pub energy: f64,
 }
 
 impl Plain {
@@ -29,8 +27,15 @@ impl Plain {
             pressures: vec![0.0; cells.len()],
             cells,
             eye: eye.clone(),
-            energy: 0.0,
         }
+    }
+}
+
+impl Plain {
+    /// Elastic energy with node n at `at(n)`, J.
+    pub fn energy(&self, at: impl Fn(usize) -> (f64, f64)) -> f64 {
+        let stored = |(rest, corners): &(Rest, [usize; 4])| rest.energy(corners.map(&at));
+        self.cells.iter().map(stored).sum()
     }
 }
 
@@ -73,7 +78,6 @@ impl Cells for Plain {
             volume: 0.0,
             least_triangle: f64::INFINITY,
         };
-        self.energy = 0.0;
         state.fx.fill(0.0);
         state.fr.fill(0.0);
         for (i, (rest, corners)) in self.cells.iter().enumerate() {
@@ -95,7 +99,6 @@ impl Cells for Plain {
             sums.limit = sums.limit.min(response.limit);
             sums.loss += response.loss;
             sums.least_triangle = sums.least_triangle.min(response.least_triangle);
-            self.energy += response.energy;
         }
         sums
     }

@@ -11,7 +11,7 @@ use super::rows::Rows;
 use super::sensor::{Accelerometers, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
-use crate::dynamics::load::Pulse;
+use crate::dynamics::load::{Pulse, Segment};
 use crate::eye::revolution::RevolutionEye;
 use fearless_simd::Level;
 use std::ops::ControlFlow;
@@ -23,7 +23,7 @@ const GROWTH: f64 = 1.05;
 /// Mass by which accelerations become the node forces of the paper, kg.
 const NODE_MASS: f64 = 75e-6;
 /// Balances of energy taken over a window.
-const BALANCES: f64 = 200.0;
+const BALANCES: f64 = 100.0;
 /// Steps between two looks at the watch.
 const WATCH_EVERY: usize = 256;
 
@@ -105,13 +105,16 @@ pub fn run_as(
 /// The load of a pulse on the shell's nodes.
 struct Load {
     pulse: Pulse,
+    segments: Vec<Segment>,
     shares: Vec<f64>,
 }
 
 impl Load {
-    fn force(&self, time: f64, window: f64) -> f64 {
-        let segments = self.pulse.segments(window);
-        let now = segments.iter().find(|s| time >= s.start && time <= s.end);
+    fn force(&self, time: f64) -> f64 {
+        let now = self
+            .segments
+            .iter()
+            .find(|s| time >= s.start && time <= s.end);
         now.map_or(0.0, |s| self.pulse.force(s.piece, time))
     }
 }
@@ -162,7 +165,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             Blow::Pulse(pulse, half_width) => {
                 let shares = Target::shares(eye, *half_width);
                 let pulse = pulse.clone();
-                (None, Some(Load { pulse, shares }))
+                let load = Load {
+                    segments: pulse.segments(window),
+                    pulse,
+                    shares,
+                };
+                (None, Some(load))
             }
         };
         let mut lens = vec![0.0; eye.mass.len()];
@@ -323,7 +331,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             touch = Some(touched);
         }
         if let Some(load) = &self.load {
-            force = load.force(time, self.window);
+            force = load.force(time);
             for (f, share) in fx.iter_mut().zip(&load.shares) {
                 *f += force * share;
             }
@@ -398,13 +406,12 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 
     fn take_balance(&mut self, now: &Instant, kick: f64) {
-        let (mut copy, state) = (self.balance.rest(), &self.state);
-        for node in 0..copy.x.len() {
+        let state = &self.state;
+        let stored = self.balance.energy(|node| {
             let place = self.cells.place(node);
-            (copy.x[node], copy.r[node]) = (state.x[place], state.r[place]);
-        }
-        self.balance.forces(&mut copy);
-        self.energy.elastic = self.balance.energy + now.shell.energy;
+            (state.x[place], state.r[place])
+        });
+        self.energy.elastic = stored + now.shell.energy;
         self.energy.contact = now.touch.map_or(0.0, |t| t.energy);
         self.energy.kinetic = (0..state.x.len())
             .map(|i| {

@@ -70,6 +70,7 @@ proptest! {
         let energy = |at: &[f64]| rest.respond(corners(at), [(0.0, 0.0); 4]).energy;
         let error = worst(&at, 1e-8, &forces, energy);
         prop_assert!(error < 1e-5, "{error:e}");
+        prop_assert!((rest.energy(corners(&at)) / still.energy - 1.0).abs() < 1e-9);
         prop_assert_eq!(still.loss, 0.0);
 
         let v = corners(&speeds);

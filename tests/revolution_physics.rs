@@ -1,0 +1,212 @@
+//! What must hold of the body of revolution whatever its parameters are.
+
+use contrecoup::dynamics::revolution::{
+    BallSpring, Blow, Form, Keep, Object, Outline, Refusal, Run, STEP_SHARE, Surface, run, run_as,
+};
+use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
+use std::ops::ControlFlow;
+
+fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
+    Object {
+        outline: Outline::Sphere(0.5e-3 * diameter_mm),
+        mass: mass_g * 1e-3,
+        speed,
+        surface: Surface::RIGID,
+        spring: None,
+    }
+}
+
+fn soft(object: Object, stiffness: f64) -> Object {
+    let surface = Surface::foundation(stiffness, object.reach());
+    Object { surface, ..object }
+}
+
+fn eye(level: u32, surround: Option<Surround>) -> RevolutionEye {
+    let parameters = Parameters {
+        surround,
+        ..Parameters::default()
+    };
+    RevolutionEye::new(&parameters, level)
+}
+
+fn try_hit(
+    eye: &RevolutionEye,
+    object: Object,
+    window_ms: f64,
+    share: f64,
+) -> Result<Run, Refusal> {
+    let mut watch = |_| ControlFlow::Continue(());
+    let blow = Blow::Object(object);
+    run(
+        eye,
+        &blow,
+        window_ms * 1e-3,
+        share,
+        Keep::default(),
+        &mut watch,
+    )
+}
+
+fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
+    try_hit(eye, object, window_ms, STEP_SHARE).expect("a run")
+}
+
+fn leading(run: &Run) -> [(&'static str, f64); 7] {
+    let e = &run.extremes;
+    [
+        ("pressure", e.pressure.value),
+        ("stress", e.scleral_stress.value),
+        ("shortening", e.shortening.value),
+        ("equator", e.equator_growth.value),
+        ("intrusion", e.intrusion.value),
+        ("energy", e.energy_imparted),
+        ("force", e.filtered_force.value),
+    ]
+}
+
+#[test]
+fn a_free_eye_keeps_momentum_and_every_eye_its_energy() {
+    let free = eye(2, None);
+    let pig = Parameters {
+        shell: ShellParameters::pig(),
+        surround: Some(Surround::gelatin()),
+        ..Parameters::default()
+    };
+    let object = ball(0.345, 4.5, 62.5);
+    let run = hit(&free, object, 1.5);
+    let before = object.mass * object.speed;
+    assert!((run.momentum / before - 1.0).abs() < 1e-9);
+    for eye in [
+        free,
+        eye(2, Some(Surround::orbit())),
+        RevolutionEye::new(&pig, 2),
+    ] {
+        let run = hit(&eye, object, 1.5);
+        assert!(
+            run.extremes.energy_residual < 1e-3,
+            "{}",
+            run.extremes.energy_residual
+        );
+    }
+}
+
+#[test]
+fn a_quarter_of_the_step_gives_the_same_results() {
+    let eye = eye(1, Some(Surround::orbit()));
+    for object in [ball(0.345, 4.5, 60.0), soft(ball(45.9, 42.7, 30.0), 4.6e9)] {
+        let coarse = hit(&eye, object, 1.0);
+        let fine = try_hit(&eye, object, 1.0, 0.25 * STEP_SHARE).expect("a run");
+        for ((what, a), (_, b)) in leading(&coarse).into_iter().zip(leading(&fine)) {
+            println!("{what} {a} {b} {:+.3} %", 100.0 * (a / b - 1.0));
+            let within = if what == "force" { 0.02 } else { 0.004 };
+            assert!((a / b - 1.0).abs() < within, "{what} {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn neighbouring_speeds_give_neighbouring_results() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let runs: Vec<_> = (0..20)
+        .map(|i| {
+            leading(&hit(
+                &eye,
+                ball(0.345, 4.5, 60.0 * (1.0 + 0.0005 * f64::from(i))),
+                0.8,
+            ))
+        })
+        .collect();
+    for pair in runs.windows(2) {
+        for ((what, a), (_, b)) in pair[0].into_iter().zip(pair[1]) {
+            assert!((a / b - 1.0).abs() < 0.02, "{what} {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn nothing_hard_folds_a_cell_at_any_level_or_goes_through() {
+    let objects = [
+        ("BB", ball(0.345, 4.5, 150.0)),
+        ("airsoft", ball(0.2, 6.0, 130.0)),
+        ("paintball", ball(3.0, 17.3, 90.0)),
+        ("golf ball", ball(45.9, 42.7, 60.0)),
+        ("squash ball", ball(24.0, 40.0, 60.0)),
+        ("steel", ball(1.05, 6.35, 66.5)),
+        ("puck", ball(170.0, 76.0, 30.0)),
+        ("pellet", ball(0.5, 4.5, 120.0)),
+    ];
+    for level in [1, 2] {
+        for surround in [Some(Surround::orbit()), Some(Surround::gelatin()), None] {
+            let eye = eye(level, surround);
+            for (what, object) in objects {
+                match try_hit(&eye, object, 0.6, STEP_SHARE) {
+                    Ok(run) => {
+                        let e = &run.extremes;
+                        println!(
+                            "{level} {what}: triangle {:.3} p {:.2} stress {:.1} short {:.1} % residual {:.1e} steps {}",
+                            e.least_triangle,
+                            e.pressure.value * 1e-6,
+                            e.scleral_stress.value * 1e-6,
+                            e.shortening.value * 100.0,
+                            e.energy_residual,
+                            run.steps
+                        );
+                        assert!(e.folded_at.is_none(), "{level} {what}");
+                        assert!(
+                            e.energy_residual < 0.02,
+                            "{level} {what} {}",
+                            e.energy_residual
+                        );
+                    }
+                    Err(refusal) => panic!("{level} {what}: {refusal}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_plain_loop_and_the_rows_give_the_same_run() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let blow = Blow::Object(ball(0.345, 4.5, 60.0));
+    let runs = [Form::Plain, Form::Rows].map(|form| {
+        let mut watch = |_| ControlFlow::Continue(());
+        run_as(
+            form,
+            &eye,
+            &blow,
+            0.3e-3,
+            STEP_SHARE,
+            Keep::default(),
+            &mut watch,
+        )
+        .expect("a run")
+    });
+    for ((what, a), (_, b)) in leading(&runs[0]).into_iter().zip(leading(&runs[1])) {
+        assert!((a / b - 1.0).abs() < 1e-5, "{what} {a} {b}");
+    }
+}
+
+#[test]
+fn a_ball_on_a_spring_gives_back_what_its_restitution_says() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let rebound = |restitution: f64| {
+        let spring = Some(BallSpring {
+            stiffness: 2e4,
+            restitution,
+        });
+        let object = Object {
+            spring,
+            ..soft(ball(24.0, 40.0, 10.0), 1e9)
+        };
+        let run = hit(&eye, object, 4.0);
+        assert!(
+            run.extremes.energy_residual < 0.01,
+            "{}",
+            run.extremes.energy_residual
+        );
+        run.extremes.rebound.expect("an object")
+    };
+    let (lively, dull) = (rebound(0.9), rebound(0.3));
+    assert!(lively > dull, "{lively} {dull}");
+}
