@@ -2,6 +2,8 @@
 
 #![cfg(feature = "app")]
 
+mod common;
+
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -41,9 +43,13 @@ fn help_and_version_go_to_standard_output() {
     run(&["--help"])
         .success()
         .stdout(contains("Research and education, not diagnosis.").count(1));
-    run(&["--version"])
-        .success()
-        .stdout(starts_with("contrecoup "));
+    let kernel = common::json(&["run", "paper-300n"])["numerics"]["kernel"].clone();
+    let kernel = format!("kernel {})", kernel.as_str().unwrap());
+    run(&["--version"]).success().stdout(
+        starts_with(format!("contrecoup {} (commit ", env!("CARGO_PKG_VERSION")))
+            .and(contains(kernel)),
+    );
+    run(&["man"]).success().stdout(contains("kernel ").not());
 }
 
 #[test]

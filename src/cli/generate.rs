@@ -4,6 +4,7 @@
 use std::io::Write;
 
 use clap::CommandFactory;
+use clap::builder::Resettable;
 use clap_complete::Shell;
 use clap_mangen::Man;
 
@@ -26,7 +27,8 @@ pub fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {
 /// # Errors
 /// Where there is no such command or the output cannot be written.
 pub fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
-    let mut program = Cli::command();
+    // A page is for every machine, so it names no kernel.
+    let mut program = Cli::command().long_version(Resettable::Reset);
     program.build();
     let page = match command {
         None => program,

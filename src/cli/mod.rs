@@ -28,10 +28,12 @@ pub use sweep::Shard;
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::dynamics::kernel_name;
 use crate::study::coverage::MOST_SCENES;
 use crate::study::ensemble::{FEWEST_SAMPLES, MOST_SAMPLES};
 use crate::study::sweep::Axis;
@@ -41,6 +43,7 @@ use crate::tui;
 #[derive(Debug, Parser)]
 #[command(
     version,
+    long_version = long_version(),
     after_help = "Research and education, not diagnosis.",
     args_conflicts_with_subcommands = true
 )]
@@ -51,6 +54,17 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
+}
+
+/// What a report of a fault needs: version, commit and the vectors that compute on this machine.
+fn long_version() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| {
+        // Whoever builds says which commit it is; a package of the registry has none.
+        let commit = option_env!("CONTRECOUP_COMMIT").unwrap_or("not recorded");
+        let version = env!("CARGO_PKG_VERSION");
+        format!("{version} (commit {commit}, kernel {})", kernel_name(false))
+    });
+    &TEXT
 }
 
 /// What to do.

@@ -1,0 +1,100 @@
+//! What the program is made of: licences that let anybody use it, one source, no crate twice.
+//!
+//! This asks cargo itself. `cargo deny` asks the same of the same data, and takes longer to build
+//! than the program.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+/// Licences that ask for no more than to be named.
+const LICENCES: [&str; 8] = [
+    "MIT",
+    "Apache-2.0",
+    "Apache-2.0 WITH LLVM-exception",
+    "BSD-2-Clause",
+    "BSL-1.0",
+    "Unicode-3.0",
+    "Unlicense",
+    "Zlib",
+];
+
+fn metadata() -> Value {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version=1", "--locked"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn text<'a>(value: &'a Value, key: &str) -> &'a str {
+    value[key].as_str().unwrap_or_default()
+}
+
+/// Whether one way to read a licence expression asks for allowed licences only.
+fn allowed(expression: &str) -> bool {
+    let open = |part: &str| LICENCES.contains(&part.trim().trim_matches(['(', ')']));
+    // Brackets stand around alternatives only, as in `(MIT OR Apache-2.0) AND Unicode-3.0`.
+    expression.split(" AND ").all(|part| {
+        let part = part.replace('/', " OR ");
+        part.split(" OR ").any(open)
+    })
+}
+
+#[test]
+fn licences_are_read_with_their_alternatives() {
+    assert!(allowed("MIT OR GPL-3.0"));
+    assert!(allowed("Unlicense/MIT"));
+    assert!(allowed("(MIT OR Apache-2.0) AND Unicode-3.0"));
+    for closed in [
+        "GPL-3.0",
+        "MIT AND GPL-3.0",
+        "(MIT OR Apache-2.0) AND OpenSSL",
+        "",
+    ] {
+        assert!(!allowed(closed), "{closed}");
+    }
+}
+
+#[test]
+fn every_crate_has_an_open_licence_and_comes_from_the_registry() {
+    let metadata = metadata();
+    let packages = metadata["packages"].as_array().unwrap();
+    assert!(packages.len() > 50);
+    for package in packages {
+        let name = text(package, "name");
+        let licence = text(package, "license");
+        assert!(allowed(licence), "{name} is under {licence:?}");
+        let source = text(package, "source");
+        let registry = "registry+https://github.com/rust-lang/crates.io-index";
+        assert!(
+            source == registry || name == "contrecoup",
+            "{name} comes from {source:?}"
+        );
+    }
+}
+
+#[test]
+fn the_program_holds_no_crate_twice() {
+    let tree = |more: &str| {
+        let edges = [
+            "tree",
+            "--locked",
+            "--target=all",
+            "--edges=normal,no-proc-macro",
+        ];
+        let output = Command::new(env!("CARGO"))
+            .args(edges)
+            .args(["--prefix=none", more])
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(tree("--no-dedupe").contains("ratatui"));
+    assert_eq!(tree("--duplicates"), "");
+}
