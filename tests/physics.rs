@@ -85,6 +85,10 @@ fn chain(free: &[bool], drag: f64) -> Eye {
             monitors: [0; 4],
             apex: [0; 2],
             meridian: [0; 2],
+            monitor_hats: Default::default(),
+            shell_hats: Vec::new(),
+            apex_hats: Default::default(),
+            meridian_hats: Default::default(),
         },
     }
 }

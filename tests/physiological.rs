@@ -3,7 +3,7 @@
 use contrecoup::dynamics::{Fluid, PA_PER_MMHG, State, area};
 use contrecoup::eye::SpringKind;
 use contrecoup::recording::{Keep, Spacing};
-use contrecoup::scenario::{Impact, Model, Physiological, Projectile, Scenario};
+use contrecoup::scenario::{Impact, Lens, Model, Physiological, Projectile, Scenario};
 use contrecoup::study::{Answer, Case, solve, unwatched};
 use nalgebra::{Point2, Vector2};
 
@@ -94,7 +94,7 @@ fn a_ring_under_pressure_carries_p_r_over_t() {
     // The shell alone: hardly anything inside, outside or across.
     scenario.eye.rest_kpa = 1e-3;
     scenario.eye.fat_kpa = 1e-3;
-    scenario.eye.lens = false;
+    scenario.eye.lens = Lens::Soft;
     scenario.eye.filament_hops = Vec::new();
     scenario.window_ms = 60.0;
     let mut case = Case::new(&scenario.check().unwrap());

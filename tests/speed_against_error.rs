@@ -17,18 +17,18 @@ fn the_mesh_error_is_null_until_it_is_asked_for() {
     let damage = with["error"]["mesh_percent_by_result"]["damage_percent"]
         .as_f64()
         .unwrap();
-    // Levels 4 and 5 say that level 1 is 23 % off.
-    assert!((23.0..40.0).contains(&damage), "{damage}");
+    // Levels 4 to 8 say that level 1 is 28 to 29 % off.
+    assert!((29.0..40.0).contains(&damage), "{damage}");
     assert!(with["error"]["mesh_percent"].as_f64().unwrap() >= damage);
 }
 
 #[test]
 fn a_tolerance_chooses_the_coarsest_level_that_meets_it_and_says_why() {
-    let coarse = json(&["run", "paper-300n", "--tolerance", "30"]);
+    let coarse = json(&["run", "paper-300n", "--tolerance", "40"]);
     let fine = json(&["run", "paper-300n", "--tolerance", "10"]);
     assert_eq!(coarse["numerics"]["level"], 1);
     assert_eq!(fine["numerics"]["level"], 3);
-    for (object, tolerance) in [(&coarse, 30.0), (&fine, 10.0)] {
+    for (object, tolerance) in [(&coarse, 40.0), (&fine, 10.0)] {
         let error = |which: &str| object["error"][which]["damage_percent"].as_f64().unwrap();
         let total = error("time_step_percent_by_result") + error("mesh_percent_by_result");
         assert!(total <= tolerance, "{total}");
@@ -41,7 +41,7 @@ fn a_tolerance_chooses_the_coarsest_level_that_meets_it_and_says_why() {
     }
     // What is promised holds against a finer mesh.
     let damage = fine["results"]["damage_percent"].as_f64().unwrap();
-    assert!((damage / 21.6 - 1.0).abs() < 0.1, "{damage}");
+    assert!((damage / 18.9 - 1.0).abs() < 0.1, "{damage}");
 }
 
 #[test]

@@ -44,6 +44,10 @@ fn oscillator(omega: f64, rate: f64) -> System {
             monitors: [0; 4],
             apex: [0; 2],
             meridian: [0; 2],
+            monitor_hats: Default::default(),
+            shell_hats: Vec::new(),
+            apex_hats: Default::default(),
+            meridian_hats: Default::default(),
         },
     };
     let pulse = Pulse::new(&ForcePulse {

@@ -1,4 +1,4 @@
-//! `contrecoup coverage`: how often the stated step errors hold.
+//! `contrecoup coverage`: how often the stated step or mesh errors hold.
 
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -9,6 +9,7 @@ use super::{CliError, CoverageArgs};
 use crate::plain_text::write_json;
 use crate::report::coverage::{json, text};
 use crate::study::coverage::check;
+use crate::study::mesh_coverage;
 
 /// Solves random scenes, each with its reference, and prints how the claims compare.
 ///
@@ -17,16 +18,20 @@ use crate::study::coverage::check;
 pub fn run(args: &CoverageArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let checked = check(args.scenes, args.seed, &|share| {
+    let watch = |share| {
         lock().show("checking scenes", share);
         ControlFlow::Continue(())
-    });
+    };
+    let checked = match args.mesh {
+        Some(level) => mesh_coverage::check(args.scenes, args.seed, level, &watch),
+        None => check(args.scenes, args.seed, &watch),
+    };
     lock().clear();
     let checked = checked?;
     if args.json {
-        write_json(out, &json(&checked, args.seed))?;
+        write_json(out, &json(&checked, args.seed, args.mesh))?;
     } else {
-        text(&checked, args.seed, out)?;
+        text(&checked, args.seed, args.mesh, out)?;
     }
     Ok(())
 }

@@ -36,6 +36,7 @@ use clap_complete::Shell;
 use crate::dynamics::kernel_name;
 use crate::study::coverage::MOST_SCENES;
 use crate::study::ensemble::{FEWEST_SAMPLES, MOST_SAMPLES};
+use crate::study::mesh_coverage::FINEST_CHECKED;
 use crate::study::sweep::Axis;
 use crate::tui;
 
@@ -199,6 +200,11 @@ pub struct CoverageArgs {
     /// Which scenes: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u32,
+    /// Check mesh errors in place of step errors, of answers at this level [without K: 1], until so many
+    /// scenes have folded on no mesh
+    #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "1",
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED)))]
+    pub mesh: Option<u32>,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,

@@ -1,8 +1,9 @@
 //! The places that results refer to: the shell in order, the apex, the meridian, the monitored nodes.
 //!
 //! All are nodes of level 1, so they exist at every level (level k has the node (i, j) of level 1
-//! at (k i, k j)).
+//! at (k i, k j)). What is measured at them is measured over their hats, see [`super::hats`].
 
+use super::hats::{Hat, along_shell, of_displacement, of_force};
 use super::mesh::Mesh;
 
 /// One of the four nodes whose force is followed (paper, "Static plots").
@@ -44,7 +45,7 @@ impl Monitor {
 }
 
 /// Indices of the nodes that results refer to.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Landmarks {
     /// The shell, anticlockwise, from just above the posterior pole.
     pub shell: Vec<usize>,
@@ -54,6 +55,14 @@ pub struct Landmarks {
     pub apex: [usize; 2],
     /// The ends of the vertical diameter, upper first.
     pub meridian: [usize; 2],
+    /// What each monitored node stands for: weights of the forces on the nodes around it.
+    pub monitor_hats: [Hat; 4],
+    /// The corners of the paper's shell in order: weights of the positions along the shell.
+    pub shell_hats: Vec<Hat>,
+    /// The two nodes beside the corneal apex: weights of the displacements around them.
+    pub apex_hats: [Hat; 2],
+    /// The ends of the vertical diameter, likewise.
+    pub meridian_hats: [Hat; 2],
 }
 
 pub(super) fn find(mesh: &Mesh, level: u32) -> Landmarks {
@@ -62,7 +71,9 @@ pub(super) fn find(mesh: &Mesh, level: u32) -> Landmarks {
         mesh.node_at(i * k, j * k)
             .expect("the globe is never cut by the opening")
     };
-    let mirrored = |(i, j): (usize, usize)| at((i, 15 - j));
+    let mirrored = |(i, j): (usize, usize)| (i, 15 - j);
+    let (front, top) = (Monitor::Front.grid(), Monitor::Top.grid());
+    let (apex, meridian) = ([front, mirrored(front)], [top, mirrored(top)]);
 
     let mut shell: Vec<usize> = (0..mesh.nodes.len())
         .filter(|&i| mesh.nodes[i].region.on_shell())
@@ -73,10 +84,21 @@ pub(super) fn find(mesh: &Mesh, level: u32) -> Landmarks {
     };
     shell.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)));
 
+    let on_paper = |&i: &usize| {
+        let (column, row) = mesh.nodes[i].grid;
+        column % k == 0 && row % k == 0
+    };
+    let first = shell.iter().position(on_paper).unwrap_or(0);
+    let k = k.cast_signed();
+    let mean = |grid| of_displacement(mesh, k, grid);
     Landmarks {
+        shell_hats: along_shell(&shell, k, first),
         shell,
         monitors: Monitor::ALL.map(|m| at(m.grid())),
-        apex: [at(Monitor::Front.grid()), mirrored(Monitor::Front.grid())],
-        meridian: [at(Monitor::Top.grid()), mirrored(Monitor::Top.grid())],
+        apex: apex.map(at),
+        meridian: meridian.map(at),
+        monitor_hats: Monitor::ALL.map(|m| of_force(mesh, k, m.grid())),
+        apex_hats: apex.map(mean),
+        meridian_hats: meridian.map(mean),
     }
 }

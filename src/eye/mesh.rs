@@ -8,6 +8,7 @@
 //! The paper draws the mapping without a formula; the concentric map keeps rings of the square as
 //! circles, which its figure 5 shows.
 
+use super::lens;
 use crate::scenario::EyeInput;
 use nalgebra::Point2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -21,11 +22,6 @@ pub const ORBIT_RADIUS_M: f64 = 20e-3;
 const SHELL_RING: f64 = 4.5;
 /// Finer levels have nodes exactly on the edge of the opening.
 const ANGLE_TOLERANCE_RAD: f64 = 1e-9 * PI / 180.0;
-
-/// Centre and semi-axes of the lens, in m.
-const LENS_CENTRE_X_M: f64 = -6.4e-3;
-const LENS_HALF_THICKNESS_M: f64 = 2.2e-3;
-const LENS_HALF_HEIGHT_M: f64 = 4.6e-3;
 
 /// Which part of the section a node belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -173,7 +169,7 @@ pub(super) fn build(input: &EyeInput) -> Mesh {
                 } else {
                     Region::Shell
                 }
-            } else if in_lens(position) {
+            } else if lens::holds(position) {
                 Region::Lens
             } else {
                 Region::Interior
@@ -213,12 +209,6 @@ pub(super) fn build(input: &EyeInput) -> Mesh {
         }
     }
     mesh
-}
-
-fn in_lens(p: Point2<f64>) -> bool {
-    let x = (p.x - LENS_CENTRE_X_M) / LENS_HALF_THICKNESS_M;
-    let y = p.y / LENS_HALF_HEIGHT_M;
-    x * x + y * y <= 1.0
 }
 
 #[cfg(test)]

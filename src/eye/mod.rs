@@ -7,11 +7,14 @@
 //! Source: Sathyanarayanan, Mahadas and Hung (2013), Methods. Left out, as in the paper: iris,
 //! ciliary body, optic nerve and muscles, which the 16 x 16 mesh cannot resolve.
 
+mod hats;
 mod landmarks;
+mod lens;
 mod mesh;
 pub mod revolution;
 mod springs;
 
+pub use hats::Hat;
 pub use landmarks::{Landmarks, Monitor};
 pub use mesh::{GLOBE_RADIUS_M, Node, ORBIT_RADIUS_M, Region, side_at_level};
 pub use springs::{Spring, SpringKind};

@@ -9,9 +9,10 @@
 //! springs. Sclera springs are multiplied by k and filaments divided by k at level k, so that the
 //! tension of the shell for a given stretch does not depend on the mesh.
 
+use super::lens::area_within;
 use super::mesh::{Mesh, Region};
 use super::{Node, cross};
-use crate::scenario::EyeInput;
+use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;
 
 /// What a spring is made of.
@@ -21,7 +22,7 @@ pub enum SpringKind {
     Fat,
     /// Both ends on the shell.
     Sclera,
-    /// Both ends in the lens.
+    /// In the lens: by both ends, or by half of its area at least.
     Lens,
     /// Any other inside the globe.
     Rest,
@@ -44,6 +45,14 @@ pub struct Spring {
     pub kind: SpringKind,
 }
 
+/// Summed area of the triangles of a spring, in m2.
+#[derive(Debug, Clone, Copy, Default)]
+struct Areas {
+    whole: f64,
+    /// Of it, what lies in the lens; 0 if the lens is not taken by area.
+    lens: f64,
+}
+
 fn kind_of(a: &Node, b: &Node, lens: bool) -> SpringKind {
     if !(a.region.in_globe() && b.region.in_globe()) {
         SpringKind::Fat
@@ -59,38 +68,57 @@ fn kind_of(a: &Node, b: &Node, lens: bool) -> SpringKind {
 pub(super) fn build(input: &EyeInput, mesh: &Mesh, shell: &[usize]) -> Vec<Spring> {
     let k = f64::from(input.level);
     let position = |i: usize| mesh.nodes[i].position;
-    let area = |a, b, c| cross(position(a), position(b), position(c)).abs() / 2.0;
+    let (by_nodes, by_area) = match input.lens {
+        Lens::Auto => (input.level == 1, input.level > 1),
+        Lens::Nodes => (true, false),
+        Lens::Area => (false, true),
+        Lens::Soft => (false, false),
+    };
 
-    let mut area_sums: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+    let mut areas: BTreeMap<(usize, usize), Areas> = BTreeMap::new();
     for quad in &mesh.quads {
         for p in 0..4 {
             for q in p + 1..4 {
                 let (a, b) = (quad[p], quad[q]);
-                let sum: f64 = (0..4)
+                let triangles = (0..4)
                     .filter(|&r| r != p && r != q)
-                    .map(|r| area(a, b, quad[r]))
+                    .map(|r| [a, b, quad[r]].map(position));
+                let whole: f64 = triangles
+                    .clone()
+                    .map(|[a, b, c]| cross(a, b, c).abs() / 2.0)
                     .sum();
-                *area_sums.entry((a.min(b), a.max(b))).or_default() += sum;
+                let entry = areas.entry((a.min(b), a.max(b))).or_default();
+                entry.whole += whole;
+                if by_area {
+                    entry.lens += triangles.map(area_within).sum::<f64>();
+                }
             }
         }
     }
 
-    let mut springs: Vec<Spring> = area_sums
+    let mut springs: Vec<Spring> = areas
         .into_iter()
-        .map(|((a, b), area_sum)| {
-            let kind = kind_of(&mesh.nodes[a], &mesh.nodes[b], input.lens);
-            let modulus_pa = 1e3
-                * match kind {
-                    SpringKind::Fat => input.fat_kpa,
-                    SpringKind::Sclera | SpringKind::Filament => input.sclera_kpa * k,
-                    SpringKind::Lens => input.lens_kpa,
-                    SpringKind::Rest => input.rest_kpa,
-                };
+        .map(|((a, b), areas)| {
+            let mut kind = kind_of(&mesh.nodes[a], &mesh.nodes[b], by_nodes);
+            let mut modulus_kpa = match kind {
+                SpringKind::Fat => input.fat_kpa,
+                SpringKind::Sclera | SpringKind::Filament => input.sclera_kpa * k,
+                SpringKind::Lens => input.lens_kpa,
+                SpringKind::Rest => input.rest_kpa,
+            };
+            if kind == SpringKind::Rest && areas.lens > 0.0 {
+                let share = areas.lens / areas.whole;
+                modulus_kpa += (input.lens_kpa - input.rest_kpa) * share;
+                if share >= 0.5 {
+                    kind = SpringKind::Lens;
+                }
+            }
+            let modulus_pa = 1e3 * modulus_kpa;
             let rest_length = (position(b) - position(a)).norm();
             Spring {
                 a,
                 b,
-                stiffness: modulus_pa * super::UNIT_DEPTH_M * area_sum
+                stiffness: modulus_pa * super::UNIT_DEPTH_M * areas.whole
                     / (rest_length * rest_length),
                 rest_length,
                 kind,

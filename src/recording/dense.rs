@@ -7,7 +7,7 @@
 //! An interval never spans a break of the load, where the acceleration jumps.
 
 use crate::dynamics::{Piece, State, System};
-use crate::eye::Eye;
+use crate::eye::{Eye, Spring};
 use nalgebra::{Point2, Vector2};
 
 /// The largest value of something and when it was reached.
@@ -47,17 +47,29 @@ pub struct Path {
 impl Path {
     /// The path of node `node` from `before` to `after`.
     pub fn between(system: &System, before: &State, after: &State, node: usize) -> Self {
-        let place = system.place(node);
+        Self::of(system, before, after, &[(node, 1.0)])
+    }
+
+    /// The path of the sum of some nodes, each times its weight: of their mean, if the weights add up to 1.
+    pub fn of(system: &System, before: &State, after: &State, nodes: &[(usize, f64)]) -> Self {
         let h = after.time - before.time;
-        let (p0, p1) = (before.position(place), after.position(place));
-        let (v0, v1) = (before.velocity(place) * h, after.velocity(place) * h);
-        let a0 = before.acceleration(system, place) * (h * h);
-        let a1 = after.acceleration(system, place) * (h * h);
+        let mut ends = [[Vector2::zeros(); 3]; 2];
+        for &(node, weight) in nodes {
+            let place = system.place(node);
+            for (end, state) in ends.iter_mut().zip([before, after]) {
+                end[0] += state.position(place).coords * weight;
+                end[1] += state.velocity(place) * weight;
+                end[2] += state.acceleration(system, place) * weight;
+            }
+        }
+        let [[p0, v0, a0], [p1, v1, a1]] = ends;
+        let (v0, v1) = (v0 * h, v1 * h);
+        let (a0, a1) = (a0 * (h * h), a1 * (h * h));
         let p = p1 - p0 - v0 - a0 * 0.5;
         let v = v1 - v0 - a0;
         let a = a1 - a0;
         Self {
-            origin: p0,
+            origin: Point2::from(p0),
             coefficients: [
                 v0,
                 a0 * 0.5,
@@ -154,47 +166,86 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
     top
 }
 
-/// The resultant of everything that acts on one node.
+/// The resultant of everything that acts on the tissue around a node: the sum of w m a over its hat.
+///
+/// Only springs that leave the hat or change the weight within it count; at level 1 these are those of
+/// the node.
 #[derive(Debug, Clone)]
 pub struct NodeForce {
-    node: usize,
+    /// Of the node in the middle.
     mass: f64,
-    drag: f64,
-    /// Other end, stiffness, rest length.
-    springs: Vec<(usize, f64, f64)>,
-    /// The other ends' paths relative to the node's own; kept so that no step allocates.
-    others: Vec<Path>,
+    /// Each node's weight times its mass, as a share of `mass`.
+    nodes: Vec<(usize, f64)>,
+    /// Drag on a node, with the nodes that it acts on and their weights.
+    drags: Vec<(f64, Vec<(usize, f64)>)>,
+    /// Every node at an end of a spring.
+    ends: Vec<usize>,
+    /// Places in `ends`, the heavier first; stiffness times difference of weights; rest length.
+    springs: Vec<((usize, usize), f64, f64)>,
+    /// Paths of the drags' nodes, of all ends, and of the springs from end to end; kept so that no step
+    /// allocates.
+    dragged: Vec<(f64, Path)>,
+    paths: Vec<Path>,
+    spans: Vec<Path>,
     /// Force per N of load.
     load: Vector2<f64>,
 }
 
 impl NodeForce {
-    /// Everything that acts on node `node` of `eye`; `load` is its share of the load's unit force.
-    pub fn new(eye: &Eye, node: usize, load: Vector2<f64>) -> Self {
-        let springs: Vec<_> = eye
-            .springs
-            .iter()
-            .filter(|s| s.a == node || s.b == node)
-            .map(|s| (s.a + s.b - node, s.stiffness, s.rest_length))
+    /// Everything that acts on `hat`, around node `middle` of `eye`; `load` is its share of the load's
+    /// unit force.
+    pub fn new(eye: &Eye, middle: usize, hat: &[(usize, f64)], load: Vector2<f64>) -> Self {
+        let mass = eye.nodes[middle].mass;
+        let mut drags: Vec<(f64, Vec<(usize, f64)>)> = Vec::new();
+        for &(node, weight) in hat {
+            let drag = eye.nodes[node].drag;
+            match drags.iter_mut().find(|(d, _)| *d == drag) {
+                Some((_, nodes)) => nodes.push((node, weight)),
+                None => drags.push((drag, vec![(node, weight)])),
+            }
+        }
+        let mut ends: Vec<usize> = hat.iter().map(|(node, _)| *node).collect();
+        let mut place = |node| {
+            ends.iter().position(|&n| n == node).unwrap_or_else(|| {
+                ends.push(node);
+                ends.len() - 1
+            })
+        };
+        let springs: Vec<_> = tugs(eye, hat)
+            .into_iter()
+            .map(|tug| {
+                let ends = (place(tug.ends.0), place(tug.ends.1));
+                (ends, tug.stiffness, tug.rest_length)
+            })
             .collect();
         Self {
-            node,
-            mass: eye.nodes[node].mass,
-            drag: eye.nodes[node].drag,
-            others: Vec::with_capacity(springs.len()),
+            mass,
+            nodes: hat
+                .iter()
+                .map(|&(node, weight)| (node, weight * eye.nodes[node].mass / mass))
+                .collect(),
+            dragged: Vec::with_capacity(drags.len()),
+            drags,
+            paths: Vec::with_capacity(ends.len()),
+            ends,
+            spans: Vec::with_capacity(springs.len()),
             springs,
             load,
         }
     }
 
-    /// |m a| at a step end, in N.
+    /// |sum w m a| at a step end, in N.
     pub fn at(&self, system: &System, state: &State) -> f64 {
-        self.mass * state.acceleration(system, system.place(self.node)).norm()
+        let mut sum = Vector2::zeros();
+        for &(node, share) in &self.nodes {
+            sum += state.acceleration(system, system.place(node)) * share;
+        }
+        self.mass * sum.norm()
     }
 
     /// A guess at the largest force within a step, from the interpolated acceleration.
     pub fn guess(&self, system: &System, before: &State, after: &State) -> f64 {
-        let path = Path::between(system, before, after, self.node);
+        let path = Path::of(system, before, after, &self.nodes);
         [0.25, 0.5, 0.75]
             .iter()
             .map(|&s| self.mass * path.acceleration(s).norm())
@@ -210,18 +261,30 @@ impl NodeForce {
         piece: Piece,
         (points, floor): (usize, f64),
     ) -> Peak {
-        let path = |node| Path::between(system, before, after, node);
-        let own = path(self.node);
-        self.others.clear();
-        self.others
-            .extend(self.springs.iter().map(|s| path(s.0).relative_to(&own)));
+        let path = |nodes: &[(usize, f64)]| Path::of(system, before, after, nodes);
+        self.dragged.clear();
+        let drags = self.drags.iter().map(|(drag, nodes)| (*drag, path(nodes)));
+        self.dragged.extend(drags);
+        self.paths.clear();
+        self.paths
+            .extend(self.ends.iter().map(|&n| path(&[(n, 1.0)])));
+        self.spans.clear();
+        let paths = &self.paths;
+        let spans = self
+            .springs
+            .iter()
+            .map(|((a, b), ..)| paths[*b].relative_to(&paths[*a]));
+        self.spans.extend(spans);
         let pulse = &system.load().pulse;
         let h = after.time - before.time;
         let (value, share) = maximum(points, floor, |s| {
             let force = pulse.force(piece, before.time + s * h);
-            let mut sum = self.load * force - own.velocity(s) * self.drag;
-            for ((_, k, rest), other) in self.springs.iter().zip(&self.others) {
-                let d = other.position(s).coords;
+            let mut sum = self.load * force;
+            for (drag, path) in &self.dragged {
+                sum -= path.velocity(s) * *drag;
+            }
+            for ((_, k, rest), span) in self.springs.iter().zip(&self.spans) {
+                let d = span.position(s).coords;
                 let length = d.norm();
                 if length > 0.0 {
                     sum += d * (k * (1.0 - rest / length));
@@ -234,6 +297,41 @@ impl NodeForce {
             time: before.time + share * h,
         }
     }
+}
+
+/// A spring that pulls on a hat.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tug {
+    /// The end of larger weight and the other.
+    pub ends: (usize, usize),
+    /// Stiffness times the difference of weights, in N/m.
+    pub stiffness: f64,
+    /// Stiffness times the square of that difference, in N/m.
+    pub squared: f64,
+    /// Length at rest, in m.
+    pub rest_length: f64,
+}
+
+/// The springs whose pull does not cancel in the sum over `hat`.
+pub(super) fn tugs(eye: &Eye, hat: &[(usize, f64)]) -> Vec<Tug> {
+    let mut weights = vec![0.0; eye.nodes.len()];
+    for &(node, weight) in hat {
+        weights[node] = weight;
+    }
+    let tug = |s: &Spring| {
+        let difference: f64 = weights[s.a] - weights[s.b];
+        (difference != 0.0).then(|| Tug {
+            ends: if difference > 0.0 {
+                (s.a, s.b)
+            } else {
+                (s.b, s.a)
+            },
+            stiffness: s.stiffness * difference.abs(),
+            squared: s.stiffness * (difference * difference),
+            rest_length: s.rest_length,
+        })
+    };
+    eye.springs.iter().filter_map(tug).collect()
 }
 
 #[cfg(test)]

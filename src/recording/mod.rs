@@ -21,7 +21,7 @@ use nalgebra::{Point2, Vector2};
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extremes {
-    /// |m a| at the monitored nodes, in N.
+    /// |sum w m a| over the hats of the monitored nodes, in N; at level 1 |m a| of the node.
     pub force: [Peak; 4],
     /// Corneal apex displacement, in m.
     pub apex: Peak,
@@ -81,7 +81,7 @@ pub struct Traces {
     pub time: Vec<f64>,
     /// Total load, N.
     pub load: Vec<f64>,
-    /// |m a| at the monitored nodes, N.
+    /// |sum w m a| over the hats of the monitored nodes, N.
     pub force: [Vec<f64>; 4],
     /// Corneal apex displacement, m.
     pub apex: Vec<f64>,

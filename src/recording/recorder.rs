@@ -3,12 +3,11 @@
 use super::coupled::CoupledWatch;
 use super::dense::{NodeForce, Peak};
 use super::frames::{FrameTaker, Spacing};
-use super::lengths::{Growth, Measure};
-use super::settling::Bounds;
+use super::lengths::{Growth, Kind, Point};
+use super::settling::{Bend, Bounds, ShellBound};
 use super::{Extremes, Recording, Traces};
 use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
-use crate::eye::Eye;
-use nalgebra::Vector2;
+use crate::eye::{Eye, Hat};
 use std::f64::consts::TAU;
 
 /// Points tried for the peak of a node force in each of the mesh's shortest periods.
@@ -47,10 +46,13 @@ pub struct Recorder {
     monitors: [NodeForce; 4],
     forces: [Peak; 4],
     last_forces: [f64; 4],
+    /// Whether the kernel's length of the shell is the one to follow: every node is a corner of it.
+    surveyed_shell: bool,
     shell: Growth,
     meridian: Growth,
     apex: Growth,
     bounds: Bounds,
+    bend: Bend,
     energy: f64,
     loaded: bool,
     window: f64,
@@ -82,24 +84,39 @@ impl Recorder {
     ) -> Self {
         let rest = State::at_rest(system);
         let marks = &eye.landmarks;
-        let share = |node| {
-            let own = load.shares.iter().find(|(n, _)| *n == node);
-            own.map_or_else(Vector2::zeros, |(_, s)| load.direction * *s)
+        let share = |hat: &Hat| {
+            let of = |node| load.shares.iter().find(|(n, _)| *n == node);
+            let sum = hat
+                .iter()
+                .filter_map(|&(n, w)| Some(w * of(n)?.1))
+                .sum::<f64>();
+            load.direction * sum
         };
-        let ring = marks.shell.iter().zip(marks.shell.iter().cycle().skip(1));
-        let pairs = ring.map(|(&a, &b)| (a, b)).collect();
-        let growth = |measure| Growth::new(measure, system, &rest);
+        let monitor = |m: usize| {
+            let hat = &marks.monitor_hats[m];
+            NodeForce::new(eye, marks.monitors[m], hat, share(hat))
+        };
+        let growth = |kind, points| Growth::new(kind, points, system, &rest);
+        let displaced = |middles: [usize; 2], hats: &[Hat; 2]| {
+            let points = middles.into_iter().zip(hats);
+            points
+                .map(|(n, hat)| Point::displaced(eye, n, hat.clone()))
+                .collect()
+        };
+        let ring = marks.shell_hats.iter().cloned().map(Point::mean).collect();
         Self {
-            monitors: marks.monitors.map(|n| NodeForce::new(eye, n, share(n))),
+            monitors: std::array::from_fn(monitor),
             forces: [Peak::floor(0.0); 4],
             last_forces: [0.0; 4],
             bounds: Bounds::new(eye),
+            bend: Bend::UNKNOWN,
             energy: 0.0,
             loaded: true,
             window,
-            shell: growth(Measure::Length(pairs)),
-            meridian: growth(Measure::Length(vec![marks.meridian.into()])),
-            apex: growth(Measure::MeanX(marks.apex.to_vec())),
+            surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
+            shell: growth(Kind::Ring, ring),
+            meridian: growth(Kind::Span, displaced(marks.meridian, &marks.meridian_hats)),
+            apex: growth(Kind::MeanX, displaced(marks.apex, &marks.apex_hats)),
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
@@ -167,13 +184,20 @@ impl Recorder {
         }
     }
 
-    /// Whether the energy that is left can raise no force and no growth of the shell.
-    fn forces_are_final(&self) -> bool {
+    /// Whether the energy that is left can raise no force, nor the growth of the shell in the `left`
+    /// seconds to come.
+    fn forces_are_final(&self, left: f64) -> bool {
+        let most = match self.bounds.shell {
+            ShellBound::Stretch(bound) => bound.reach(self.energy),
+            ShellBound::Change(all, one) => {
+                self.shell.last() + self.bend.growth(all, one, self.energy, left)
+            }
+        };
         self.forces
             .iter()
             .zip(self.bounds.force)
             .all(|(peak, bound)| bound.reach(self.energy) <= peak.value)
-            && self.bounds.shell.reach(self.energy) <= self.shell.peak.value
+            && most <= self.shell.peak.value
     }
 
     /// Whether nothing that is recorded can change before the end of the window. Traces and frames
@@ -185,7 +209,7 @@ impl Recorder {
         let left = self.window - self.before.time;
         let strain = self.bounds.strain.reach(self.energy);
         strain <= self.strain.value.min(UNFOLDED_STRAIN)
-            && self.forces_are_final()
+            && self.forces_are_final(left)
             // No more can be stored than is left.
             && self.energy <= self.elastic.value
             && self.apex.last() + self.bounds.apex.travel(self.energy, left) <= self.apex.peak.value
@@ -203,7 +227,7 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
-        let open = self.provable && (self.loaded || !self.forces_are_final());
+        let open = self.provable && (self.loaded || !self.forces_are_final(0.0));
         let (fluid, shot) = self.coupled.finish();
         let mut extremes = Extremes {
             force: self.forces,
@@ -248,7 +272,7 @@ impl Observer for Recorder {
 
     fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         self.steps += 1;
-        let length = Some(survey.shell_length);
+        let length = self.surveyed_shell.then_some(survey.shell_length);
         self.shell.step(system, &self.before, state, length);
         self.meridian.step(system, &self.before, state, None);
         self.apex.step(system, &self.before, state, None);
@@ -272,6 +296,9 @@ impl Observer for Recorder {
                 let found = monitor.largest(system, step, piece, (points, CLOSE * peak.value));
                 peak.offer(found.value, found.time);
             }
+        }
+        if self.provable && !self.loaded && !self.surveyed_shell {
+            self.bend = self.shell.bend(system, state);
         }
         if let Some(frames) = &mut self.frames {
             frames.step(system, (&self.before, state), piece);

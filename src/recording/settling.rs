@@ -7,14 +7,23 @@
 //! * the shell is longer than at rest by at most `sqrt(sum 1/k) sqrt(2 E)` over the springs along it;
 //! * no spring is strained by more than `sqrt(2 E / (k l0^2))`.
 //!
-//! Drag takes the integral of c v^2 from that energy, so over the time T that is left a node moves
-//! by at most the integral of |v| <= `sqrt(T) sqrt(E / c)`; two nodes together by `sqrt(2 T E / c)`.
+//! Of a hat with weights w the force is at most `sqrt(sum k d^2 + sum w^2 c^2/m) sqrt(2 E)`, with d the
+//! difference of the weights at the ends of a spring.
+//!
+//! Drag takes the integral of c v^2 from that energy, so over the time T that is left the weighted sum
+//! of some displacements changes by at most the integral of sum w |v| <= `sqrt(sum w^2/c) sqrt(T E)`.
+//! The line through the hats along the shell can grow without any spring along the shell being stretched,
+//! where bends straighten out. Its rate of growth is the sum over its corners of v . (e - e'), with e and e'
+//! the directions of the sides before and after; |e - e'| is now at most some b, and with every corner
+//! moving by less than D it stays below b + 8 D over the shortest side.
 //! This holds in any shape, without linearising.
 //!
 //! Once all of it stays below what has been recorded, the rest of the window need not be computed.
 //! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
 
-use crate::eye::{Eye, SpringKind};
+use super::dense::tugs;
+use crate::eye::{Eye, Hat, SpringKind};
+use std::collections::BTreeMap;
 
 /// A bound that grows with the root of the energy: this times `sqrt(2 E)`.
 #[derive(Debug, Clone, Copy)]
@@ -38,13 +47,47 @@ impl Travel {
     }
 }
 
+/// A bound of the growth of the shell.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum ShellBound {
+    /// Of its growth over its length at rest, where every node is a corner.
+    Stretch(Reach),
+    /// Of its growth from now on, where its corners are hats: of the sum of the ways of all corners, and
+    /// of the way of any one.
+    Change(Travel, Travel),
+}
+
+/// How sharply a closed line bends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bend {
+    /// Largest |e - e'| of the directions of two neighbouring sides.
+    pub sharpest: f64,
+    /// Length of the shortest side, in m.
+    pub shortest: f64,
+}
+
+impl Bend {
+    /// Any bend at all.
+    pub const UNKNOWN: Self = Self {
+        sharpest: 2.0,
+        shortest: 0.0,
+    };
+
+    /// How much a line that bends like this can still grow, in m, by the two bounds of its corners.
+    pub fn growth(self, all: Travel, one: Travel, energy: f64, left: f64) -> f64 {
+        let later = self.sharpest + 8.0 * one.travel(energy, left) / self.shortest;
+        // Two directions never differ by more than 2. A side of no length says nothing.
+        (if later < 2.0 { later } else { 2.0 }) * all.travel(energy, left)
+    }
+}
+
 /// The bounds of all results of one eye.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounds {
     /// Force at each monitored node, N.
     pub force: [Reach; 4],
     /// Growth of the shell, m.
-    pub shell: Reach,
+    pub shell: ShellBound,
     /// Strain of any spring.
     pub strain: Reach,
     /// Mean displacement of the two nodes at the apex, m.
@@ -56,12 +99,6 @@ pub(super) struct Bounds {
 impl Bounds {
     pub fn new(eye: &Eye) -> Self {
         let marks = &eye.landmarks;
-        let drag = |nodes: [usize; 2]| {
-            nodes
-                .map(|n| eye.nodes[n].drag)
-                .into_iter()
-                .fold(f64::INFINITY, f64::min)
-        };
         let weakest = eye
             .springs
             .iter()
@@ -69,24 +106,47 @@ impl Bounds {
             .map(|s| s.stiffness * s.rest_length * s.rest_length)
             .fold(f64::INFINITY, f64::min);
         Self {
-            force: marks.monitors.map(|n| force(eye, n)),
+            force: std::array::from_fn(|m| force(eye, &marks.monitor_hats[m])),
             shell: shell(eye),
             strain: Reach((1.0 / weakest).sqrt()),
-            apex: Travel((0.5 / drag(marks.apex)).sqrt()),
-            meridian: Travel((2.0 / drag(marks.meridian)).sqrt()),
+            apex: travel(eye, marks.apex_hats.iter().flatten(), 0.5),
+            meridian: travel(eye, marks.meridian_hats.iter().flatten(), 1.0),
         }
     }
 }
 
-fn force(eye: &Eye, node: usize) -> Reach {
-    let springs = eye.springs.iter().filter(|s| s.a == node || s.b == node);
-    let stiffness: f64 = springs.map(|s| s.stiffness).sum();
-    let node = &eye.nodes[node];
-    Reach((stiffness + node.drag * node.drag / node.mass).sqrt())
+fn force(eye: &Eye, hat: &Hat) -> Reach {
+    let stiffness: f64 = tugs(eye, hat).iter().map(|tug| tug.squared).sum();
+    let drag = |&(n, weight): &(usize, f64)| {
+        let node = &eye.nodes[n];
+        weight * weight * (node.drag * node.drag / node.mass)
+    };
+    Reach((stiffness + hat.iter().map(drag).sum::<f64>()).sqrt())
 }
 
-fn shell(eye: &Eye) -> Reach {
+/// Of the sum of the mean displacements over some hats, each times `weight`.
+fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f64) -> Travel {
+    let mut weights: BTreeMap<usize, f64> = BTreeMap::new();
+    for &(node, share) in hats {
+        *weights.entry(node).or_default() += weight * share;
+    }
+    let sum: f64 = weights
+        .iter()
+        .map(|(&n, w)| w * w / eye.nodes[n].drag)
+        .sum();
+    Travel(sum.sqrt())
+}
+
+fn shell(eye: &Eye) -> ShellBound {
     let count = eye.landmarks.shell.len();
+    let hats = &eye.landmarks.shell_hats;
+    if hats.len() < count {
+        let one = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
+        return ShellBound::Change(
+            travel(eye, hats.iter().flatten(), 1.0),
+            Travel(one.fold(0.0, f64::max)),
+        );
+    }
     let mut order = vec![usize::MAX; eye.nodes.len()];
     for (i, &n) in eye.landmarks.shell.iter().enumerate() {
         order[n] = i;
@@ -100,5 +160,5 @@ fn shell(eye: &Eye) -> Reach {
         })
         .map(|s| 1.0 / s.stiffness)
         .sum();
-    Reach(compliance.sqrt())
+    ShellBound::Stretch(Reach(compliance.sqrt()))
 }

@@ -10,7 +10,7 @@ use crate::dynamics::{PA_PER_MMHG, SceneKind, kernel_name};
 use crate::eye::Monitor;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
-use crate::study::{Answer, Quantity, Results};
+use crate::study::{Answer, Limit, Limits, Quantity, Results};
 use serde_json::{Map, Value, json};
 
 /// A number for each monitored node, by name.
@@ -29,6 +29,18 @@ pub fn by_result(values: &Results) -> Value {
         .present()
         .map(|(of, value)| (of.key().to_owned(), json!(value)));
     named.collect::<Map<String, Value>>().into()
+}
+
+/// Each limit that is known, in the unit of its result, by its key.
+fn by_limit(limits: &Limits) -> Value {
+    let known = limits.iter().filter_map(|(of, limit)| {
+        let Limit { value, error } = (*limit)?;
+        Some((
+            of.key().to_owned(),
+            json!({ "value": value, "error": error }),
+        ))
+    });
+    known.collect::<Map<String, Value>>().into()
 }
 
 /// When each peak was reached, in ms, by the key of the result.
@@ -63,6 +75,10 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "energy_balance_percent": answer.errors.energy_balance,
             "time_step_percent_by_result": by_result(&answer.errors.time_step),
             "mesh_percent_by_result": answer.errors.mesh.as_ref().map(by_result),
+            "mesh_limit_by_result": answer.errors.limits.as_ref().map(by_limit),
+            "mesh_limit_unknown": answer.errors.mesh.map(|_| {
+                answer.errors.without_limit().map(Quantity::key).collect::<Vec<_>>()
+            }),
         },
         "numerics": {
             "level": answer.case.eye.level,

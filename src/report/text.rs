@@ -229,6 +229,31 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
     Ok(())
 }
 
+/// Prints what finer meshes tend to, and which results they show no limit of.
+fn limit(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    let limits = answer.errors.limits.as_ref();
+    if let Some(limit) = limits.and_then(|limits| limits[Quantity::Damage]) {
+        writeln!(
+            out,
+            "Damage index: {} % on this mesh, {} +- {} % in the limit",
+            significant(answer.index.damage()),
+            significant(limit.value),
+            digits(limit.error, 2)
+        )?;
+    }
+    let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
+    let mesh = answer.errors.mesh.as_ref();
+    if mesh.is_some_and(|errors| errors.present().next().is_none()) {
+        writeln!(out, "Finer meshes show no limit of any result")?;
+    } else if !names.is_empty() {
+        let text = format!("Finer meshes show no limit of {}", names.join("; "));
+        for line in wrapped(&text, WIDTH) {
+            writeln!(out, "{line}")?;
+        }
+    }
+    Ok(())
+}
+
 /// Prints how far the results may be trusted, and how they were computed.
 ///
 /// # Errors
@@ -245,6 +270,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     let mesh = mesh.as_ref();
     let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
     writeln!(out, "Mesh error: {mesh}")?;
+    limit(answer, out)?;
     writeln!(
         out,
         "Energy balance: within {}",

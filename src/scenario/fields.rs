@@ -10,7 +10,7 @@ use std::mem::discriminant;
 
 use super::problem::plain;
 use super::{
-    ForcePulse, Impact, Integrator, Model, Physiological, Projectile, ProjectileStiffness,
+    ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile, ProjectileStiffness,
     PulseShape, Scenario, integrator,
 };
 
@@ -104,6 +104,13 @@ const SHAPES: Variants<PulseShape> = &[
     ("Triangle", || PulseShape::Triangle),
     ("HalfSine", || PulseShape::HalfSine),
 ];
+const LENSES: Variants<Lens> = &[
+    ("Auto", || Lens::Auto),
+    ("Nodes", || Lens::Nodes),
+    ("Area", || Lens::Area),
+    ("Soft", || Lens::Soft),
+];
+
 struct OneOf<T: 'static>(Variants<T>, Place<T>);
 
 impl<T> Choices for OneOf<T> {
@@ -326,7 +333,7 @@ pub static FIELDS: &[Field] = &[
     field("window_ms", "Simulated time", "ms", Number(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", Integer(1, 8, at!(eye.level))),
     field("eye.opening_deg", "Orbit opening", "deg", Number(b(1.0, 120.0, 1.0, 10.0), at!(eye.opening_deg))),
-    field("eye.lens", "Stiff lens", "", Toggle(at!(eye.lens))),
+    field("eye.lens", "Stiff lens", "", Choice(&OneOf(LENSES, at!(eye.lens)))),
     field("eye.filament_hops", "Filament hops", "", Integers(1, 17, 8, at!(eye.filament_hops))),
     field("eye.filament_factor", "Filament stiffness", "x", Number(b(0.0, 1e3, 0.1, 1.0), at!(eye.filament_factor))),
     field("eye.retina_deg", "Retina half-angle", "deg", Number(b(0.0, 180.0, 1.0, 10.0), at!(eye.retina_deg))),

@@ -252,8 +252,8 @@ pub struct EyeInput {
     pub level: u32,
     /// Half-angle of the front opening of the orbit.
     pub opening_deg: f64,
-    /// Whether lens springs have the lens modulus.
-    pub lens: bool,
+    /// Which springs have the lens modulus.
+    pub lens: Lens,
     /// Which shell nodes the filaments join, in hops of level 1 (10 degrees each).
     pub filament_hops: Vec<u32>,
     /// Multiplies the stiffness of every filament; 0 leaves them out.
@@ -281,7 +281,7 @@ impl Default for EyeInput {
         Self {
             level: 1,
             opening_deg: 40.0,
-            lens: true,
+            lens: Lens::Auto,
             filament_hops: vec![2, 3, 4],
             filament_factor: 1.0,
             retina_deg: 129.6,
@@ -294,6 +294,23 @@ impl Default for EyeInput {
             fat_drag_ns_m: 1.44,
         }
     }
+}
+
+/// Which springs have the lens modulus. Files may say `true` for [`Lens::Auto`] and `false` for
+/// [`Lens::Soft`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Lens {
+    /// By nodes at level 1, as in the paper, and by area at finer levels.
+    #[default]
+    #[serde(alias = "true")]
+    Auto,
+    /// Those with both ends in the lens.
+    Nodes,
+    /// Each for the share of its area that lies in the lens.
+    Area,
+    /// None: the lens is as soft as what is around it.
+    #[serde(alias = "false")]
+    Soft,
 }
 
 /// How the equations of motion are solved.

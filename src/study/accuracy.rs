@@ -7,7 +7,7 @@
 //! the finest one computed, which tells the mesh error.
 
 use super::case::{Case, Refusal, Watch};
-use super::mesh_error::at_level;
+use super::mesh_error::{OnMesh, at_level};
 use super::results::Results;
 use super::statistics::median;
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
@@ -65,7 +65,7 @@ pub struct Level {
     pub seconds: f64,
     /// Springs computed.
     pub spring_evaluations: usize,
-    /// Results; forces in terms of the node mass of the scenario's level.
+    /// Results.
     pub results: Results,
     /// Difference of each result from the finest level, in %.
     pub errors: Results,
@@ -214,7 +214,7 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
         let share = |level: u32| f64::from(level.pow(3)) / f64::from(finest.pow(3));
         let from = 0.6 + 0.4 * share(level - 1);
         let mut watch = part(watch, from, 0.4 * (share(level) - share(level - 1)));
-        levels.push(measure_level(scenario, level, &case, &mut watch)?);
+        levels.push(measure_level(scenario, level, &mut watch)?);
     }
     let finest_results = levels.last().map(|l| l.results);
     for level in &mut levels {
@@ -234,12 +234,7 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
     })
 }
 
-fn measure_level(
-    scenario: &Scenario,
-    level: u32,
-    like: &Case,
-    watch: Watch,
-) -> Result<Level, Refusal> {
+fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level, Refusal> {
     let mut other = scenario.clone();
     other.eye.level = level;
     other.numerics = crate::scenario::NumericsInput::default();
@@ -259,7 +254,7 @@ fn measure_level(
         times.push(started.elapsed().as_secs_f64());
     }
     let mut watch = part(watch, 1.0 - each, each);
-    let (results, folded) = at_level(&other, level, like, &mut watch)?;
+    let OnMesh { results, folded } = at_level(&other, level, &mut watch)?;
     Ok(Level {
         level,
         seconds: median(times).expect("at least one round"),

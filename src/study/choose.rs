@@ -1,12 +1,12 @@
 //! The cheapest mesh, integrator and step that give the damage score to a tolerance.
 //!
-//! Levels are tried from the coarsest. A level's mesh error comes from the level above it, which is
+//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it, which are
 //! the next to be tried, so nothing is computed twice. Once the mesh error is below the tolerance,
 //! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
 use super::case::{Case, Refusal, Watch};
-use super::mesh_error::{at_level, between, rescaled};
+use super::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use super::quantity::Quantity;
 use super::results::Results;
 use super::rules::{Automatic, share_for};
@@ -51,12 +51,15 @@ pub fn within(
 ) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
     let mut best = f64::INFINITY;
-    let mut at = Scenario::from(scenario.clone());
-    at.eye.level = 1;
-    let mut case = Case::new(&at.check()?);
-    let (mut results, mut folded) = at_level(&at, 1, &case, watch)?;
+    // Of levels 1, 2, 3, ...; each is computed once.
+    let mut ladder: Vec<OnMesh> = Vec::new();
     for level in 1..=FINEST_TRIED {
-        if let Some(time) = folded {
+        let levels = witnesses(level);
+        while ladder.len() < levels[1] as usize {
+            ladder.push(at_level(scenario, ladder.len() as u32 + 1, watch)?);
+        }
+        let on = |level: u32| &ladder[level as usize - 1];
+        if let Some(time) = on(level).folded {
             return Err(Refusal::ToleranceNotMet {
                 percent,
                 reason: format!(
@@ -65,23 +68,24 @@ pub fn within(
                 ),
             });
         }
-        let mut finer = Scenario::from(scenario.clone());
-        finer.eye.level = level + 1;
-        let finer_case = Case::new(&finer.check()?);
-        let (finer_like_this, finer_folded) = at_level(&finer, level + 1, &case, watch)?;
-        let mesh = between(level, &results, level + 1, &finer_like_this);
-        let mesh_error = of_damage(&mesh);
+        let mesh = MeshError::of(on(level), level, levels.map(on));
+        let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
+            reasons.push(format!("level {level}: finer meshes show no limit"));
+            continue;
+        };
         if mesh_error < percent {
+            let mut at = Scenario::from(scenario.clone());
             at.eye.level = level;
+            let at = at.check()?;
             let left = percent - mesh_error;
             reasons.push(format!(
                 "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
             ));
-            let mut answer = meet(&case, left, keep, watch, &mut reasons)?;
-            answer.errors.mesh = Some(mesh);
+            let mut answer = meet(&Case::new(&at), left, keep, watch, &mut reasons)?;
+            answer.add(mesh);
             return Ok(Chosen {
                 answer,
-                scenario: at.check()?,
+                scenario: at,
                 reasons,
             });
         }
@@ -89,9 +93,6 @@ pub fn within(
         reasons.push(format!(
             "level {level}: mesh error {mesh_error:.2} %, too much"
         ));
-        // The same run in terms of its own node mass.
-        (results, folded) = (rescaled(finer_like_this, &case, &finer_case), finer_folded);
-        case = finer_case;
     }
     Err(Refusal::ToleranceNotMet {
         percent,

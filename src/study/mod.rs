@@ -13,6 +13,7 @@ mod flags;
 mod frames;
 pub mod hard_cases;
 pub mod map;
+pub mod mesh_coverage;
 mod mesh_error;
 pub mod ordered;
 pub mod point;
@@ -29,7 +30,9 @@ pub mod validate;
 pub use case::{Case, Refusal, Solution, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
 pub use frames::frames;
-pub use mesh_error::{FINEST_LEVEL, MeshError, MeshQuery, add_mesh_error};
+pub use mesh_error::{
+    FINEST_LEVEL, Limit, Limits, MeshError, MeshQuery, add_mesh_error, witnesses,
+};
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
 pub use solve::{Answer, Errors, solve};

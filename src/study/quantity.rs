@@ -75,6 +75,18 @@ pub enum Family {
     Unstated,
 }
 
+/// How a result behaves as the mesh gets finer; see [`super::mesh_error`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshScatter {
+    /// By this share of it level 3 may lie off the limit though its neighbours agree; finer ones by less,
+    /// with the first order.
+    pub share: f64,
+    /// Or by so much, in its unit, where it is small.
+    pub least: f64,
+    /// Two levels that differ by a larger share than this tell no limit.
+    pub apart: f64,
+}
+
 /// How a result is read from what a march left.
 #[derive(Clone, Copy)]
 pub enum Read {
@@ -106,8 +118,8 @@ pub struct Row {
     pub leads: Leads,
     /// What its step error hangs together with.
     pub family: Family,
-    /// Whether it grows with the mass of a node, so that levels of the mesh compare by acceleration.
-    pub per_node_mass: bool,
+    /// How far a finer mesh may be trusted with it.
+    pub scatter: MeshScatter,
     /// How it is read.
     pub read: Read,
     /// Its course over time, SI, if it is recorded; empty where the scene has none.
@@ -123,23 +135,27 @@ impl Quantity {
         match self {
             Self::Damage => Row {
                 leads: Leads::Always,
+                scatter: within(0.055, 0.3),
                 read: Read::Number(|e| Some(DamageIndex::of(e).damage())),
                 ..number("damage_percent", "damage index", "damage", "%")
             },
             Self::ShellGrowth => Row {
                 factor: 1e2,
+                scatter: SHELL_SCATTER,
                 read: Read::Peak(|e| Some(e.shell_growth)),
                 trace: Some(|t| &t.shell_growth),
                 ..number("scleral_growth_percent", "S shell growth", "S", "%")
             },
             Self::MeridianGrowth => Row {
                 factor: 1e2,
+                scatter: within(0.055, 0.3),
                 read: Read::Peak(|e| Some(e.meridian_growth)),
                 trace: Some(|t| &t.meridian_growth),
                 ..number("meridian_growth_percent", "M meridian growth", "M", "%")
             },
             Self::Energy => Row {
                 rounding: 1e-16,
+                scatter: within(0.08, 0.3),
                 read: Read::Number(|e| Some(e.work)),
                 ..number("energy_imparted_j", "E energy imparted", "E", "J")
             },
@@ -153,21 +169,25 @@ impl Quantity {
             Self::ForceCentre => Row {
                 // Far smoother than those of the shell, and really better.
                 family: Family::Alone,
+                scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Centre as usize])),
                 trace: Some(|t| &t.force[Monitor::Centre as usize]),
                 ..node_force("peak_force_centre_n", "peak force, centre", "centre")
             },
             Self::ForceFront => Row {
+                scatter: within(0.25, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Front as usize])),
                 trace: Some(|t| &t.force[Monitor::Front as usize]),
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
+                scatter: within(0.6, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Right as usize])),
                 trace: Some(|t| &t.force[Monitor::Right as usize]),
                 ..node_force("peak_force_right_n", "peak force, right", "right")
             },
             Self::ForceTop => Row {
+                scatter: within(0.3, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Top as usize])),
                 trace: Some(|t| &t.force[Monitor::Top as usize]),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
@@ -181,6 +201,7 @@ impl Quantity {
             Self::Pressure => Row {
                 factor: 1e-6,
                 leads: Leads::Always,
+                scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.fluid?.pressure)),
                 trace: Some(|t| &t.pressure),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
@@ -188,6 +209,7 @@ impl Quantity {
             Self::Contact => Row {
                 rounding: FORCE_ROUNDING,
                 leads: Leads::Always,
+                scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.shot?.force)),
                 trace: Some(|t| &t.contact_force),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
@@ -258,6 +280,20 @@ impl Quantity {
 
 const FORCE_ROUNDING: f64 = 3e-10;
 
+/// Finer shells crumple where level 1 stretches: hardly any growth is left, which only its size bounds.
+const SHELL_SCATTER: MeshScatter = MeshScatter {
+    least: 1e-3,
+    ..within(0.5, 0.5)
+};
+
+const fn within(share: f64, apart: f64) -> MeshScatter {
+    MeshScatter {
+        share,
+        least: 0.0,
+        apart,
+    }
+}
+
 /// A result of the whole motion that does not lead, to be filled in.
 const fn number(
     key: &'static str,
@@ -274,7 +310,7 @@ const fn number(
         rounding: 1e-12,
         leads: Leads::Never,
         family: Family::Motion,
-        per_node_mass: false,
+        scatter: within(0.04, 0.3),
         read: Read::Number(|_| None),
         trace: None,
     }
@@ -286,7 +322,6 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
         rounding: FORCE_ROUNDING,
         leads: Leads::WithoutProjectile,
         family: Family::ShellForces,
-        per_node_mass: true,
         ..number(key, label, short, "N")
     }
 }

@@ -4,6 +4,8 @@
 
 use super::case::{Case, Refusal, Solution, Watch};
 use super::flags::{self, Evidence, Flag};
+use super::mesh_error::Limits;
+use super::quantity::Quantity;
 use super::results::Results;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
@@ -25,6 +27,8 @@ pub struct Errors {
     pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
     pub mesh: Option<Results>,
+    /// What finer meshes tend to, likewise.
+    pub limits: Option<Limits>,
     /// Energy residual, in % of the work in.
     pub energy_balance: f64,
 }
@@ -35,9 +39,21 @@ impl Errors {
         self.time_step.headline()
     }
 
-    /// The same for the mesh.
+    /// The same for the mesh, of those that have a limit.
     pub fn mesh_percent(&self) -> Option<f64> {
-        self.mesh.as_ref().map(Results::headline)
+        Some(self.mesh.as_ref()?.worst()?.1)
+    }
+
+    /// The results that have no limit as the mesh gets finer, or none that could be seen, once the mesh
+    /// error has been estimated.
+    pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
+        let errors = self.mesh.as_ref();
+        let unknown =
+            move |(quantity, _): &(Quantity, f64)| errors.is_some_and(|e| e[*quantity].is_none());
+        self.time_step
+            .present()
+            .filter(unknown)
+            .map(|(quantity, _)| quantity)
     }
 }
 
@@ -241,6 +257,7 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     let errors = Errors {
         time_step,
         mesh: None,
+        limits: None,
         energy_balance: 100.0 * extremes.energy_residual,
     };
     Ok(Measured {

@@ -330,7 +330,7 @@ mod tests {
         assert_eq!(after("eye.retina_deg", Step::MORE), "130");
         assert_eq!(after("eye.retina_deg", Step::LESS), "129");
         assert_eq!(after("eye.level", Step::MUCH_MORE), "2");
-        assert_eq!(after("eye.lens", Step::LESS), "false");
+        assert_eq!(after("eye.lens", Step::LESS), "Soft");
         assert_eq!(after("impact.shape", Step::MORE), "Triangle");
         assert_eq!(after("impact.shape", Step::LESS), "HalfSine");
     }

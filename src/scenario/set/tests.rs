@@ -3,7 +3,7 @@
 use super::*;
 use crate::scenario::fields::tests::every_variant;
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Integrator, Model, Physiological, Projectile,
+    EyeInput, ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile,
     ProjectileStiffness, PulseShape,
 };
 
@@ -78,7 +78,7 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
 fn scalars_are_set_by_their_path() {
     assert_eq!(pulse(&after("impact.force_n", " 4.5e2 ")).force_n, 450.0);
     assert_eq!(pulse(&after("impact.force_n", "1_000")).force_n, 1000.0);
-    assert!(!after("eye.lens", "false").eye.lens);
+    assert_eq!(after("eye.lens", "soft").eye.lens, Lens::Soft);
     assert_eq!(after("numerics.step_us", "1.5").numerics.step_us, Some(1.5));
     assert_eq!(
         after("numerics.step_us", "Some(2)").numerics.step_us,

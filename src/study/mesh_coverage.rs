@@ -1,0 +1,87 @@
+//! Whether the stated mesh errors hold: many random scenes, each against the finest mesh.
+//!
+//! The scenes are those of [`super::coverage`]. One whose mesh folds at any of the levels promises nothing
+//! and is counted apart, and so is a result of which no limit was seen. The finest mesh is not the limit
+//! itself: it may be off by what fine levels scatter by.
+
+use super::case::{Refusal, unwatched};
+use super::coverage::{Checked, MOST_SCENES, scene};
+use super::mesh_error::{FINEST_LEVEL, MeshError, at_level, witnesses};
+use super::results::Results;
+use crate::study::mesh_error::OnMesh;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// The finest level whose claims can be checked: its witnesses are coarser than the finest mesh.
+pub const FINEST_CHECKED: u32 = 5;
+/// Scenes that are begun together.
+const BLOCK: u32 = 16;
+
+/// Checks the mesh errors of answers at `level` in random scenes of `seed`, from the first, until `count`
+/// of them have folded nowhere. The order and every bit of the result are the same for any number of
+/// threads. `watch` is told the share that is done, and may stop the rest.
+///
+/// # Errors
+/// Whatever a scene refuses; none should. [`Refusal::Cancelled`] if the watch stopped it.
+pub fn check(
+    count: u32,
+    seed: u32,
+    level: u32,
+    watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
+) -> Result<Vec<Checked>, Refusal> {
+    let unfolded = AtomicU32::new(0);
+    let mut checked: Vec<Checked> = Vec::new();
+    let mut left = count;
+    let mut first = 0;
+    while left > 0 && first < MOST_SCENES {
+        let one = |index: u32| {
+            let checked = check_one(index, seed, level)?;
+            let found = u32::from(!checked.folded);
+            let done = unfolded.fetch_add(found, Ordering::Relaxed) + found;
+            match watch(f64::from(done.min(count)) / f64::from(count)) {
+                ControlFlow::Continue(()) => Ok(checked),
+                ControlFlow::Break(()) => Err(Refusal::Cancelled),
+            }
+        };
+        let block: Result<Vec<Checked>, Refusal> =
+            (first..first + BLOCK).into_par_iter().map(one).collect();
+        for scene in block? {
+            if left == 0 {
+                break;
+            }
+            left -= u32::from(!scene.folded);
+            checked.push(scene);
+        }
+        first += BLOCK;
+    }
+    Ok(checked)
+}
+
+fn check_one(index: u32, seed: u32, level: u32) -> Result<Checked, Refusal> {
+    let scene = scene(index, seed);
+    let folded = Checked {
+        index,
+        claimed: Results::from_fn(|_| None),
+        truth: Results::from_fn(|_| None),
+        folded: true,
+    };
+    let [coarser, finer] = witnesses(level);
+    let mut found: Vec<OnMesh> = Vec::with_capacity(4);
+    // The cheap ones first: where one folds the finest mesh need not be moved.
+    for level in [level, coarser, finer, FINEST_LEVEL] {
+        let on = at_level(&scene, level, &mut unwatched)?;
+        if on.folded.is_some() {
+            return Ok(folded);
+        }
+        found.push(on);
+    }
+    let mesh = MeshError::of(&found[0], level, [&found[1], &found[2]]);
+    Ok(Checked {
+        index,
+        claimed: mesh.errors,
+        // In % of the answer, as claims are.
+        truth: found[3].results.difference_percent(&found[0].results),
+        folded: false,
+    })
+}
