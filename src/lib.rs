@@ -1,14 +1,40 @@
 //! What a blow does to a human eye, and how far to trust the answer.
 //!
+//! ```
+//! use contrecoup::study::{Quantity, add_mesh_error, solve, unwatched};
+//! use contrecoup::{Error, recording::Keep, scenario::Scenario};
+//!
+//! fn main() -> Result<(), Error> {
+//!     let blow = Scenario::default().check()?; // 300 N for 0.2 ms
+//!     let mut answer = solve(&blow, Keep::default(), &mut unwatched)?;
+//!     add_mesh_error(&blow, &mut answer, &mut unwatched)?; // solves the next finer mesh
+//!     let damage = answer.results()[Quantity::Damage]; // None where a scene has no such result
+//!     let step = answer.errors.time_step[Quantity::Damage];
+//!     let mesh = answer.errors.mesh.and_then(|errors| errors[Quantity::Damage]);
+//!     println!("damage {damage:?} %, error of the step {step:?} %, of the mesh {mesh:?} %");
+//!     assert!(damage > Some(26.0) && mesh > step && step > Some(0.0));
+//!     Ok(())
+//! }
+//! ```
+//!
+//! A [`Scenario`](scenario::Scenario) has a default for every field, and units in their names; it is also read
+//! [from a file](scenario::load) or from the [presets](scenario::library). [`check`](scenario::Scenario::check)
+//! refuses what is out of range and gives the only type that can be [solved](study::solve). The
+//! [`Answer`](study::Answer) holds each result by its [`Quantity`](study::Quantity), its errors in % of it, and
+//! [flags](study::FlagKind) for what limits it. Many runs: [`study::batch`], [`study::sweep`],
+//! [`study::ensemble`]; the folder `examples` has a blow, a parallel sweep and a force curve of one's own.
+//! Without default features the library has none of the command line's and the terminal's dependencies.
+//!
 //! Data flows one way. [`scenario`] is what a person asks for, in their units; [`eye`] turns anatomy
 //! into a mesh; [`dynamics`] moves it; [`recording`] keeps extremes, traces and frames; [`injury`]
-//! scores them; [`study`] runs one case or many and estimates errors; [`report`] prints; [`cli`] is
-//! the command line, [`tui`] the terminal app. A lower room never imports a higher one. [`guide`] is what
-//! to read besides.
+//! scores them; [`study`] runs one case or many and estimates errors. Above them stand the reports, the
+//! command line and the terminal app, which are no part of the library. A lower room never imports a
+//! higher one. [`guide`] is what to read besides.
 //!
 //! Research and education, not diagnosis.
 
 #[cfg(feature = "app")]
+#[doc(hidden)]
 pub mod cli;
 pub mod dynamics;
 mod error;
@@ -19,10 +45,11 @@ mod normal;
 mod plain_text;
 pub mod recording;
 #[cfg(feature = "app")]
-pub mod report;
+mod report;
 pub mod scenario;
 pub mod study;
 #[cfg(feature = "app")]
+#[doc(hidden)]
 pub mod tui;
 #[cfg(feature = "app")]
 mod whole_file;

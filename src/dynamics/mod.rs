@@ -36,11 +36,14 @@ mod load;
 mod march;
 mod method;
 mod object_spring;
+#[doc(hidden)]
 pub mod plain;
+#[doc(hidden)]
 pub mod revolution;
 mod ring;
 mod runge_kutta;
 mod scene;
+#[doc(hidden)]
 pub mod stability;
 mod state;
 mod stepper;
@@ -49,13 +52,19 @@ mod system;
 mod verlet;
 
 pub use crate::scenario::Integrator;
-pub use contact::{Body, Contact};
-pub use coupled::{Coupled, Readings};
-pub use fluid::{Fluid, PA_PER_MMHG, area};
-pub use kernel::{Survey, name as kernel_name, vector_sets, vectors_name};
-pub use load::{ArcLoad, Piece, Pulse, Segment};
-pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
+pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Plan};
 pub use method::{Drag, Method};
-pub use scene::SceneKind;
-pub use state::State;
-pub use system::{Place, System};
+
+// The engine itself is open to the tests and benchmarks of this crate, and may change at any time.
+#[doc(hidden)]
+pub use {
+    contact::{Body, Contact},
+    coupled::{Coupled, Readings},
+    fluid::{Fluid, PA_PER_MMHG, area},
+    kernel::{Survey, name as kernel_name, vector_sets, vectors_name},
+    load::{ArcLoad, Piece, Pulse, Segment},
+    march::{Observer, march},
+    scene::SceneKind,
+    state::State,
+    system::{Place, System},
+};

@@ -28,7 +28,7 @@ const ANGLE_TOLERANCE_RAD: f64 = 1e-9 * PI / 180.0;
 pub enum Region {
     /// Inside the shell, lens apart: vitreous and aqueous.
     Interior,
-    /// Lens.
+    /// Inside the lens, whose springs may have a modulus of their own.
     Lens,
     /// Corneoscleral shell outside the retina's span.
     Shell,

@@ -11,19 +11,22 @@ mod hats;
 mod landmarks;
 mod lens;
 mod mesh;
+#[doc(hidden)]
 pub mod revolution;
 mod springs;
 
 pub use hats::Hat;
 pub use landmarks::{Landmarks, Monitor};
-pub use mesh::{GLOBE_RADIUS_M, Node, ORBIT_RADIUS_M, Region, side_at_level};
+#[cfg(feature = "app")]
+pub(crate) use mesh::side_at_level;
+pub use mesh::{GLOBE_RADIUS_M, Node, ORBIT_RADIUS_M, Region};
 pub use springs::{Spring, SpringKind};
 
 use crate::scenario::{EyeInput, Model, Scenario};
 use nalgebra::{Point2, Vector2};
 
 /// Twice the signed area of the triangle a, b, c: positive when it turns anticlockwise.
-pub fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
+pub(crate) fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
     let (p, q): (Vector2<f64>, Vector2<f64>) = (b - a, c - a);
     p.perp(&q)
 }
@@ -32,7 +35,7 @@ pub fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
 const UNIT_DEPTH_M: f64 = 1.0;
 
 /// Depth of the section of a model, in m.
-pub fn depth_m(model: &Model) -> f64 {
+pub(crate) fn depth_m(model: &Model) -> f64 {
     match model {
         Model::Physiological(parts) if parts.slab => parts.depth_mm * 1e-3,
         Model::Paper | Model::Physiological(_) => UNIT_DEPTH_M,

@@ -107,11 +107,11 @@ pub const ASSUMED_SLOPE: Slope = Slope {
 /// The slope of a logistic curve in units of 1/x50, with the range it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slope {
-    /// Flattest.
+    /// The flattest that data would still allow.
     pub least: f64,
     /// Taken for the figure shown.
     pub usual: f64,
-    /// Steepest.
+    /// The steepest.
     pub most: f64,
 }
 
@@ -173,15 +173,15 @@ pub enum Range {
 /// One published curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
-    /// Of what.
+    /// The injury whose risk it gives.
     pub injury: Injury,
-    /// Against what.
+    /// What the risk runs against.
     pub measure: Measure,
-    /// Its law.
+    /// Its law and parameters.
     pub form: Form,
     /// Authors, year, journal.
     pub source: &'static str,
-    /// Whose eyes.
+    /// The species whose eyes were hit.
     pub species: &'static str,
     /// The data it rests on.
     pub range: Range,

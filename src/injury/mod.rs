@@ -8,7 +8,11 @@ mod index;
 mod published;
 mod risk;
 
-pub use curve::{ASSUMED_SLOPE, Curve, Form, Injury, Measure, Range, Slope, Standing};
+pub(crate) use curve::ASSUMED_SLOPE;
+pub use curve::{Curve, Form, Injury, Measure, Range, Slope, Standing};
 pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
-pub use risk::{Blow, Caution, MARKS, ORBIT, Risk, assess, curve_of, disagreement, measured};
+#[cfg(feature = "app")]
+pub(crate) use risk::disagreement;
+pub use risk::{Blow, Caution, MARKS, Risk};
+pub(crate) use risk::{assess, curve_of, measured};

@@ -10,22 +10,23 @@ use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
 
 /// Width and height of the orbit's opening, in m (anatomy texts: 40 mm and 35 mm).
-pub const ORBIT: (f64, f64) = (0.040, 0.035);
+const ORBIT: (f64, f64) = (0.040, 0.035);
 /// Diameter of the eye across, in m.
 const EYE: f64 = 0.0242;
 /// Normalized energy of a BB at 122 m/s, the fastest object of the pooled tests, in J/m^2.
 const MOST: f64 = 161e3;
 /// Two risks of one injury that differ by more than this disagree.
+#[cfg(feature = "app")]
 const DISAGREEMENT: f64 = 0.25;
 
 /// An object on its way to the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Blow {
-    /// kg.
+    /// Mass, in kg.
     pub mass: f64,
-    /// m.
+    /// Diameter, in m.
     pub diameter: f64,
-    /// m/s.
+    /// Speed at first contact, in m/s.
     pub speed: f64,
 }
 
@@ -42,17 +43,17 @@ impl Blow {
         }
     }
 
-    /// J.
+    /// Kinetic energy, in J.
     pub fn kinetic_energy(&self) -> f64 {
         0.5 * self.mass * self.speed * self.speed
     }
 
-    /// J/m^2, over the object's own projected area as the curves define it.
+    /// Kinetic energy in J/m^2, over the object's own projected area as the curves define it.
     pub fn normalized_energy(&self) -> f64 {
         self.kinetic_energy() / (FRAC_PI_4 * self.diameter * self.diameter)
     }
 
-    /// J/m^2, over no more than the opening of the orbit.
+    /// Kinetic energy in J/m^2, over no more than the opening of the orbit.
     pub fn normalized_energy_in_the_orbit(&self) -> f64 {
         let area = (self.diameter * self.diameter).min(ORBIT.0 * ORBIT.1);
         self.kinetic_energy() / (FRAC_PI_4 * area)
@@ -104,13 +105,13 @@ impl Caution {
 /// What one curve says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Risk {
-    /// The curve.
+    /// The curve, with its source.
     pub curve: &'static Curve,
     /// The measure's value, SI.
     pub value: f64,
-    /// 0 to 1.
+    /// Probability of the injury, 0 to 1.
     pub risk: f64,
-    /// Least and greatest over the range of the slope.
+    /// Least and greatest risk over the range of the slope, 0 to 1.
     pub band: (f64, f64),
     /// Whether the blow lies outside the curve's data.
     pub extrapolated: bool,
@@ -188,6 +189,7 @@ pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
 }
 
 /// Least and greatest risk of one injury where its curves differ so much that a reader must know.
+#[cfg(feature = "app")]
 pub fn disagreement(risks: &[Risk], injury: Injury) -> Option<(f64, f64)> {
     let of = risks.iter().filter(|r| r.curve.injury == injury);
     let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| {

@@ -56,6 +56,7 @@ pub struct Frame {
 }
 
 /// The place of the frame nearest to a time, in s.
+#[cfg(feature = "app")]
 pub fn nearest(frames: &[Frame], time: f64) -> usize {
     let after = frames.partition_point(|frame| frame.time < time);
     let before = after.saturating_sub(1);

@@ -10,11 +10,17 @@ mod lengths;
 mod recorder;
 mod settling;
 
-pub use coupled::{FluidExtremes, MEAN_S, ShotExtremes};
+#[cfg(feature = "app")]
+pub(crate) use coupled::MEAN_S;
+pub use coupled::{FluidExtremes, ShotExtremes};
 pub use dense::Peak;
 pub use export::{FrameWriter, write_traces};
-pub use frames::{Frame, FrameTaker, Spacing, nearest};
-pub use recorder::{Keep, Recorder};
+pub(crate) use frames::FrameTaker;
+#[cfg(feature = "app")]
+pub(crate) use frames::nearest;
+pub use frames::{Frame, Spacing};
+pub use recorder::Keep;
+pub(crate) use recorder::Recorder;
 
 use nalgebra::{Point2, Vector2};
 
@@ -33,7 +39,7 @@ pub struct Extremes {
     pub work: f64,
     /// Energy stored in all springs, in J, at step ends.
     pub elastic: Peak,
-    /// |l/l0 - 1| over all springs.
+    /// Largest strain of a spring, |l/l0 - 1|.
     pub strain: Peak,
     /// Smallest ratio of a quad's signed area to its area at rest.
     pub least_quad_ratio: f64,
@@ -77,7 +83,7 @@ impl Extremes {
 /// Values at step ends, each of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Traces {
-    /// s.
+    /// Time, s.
     pub time: Vec<f64>,
     /// Total load, N.
     pub load: Vec<f64>,
@@ -89,9 +95,9 @@ pub struct Traces {
     pub shell_growth: Vec<f64>,
     /// Growth of the vertical diameter as a share of it.
     pub meridian_growth: Vec<f64>,
-    /// J.
+    /// Kinetic energy, J.
     pub kinetic: Vec<f64>,
-    /// J.
+    /// Energy stored in springs, J.
     pub elastic: Vec<f64>,
     /// Energy lost to drag so far, J.
     pub dissipated: Vec<f64>,

@@ -59,7 +59,7 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
 ///
 /// # Errors
 /// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
-pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
+pub(crate) fn read_text(path: &Path) -> Result<String, ScenarioError> {
     text_file::read(path)
         .map_err(|why| Problem::new("", why).of(&path.display().to_string()).into())
 }

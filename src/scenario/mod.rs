@@ -9,18 +9,18 @@
 mod check;
 mod curve;
 mod curve_file;
-pub mod doubt;
+pub(crate) mod doubt;
 pub mod fields;
 mod integrator;
 pub mod library;
 pub mod load;
-pub mod locate;
+pub(crate) mod locate;
 mod physiological;
-pub mod problem;
+pub(crate) mod problem;
 mod projectile;
 mod ron_text;
 pub mod set;
-pub mod text_file;
+mod text_file;
 
 use std::collections::BTreeMap;
 
@@ -29,6 +29,7 @@ pub use curve::{Curve, CurveError};
 use curve_file::CurveFile;
 pub use integrator::Integrator;
 pub use physiological::Physiological;
+pub use problem::{Problem, ScenarioError};
 pub use projectile::{Projectile, ProjectileStiffness};
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +53,8 @@ pub struct Scenario {
     /// Integrator and step.
     #[serde(default)]
     pub numerics: NumericsInput,
-    /// Standard deviations of numbers that are in doubt, by the path of their field; see [`doubt`].
+    /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
+    /// the field. No single run changes by them; an [ensemble](crate::study::ensemble) draws from them.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub doubt: BTreeMap<String, f64>,
 }
@@ -104,14 +106,14 @@ pub enum Impact {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(from = "WrittenPulse")]
 pub struct ForcePulse {
-    /// Peak of the total force; of a table, the force that a share of 1 stands for.
+    /// Peak of the total force, in N; of a table, the force that a share of 1 stands for.
     pub force_n: f64,
-    /// Time from the start of the blow to the last force. A table is stretched in time so that its
+    /// Time from the start of the blow to the last force, in ms. A table is stretched in time so that its
     /// last knot falls there; a text that gives a table and no duration leaves its times as they are.
     pub duration_ms: f64,
-    /// Front angle of the middle of the arc: 0 at the corneal apex, positive above.
+    /// Front angle of the middle of the arc, in degrees: 0 at the corneal apex, positive above.
     pub angle_deg: f64,
-    /// Half of the loaded arc (the paper's "impact area").
+    /// Half of the loaded arc, in degrees (the paper's "impact area").
     pub half_width_deg: f64,
     /// How the force rises and falls.
     pub shape: PulseShape,
@@ -244,13 +246,13 @@ impl Default for PulseShape {
     }
 }
 
-/// Anatomy, materials and mesh. Every default is the paper's value.
+/// Anatomy, materials and mesh. Every default is the value of Sathyanarayanan, Mahadas and Hung (2013).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct EyeInput {
     /// Refinement level k: 15k+1 nodes a side. Level 1 is the paper's mesh.
     pub level: u32,
-    /// Half-angle of the front opening of the orbit.
+    /// Half-angle of the front opening of the orbit, in degrees.
     pub opening_deg: f64,
     /// Which springs have the lens modulus.
     pub lens: Lens,
@@ -258,21 +260,21 @@ pub struct EyeInput {
     pub filament_hops: Vec<u32>,
     /// Multiplies the stiffness of every filament; 0 leaves them out.
     pub filament_factor: f64,
-    /// Half-angle of the retina from the posterior pole.
+    /// Half-angle of the retina from the posterior pole, in degrees.
     pub retina_deg: f64,
-    /// Elastic modulus of the corneoscleral shell.
+    /// Elastic modulus of the corneoscleral shell, in kPa.
     pub sclera_kpa: f64,
-    /// Elastic modulus of the orbital fat.
+    /// Elastic modulus of the orbital fat, in kPa.
     pub fat_kpa: f64,
-    /// Elastic modulus of the lens.
+    /// Elastic modulus of the lens, in kPa.
     pub lens_kpa: f64,
-    /// Elastic modulus of the rest of the globe.
+    /// Elastic modulus of the rest of the globe, in kPa.
     pub rest_kpa: f64,
-    /// Mass of the globe, shared equally by its nodes.
+    /// Mass of the globe, in g, shared equally by its nodes.
     pub globe_mass_g: f64,
-    /// Drag on a globe node of level 1.
+    /// Drag on a globe node of level 1, in N s/m.
     pub globe_drag_ns_m: f64,
-    /// Drag on a fat node of level 1.
+    /// Drag on a fat node of level 1, in N s/m.
     pub fat_drag_ns_m: f64,
 }
 
@@ -320,6 +322,6 @@ pub struct NumericsInput {
     /// The integrator; none, spelled `Auto`, lets the program choose.
     #[serde(with = "integrator")]
     pub integrator: Option<Integrator>,
-    /// The step; none lets the program take one from the stability bound.
+    /// The step, in us; none lets the program take one from the stability bound.
     pub step_us: Option<f64>,
 }

@@ -11,19 +11,19 @@ use serde::{Deserialize, Serialize};
 pub struct Physiological {
     /// Whether the section is a slab of [`Self::depth_mm`]; off, it has the paper's unit depth.
     pub slab: bool,
-    /// Depth of the slab: 16 mm holds the globe's 7.5 g at the density of tissue.
+    /// Depth of the slab, in mm: 16 mm holds the globe's 7.5 g at the density of tissue.
     pub depth_mm: f64,
     /// Whether the globe holds a fluid that resists a change of its area.
     pub pressure: bool,
-    /// Intraocular pressure before the blow.
+    /// Intraocular pressure before the blow, in mm of mercury.
     pub initial_pressure_mmhg: f64,
-    /// Effective bulk modulus B of the fluid: p = p0 - B (A/A0 - 1).
+    /// Effective bulk modulus B of the fluid, in megapascals: p = p0 - B (A/A0 - 1).
     pub bulk_modulus_mpa: f64,
     /// Whether dashpots along the springs take the place of drag on every node.
     pub dashpots: bool,
-    /// Damping ratio of the dashpots in the globe.
+    /// Damping ratio of the dashpots in the globe, as a share of the critical one.
     pub globe_damping_ratio: f64,
-    /// Damping ratio of the dashpots in fat.
+    /// Damping ratio of the dashpots in fat, as a share of the critical one.
     pub fat_damping_ratio: f64,
     /// Multiplies `eye.sclera_kpa`: tissue is stiffer in a fast blow.
     pub sclera_stiffening: f64,

@@ -9,16 +9,16 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Projectile {
-    /// Mass of the object.
+    /// Mass of the object, in g.
     pub mass_g: f64,
-    /// Diameter of the object.
+    /// Diameter of the object, in mm.
     pub diameter_mm: f64,
-    /// Speed at first contact.
+    /// Speed at first contact, in m/s.
     pub speed_m_s: f64,
-    /// Front angle that it aims at: 0 at the corneal apex, positive above.
+    /// Front angle that it aims at, in degrees: 0 at the corneal apex, positive above.
     #[serde(default)]
     pub angle_deg: f64,
-    /// Sideways shift of its path, positive to the left of its flight: up for a level shot.
+    /// Sideways shift of its path, in mm, positive to the left of its flight: up for a level shot.
     #[serde(default)]
     pub offset_mm: f64,
     /// How it gives way itself.
@@ -66,7 +66,7 @@ pub enum ProjectileStiffness {
     Rigid,
     /// Like a spring between its surface and its mass.
     Linear {
-        /// Force per shortening.
+        /// Force per shortening, in N/m.
         n_per_m: f64,
     },
 }

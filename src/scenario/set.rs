@@ -125,7 +125,7 @@ fn confirm(scenario: &mut Scenario, path: &str) {
 
 /// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set by a
 /// person.
-pub fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
+pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     if let Kind::Number(_, place) = &field.kind {
         store((place.get_mut)(scenario), Some(value));
         confirm(scenario, field.path);

@@ -132,11 +132,14 @@ pub struct Case {
     /// The object that hits it, if there is one.
     pub blow: Option<Blow>,
     /// The loaded arc.
+    #[doc(hidden)]
     pub load: ArcLoad,
     /// What the kernel moves.
+    #[doc(hidden)]
     pub system: System,
     /// Simulated time, in s.
     pub window: f64,
+    #[doc(hidden)]
     /// What it starts from: rest, unless a test moves it.
     pub start: State,
 }

@@ -1,7 +1,7 @@
 //! How far the answer may be off because the inputs are not known: many runs over their spreads.
 //!
 //! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
-//! [`super::spreads`], one dimension an input. What a sample gives depends on the scenario, the seed
+//! its inputs, one dimension an [`Input`]. What a sample gives depends on the scenario, the seed
 //! and its number alone, so the result is the same bits for any number of threads, and a run that was
 //! stopped after k samples is an ensemble of k.
 //!
@@ -10,7 +10,7 @@
 //! stable step says nothing of soft ones, which may take longer. Of the others every
 //! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`PROMISE_PERCENT`].
 //!
-//! What samples say together is in [`super::bands`].
+//! What samples say together is a [`Band`](super::Band) for each result.
 //!
 //! Left out: the mesh error, which all samples share, and inputs that hang together.
 
@@ -58,7 +58,7 @@ pub struct Timing {
     pub cores: f64,
     /// A single run of the scenario itself, results only, in s: the median of runs among the samples.
     pub single: Option<f64>,
-    /// Threads.
+    /// Threads that shared the samples.
     pub threads: usize,
 }
 

@@ -40,7 +40,7 @@ pub struct HardCase {
 /// What an eye starts from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Start {
-    /// Rest.
+    /// Nothing is done: it lies at rest.
     Rest,
     /// A node of the shell lies on its neighbour.
     OnOneSpot,

@@ -1,33 +1,41 @@
 //! Runs: one case with its errors, and what is built from many.
 
 pub mod accuracy;
-pub mod bands;
+pub(crate) mod bands;
 pub mod batch;
+#[doc(hidden)]
 pub mod calibrate;
 mod case;
 pub mod choose;
+#[doc(hidden)]
 pub mod coverage;
 pub mod ensemble;
+#[doc(hidden)]
 pub mod experiments;
 mod flags;
 mod frames;
+#[doc(hidden)]
 pub mod hard_cases;
 pub mod map;
 pub mod mesh_coverage;
 mod mesh_error;
-pub mod ordered;
+pub(crate) mod ordered;
 pub mod point;
 pub mod quantity;
 mod results;
 mod rules;
 mod solve;
-pub mod spreads;
-pub mod statistics;
+pub(crate) mod spreads;
+mod statistics;
 mod step_error;
 pub mod sweep;
+#[doc(hidden)]
 pub mod validate;
 
-pub use case::{Case, Refusal, Solution, Watch, unwatched};
+pub use bands::{Band, Checks};
+#[doc(hidden)]
+pub use case::Solution;
+pub use case::{Case, Refusal, Watch, unwatched};
 pub use flags::{Flag, FlagKind};
 pub use frames::frames;
 pub use mesh_error::{
@@ -36,4 +44,6 @@ pub use mesh_error::{
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
 pub use solve::{Answer, Errors, solve};
+pub use spreads::{Input, Shape};
+#[doc(hidden)]
 pub use statistics::median;

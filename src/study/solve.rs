@@ -60,9 +60,9 @@ impl Errors {
 /// A scenario's answer.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// What was moved.
+    /// The scenario compiled: its eye, and what the engine moved.
     pub case: Case,
-    /// How.
+    /// The integrator and the step that were asked of it.
     pub plan: Plan,
     /// Longest step taken, in s.
     pub step: f64,

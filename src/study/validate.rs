@@ -17,7 +17,7 @@ const FRAMES: f64 = 20e-6;
 /// One experiment, run.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// Which.
+    /// The published experiment.
     pub experiment: &'static Experiment,
     /// What the model gives, SI, or why it gives nothing.
     pub predicted: Result<f64, String>,
