@@ -32,6 +32,7 @@ macro_rules! topics {
 }
 
 topics! {
+    install = "install",
     app = "app",
     keys = "keys",
     ssh = "ssh",
