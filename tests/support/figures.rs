@@ -79,6 +79,12 @@ pub static FIGURES: &[Figures] = &[
         excerpt: |text| before(&from(text, "      "), "\nClaims"),
     },
     Figures {
+        name: "mesh-coverage",
+        command: "contrecoup coverage --mesh",
+        form: Form::Rows(|| vec!["result ", "damage index ", "peak force, top ", "scene "]),
+        excerpt: str::to_owned,
+    },
+    Figures {
         name: "methods",
         command: ACCURACY,
         form: SHORT,
