@@ -461,7 +461,7 @@ fn the_legend_of_the_energies_is_whole() {
     press(&mut model, "\x1b3vvvvvv");
     for size in SIZES {
         let text = picture(&model, size);
-        for name in ["1 work in", "2 kinetic", "3 elastic", "4 dissipated"] {
+        for name in ["1 kinetic", "2 elastic", "3 dissipated", "4 work in"] {
             let rest = &line_from(&text, name)[name.len()..];
             let words: Vec<&str> = rest.split_whitespace().collect();
             assert!(words[0].parse::<f64>().is_ok() && words[1] == "J", "{text}");

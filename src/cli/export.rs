@@ -10,8 +10,9 @@ use super::progress::Progress;
 use super::{CliError, ExportArgs, interrupt};
 use crate::eye::side_at_level;
 use crate::plain_text::printable;
-use crate::recording::{FrameWriter, Keep, Spacing, write_traces};
+use crate::recording::{FrameWriter, Keep, Spacing};
 use crate::scenario::Scenario;
+use crate::study::course::write_traces;
 use crate::study::{Answer, Refusal, frames, solve};
 use crate::whole_file;
 

@@ -14,15 +14,13 @@ mod settling;
 pub(crate) use coupled::MEAN_S;
 pub use coupled::{FluidExtremes, ShotExtremes};
 pub use dense::Peak;
-pub use export::{FrameWriter, write_traces};
+pub use export::FrameWriter;
 pub(crate) use frames::FrameTaker;
 #[cfg(feature = "app")]
 pub(crate) use frames::nearest;
 pub use frames::{Frame, Spacing};
 pub use recorder::Keep;
 pub(crate) use recorder::Recorder;
-
-use nalgebra::{Point2, Vector2};
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,10 +107,10 @@ pub struct Traces {
     pub area_ratio: Vec<f64>,
     /// Force of contact, mean over 100 us, N; empty without a projectile.
     pub contact_force: Vec<f64>,
-    /// Centre of the projectile, m; empty without one.
-    pub projectile: Vec<Point2<f64>>,
-    /// Velocity of the projectile, m/s; empty without one.
-    pub projectile_velocity: Vec<Vector2<f64>>,
+    /// Centre of the projectile, x and y, m; empty without one.
+    pub projectile: [Vec<f64>; 2],
+    /// Velocity of the projectile, x and y, m/s; empty without one.
+    pub projectile_velocity: [Vec<f64>; 2],
 }
 
 /// Everything kept of one march.

@@ -178,8 +178,10 @@ impl Recorder {
             }
             if let Some(force) = self.coupled.contact_force() {
                 rows.contact_force.push(force);
-                rows.projectile.push(readings.body.position);
-                rows.projectile_velocity.push(readings.body.velocity);
+                for axis in 0..2 {
+                    rows.projectile[axis].push(readings.body.position[axis]);
+                    rows.projectile_velocity[axis].push(readings.body.velocity[axis]);
+                }
             }
         }
     }

@@ -7,6 +7,7 @@ pub mod batch;
 pub mod calibrate;
 mod case;
 pub mod choose;
+pub mod course;
 #[doc(hidden)]
 pub mod coverage;
 pub mod ensemble;

@@ -7,9 +7,10 @@
 //! A result that a scene does not have reads as `None`: the pressure where there is no fluid, the
 //! force of contact where there is no projectile.
 
+use super::course::{Group, Trace, trace};
 use crate::eye::Monitor;
 use crate::injury::{Blow, DamageIndex, Injury, Measure, Standing, curve_of, measured};
-use crate::recording::{Extremes, Peak, Traces};
+use crate::recording::{Extremes, Peak};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -122,8 +123,8 @@ pub struct Row {
     pub scatter: MeshScatter,
     /// How it is read.
     pub read: Read,
-    /// Its course over time, SI, if it is recorded; empty where the scene has none.
-    pub trace: Option<fn(&Traces) -> &[f64]>,
+    /// Its course over time, if it is recorded.
+    pub trace: Option<Trace>,
 }
 
 impl Quantity {
@@ -143,27 +144,43 @@ impl Quantity {
                 factor: 1e2,
                 scatter: SHELL_SCATTER,
                 read: Read::Peak(|e| Some(e.shell_growth)),
-                trace: Some(|t| &t.shell_growth),
+                trace: Some(trace(
+                    "shell growth S",
+                    "scleral_growth_percent",
+                    |t| &t.shell_growth,
+                    (Group::Motion, 2),
+                )),
                 ..number("scleral_growth_percent", "S shell growth", "S", "%")
             },
             Self::MeridianGrowth => Row {
                 factor: 1e2,
                 scatter: within(0.055, 0.3),
                 read: Read::Peak(|e| Some(e.meridian_growth)),
-                trace: Some(|t| &t.meridian_growth),
+                trace: Some(trace(
+                    "meridian growth M",
+                    "meridian_growth_percent",
+                    |t| &t.meridian_growth,
+                    (Group::Motion, 3),
+                )),
                 ..number("meridian_growth_percent", "M meridian growth", "M", "%")
             },
             Self::Energy => Row {
                 rounding: 1e-16,
                 scatter: within(0.08, 0.3),
                 read: Read::Number(|e| Some(e.work)),
+                trace: Some(trace(
+                    "work in",
+                    "work_j",
+                    |t| &t.work,
+                    (Group::Energies, 3),
+                )),
                 ..number("energy_imparted_j", "E energy imparted", "E", "J")
             },
             Self::Apex => Row {
                 factor: 1e3,
                 leads: Leads::Always,
                 read: Read::Peak(|e| Some(e.apex)),
-                trace: Some(|t| &t.apex),
+                trace: Some(trace("apex", "apex_mm", |t| &t.apex, (Group::Motion, 1))),
                 ..number("apex_displacement_mm", "corneal apex", "apex", "mm")
             },
             Self::ForceCentre => Row {
@@ -171,31 +188,69 @@ impl Quantity {
                 family: Family::Alone,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Centre as usize])),
-                trace: Some(|t| &t.force[Monitor::Centre as usize]),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "centre",
+                        "force_centre_n",
+                        |t| &t.force[Monitor::Centre as usize],
+                        (Group::NodeForces, 0),
+                    )
+                }),
                 ..node_force("peak_force_centre_n", "peak force, centre", "centre")
             },
             Self::ForceFront => Row {
                 scatter: within(0.25, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Front as usize])),
-                trace: Some(|t| &t.force[Monitor::Front as usize]),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "front",
+                        "force_front_n",
+                        |t| &t.force[Monitor::Front as usize],
+                        (Group::NodeForces, 1),
+                    )
+                }),
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
                 scatter: within(0.6, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Right as usize])),
-                trace: Some(|t| &t.force[Monitor::Right as usize]),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "right",
+                        "force_right_n",
+                        |t| &t.force[Monitor::Right as usize],
+                        (Group::NodeForces, 2),
+                    )
+                }),
                 ..node_force("peak_force_right_n", "peak force, right", "right")
             },
             Self::ForceTop => Row {
                 scatter: within(0.3, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Top as usize])),
-                trace: Some(|t| &t.force[Monitor::Top as usize]),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "top",
+                        "force_top_n",
+                        |t| &t.force[Monitor::Top as usize],
+                        (Group::NodeForces, 3),
+                    )
+                }),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
             },
             Self::StoredEnergy => Row {
                 rounding: 1e-16,
                 family: Family::Unstated,
                 read: Read::Peak(|e| Some(e.elastic)),
+                trace: Some(trace(
+                    "elastic",
+                    "elastic_j",
+                    |t| &t.elastic,
+                    (Group::Energies, 1),
+                )),
                 ..number("peak_stored_energy_j", "stored energy", "stored", "J")
             },
             Self::Pressure => Row {
@@ -203,7 +258,15 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.fluid?.pressure)),
-                trace: Some(|t| &t.pressure),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "pressure",
+                        "pressure_mpa",
+                        |t| &t.pressure,
+                        (Group::Fluid, 0),
+                    )
+                }),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
             },
             Self::Contact => Row {
@@ -211,7 +274,15 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.shot?.force)),
-                trace: Some(|t| &t.contact_force),
+                trace: Some(Trace {
+                    spark: true,
+                    ..trace(
+                        "contact",
+                        "contact_force_n",
+                        |t| &t.contact_force,
+                        (Group::Projectile, 0),
+                    )
+                }),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
             },
             Self::RuptureByPressure => Row {

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::{Pane, Screen};
 use crate::recording::Traces;
 use crate::report::text::significant;
+use crate::study::course::{COURSES, Course, Group};
 use crate::tui::clock::peak_at;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -16,97 +17,44 @@ use crate::tui::view::chart::{Chart, Curve, value_at};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
-
-/// A curve that can be drawn.
-pub struct Profile {
-    /// Its name.
-    pub label: &'static str,
-    /// Its unit.
-    pub unit: &'static str,
-    /// Where it comes from.
-    pub values: fn(&Traces) -> &[f64],
-    /// From SI to its unit.
-    pub factor: f64,
-}
-
-const fn profile(
-    label: &'static str,
-    unit: &'static str,
-    factor: f64,
-    values: fn(&Traces) -> &[f64],
-) -> Profile {
-    Profile {
-        label,
-        unit,
-        values,
-        factor,
-    }
-}
-
-/// Every curve; the first four are the monitored forces.
-#[rustfmt::skip]
-pub static CURVES: &[Profile] = &[
-    profile("centre", "N", 1.0, |t| &t.force[0]),
-    profile("front", "N", 1.0, |t| &t.force[1]),
-    profile("right", "N", 1.0, |t| &t.force[2]),
-    profile("top", "N", 1.0, |t| &t.force[3]),
-    profile("load", "N", 1.0, drive),
-    profile("apex", "mm", 1e3, |t| &t.apex),
-    profile("shell growth S", "%", 1e2, |t| &t.shell_growth),
-    profile("meridian growth M", "%", 1e2, |t| &t.meridian_growth),
-    profile("work in", "J", 1.0, |t| &t.work),
-    profile("kinetic", "J", 1.0, |t| &t.kinetic),
-    profile("elastic", "J", 1.0, |t| &t.elastic),
-    profile("dissipated", "J", 1.0, |t| &t.dissipated),
-    profile("pressure", "MPa", 1e-6, |t| &t.pressure),
-    profile("vitreous area", "%", 1e2, |t| &t.area_ratio),
-];
-
-/// What drives the eye among the [`CURVES`].
-pub const DRIVE: usize = 4;
-/// The pressure in the eye among them.
-pub const PRESSURE: usize = 12;
-
-/// The force that acts on the eye: of a projectile that of its contact, else the load.
-pub fn drive(traces: &Traces) -> &[f64] {
-    if traces.contact_force.is_empty() {
-        &traces.load
-    } else {
-        &traces.contact_force
-    }
-}
-
-/// What [`drive`] is called.
-pub fn drive_label(traces: &Traces) -> &'static str {
-    if traces.contact_force.is_empty() {
-        "load"
-    } else {
-        "contact"
-    }
-}
-
-/// What the force screen can show: charts, each with the curves in it.
-static VIEWS: &[View] = &[
-    &[&[0], &[1], &[2], &[3]],
-    &[&[0]],
-    &[&[1]],
-    &[&[2]],
-    &[&[3]],
-    &[&[4], &[5], &[6], &[7]],
-    &[&[8, 9, 10, 11]],
-    &[&[12], &[13]],
-];
+use strum::VariantArray;
 
 /// Charts, each with the curves in it.
-type View = &'static [&'static [usize]];
+type View = Vec<Vec<Course>>;
 
-/// The views whose curves a recording has.
+/// Charts of one curve each that stand in one view, and curves that stand in one chart.
+const MOST_CHARTS: usize = 4;
+const MOST_CURVES: usize = 6;
+
+/// Every course that is drawn as a curve; of the load and the force of contact that which drives.
+pub fn drawn() -> impl Iterator<Item = Course> {
+    let named = |course: &Course| !matches!(course.row().place.0, Group::Input | Group::Projectile);
+    COURSES.iter().copied().filter(named)
+}
+
+/// Those that a recording has.
+fn recorded(traces: &Traces) -> Vec<Course> {
+    drawn().filter(|c| !c.values(traces).is_empty()).collect()
+}
+
+/// What the screen can show of a recording.
 fn views(traces: &Traces) -> Vec<View> {
-    let there = |view: &&View| {
-        let mut curves = view.iter().flat_map(|chart| chart.iter());
-        curves.all(|&i| !(CURVES[i].values)(traces).is_empty())
-    };
-    VIEWS.iter().filter(there).copied().collect()
+    let recorded = recorded(traces);
+    let mut views = Vec::new();
+    for group in Group::VARIANTS {
+        let own = recorded.iter().filter(|c| c.row().place.0 == *group);
+        let own: Vec<Course> = own.copied().collect();
+        if *group == Group::Energies {
+            views.extend(own.chunks(MOST_CURVES).map(|curves| vec![curves.to_vec()]));
+            continue;
+        }
+        let alone = |courses: &[Course]| courses.iter().map(|c| vec![*c]).collect();
+        views.extend(own.chunks(MOST_CHARTS).map(alone));
+        if *group == Group::NodeForces {
+            views.extend(own.chunks(1).map(alone));
+        }
+    }
+    views
 }
 
 pub(crate) const SCREEN: Screen = Screen::new(
@@ -135,7 +83,7 @@ fn next_view(model: &mut Model) {
         .shown
         .as_ref()
         .and_then(|s| s.answer.recording.traces.as_ref());
-    let count = traces.map_or(1, |t| views(t).len());
+    let count = traces.map_or(1, |t| views(t).len().max(1));
     let view = &mut model.screens.forces;
     *view = (*view % count + 1) % count;
 }
@@ -162,11 +110,13 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if end + (said.len() as u16) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, 0), said, style);
     }
-    let views = match &shown.answer.recording.traces {
-        Some(traces) => views(traces),
-        None => return,
+    let Some(traces) = &shown.answer.recording.traces else {
+        return;
     };
-    let view = views[model.screens.forces % views.len()];
+    let views = views(traces);
+    let Some(view) = views.get(model.screens.forces % views.len().max(1)) else {
+        return;
+    };
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
     let (columns, rows) = match view.len() {
         1 => (1, 1),
@@ -182,58 +132,58 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
             wide - 1,
             high,
         );
-        chart(model, shown, curves, place, buffer);
+        chart(model, (shown, traces), curves, place, buffer);
     }
 }
 
-fn chart(model: &Model, shown: &Shown, which: &[usize], area: Rect, buffer: &mut Buffer) {
+fn chart(
+    model: &Model,
+    (shown, traces): (&Shown, &Traces),
+    courses: &[Course],
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
-    let Some(traces) = &shown.answer.recording.traces else {
-        return;
-    };
     let time = model.time();
-    let profiles: Vec<&Profile> = which.iter().filter_map(|i| CURVES.get(*i)).collect();
-    let curves = profiles
+    // A curve by itself keeps its colour in every view.
+    let first = match courses {
+        [only] => recorded(traces).iter().position(|c| c == only),
+        _ => None,
+    };
+    let curves = courses
         .iter()
         .enumerate()
-        .map(|(i, profile)| Curve {
+        .map(|(i, course)| Curve {
             time: &traces.time,
-            values: (profile.values)(traces),
-            factor: profile.factor,
-            ink: Ink::solid(
-                theme.curve(if which.len() == 1 { which[0] } else { i }),
-                2 + i as u8,
-                mark(i),
-            ),
+            values: course.values(traces),
+            factor: course.row().factor,
+            ink: Ink::solid(theme.curve(first.unwrap_or(i)), 2 + i as u8, mark(i)),
         })
         .collect();
-    let reading = |profile: &Profile| {
-        let value = value_at(&traces.time, (profile.values)(traces), time)?;
-        Some(significant(value * profile.factor))
+    let reading = |course: &Course| {
+        let value = value_at(&traces.time, course.values(traces), time)?;
+        Some(significant(value * course.row().factor))
     };
-    let (title, now) = if let [only] = profiles[..] {
-        let now = reading(only).map_or(String::new(), |v| format!("{v} {}", only.unit));
-        let label = if which[0] == DRIVE {
-            drive_label(traces)
-        } else {
-            only.label
-        };
-        (format!("{label}, {}", only.unit), now)
+    let (title, now) = if let [only] = courses {
+        let unit = only.row().unit;
+        let now = reading(only).map_or(String::new(), |v| format!("{v} {unit}"));
+        (format!("{}, {unit}", only.label(traces)), now)
     } else {
         (String::new(), String::new())
     };
-    let entries: Vec<String> = profiles
+    let entries: Vec<String> = courses
         .iter()
         .enumerate()
-        .map(|(i, profile)| {
-            let now = reading(profile).unwrap_or_default();
-            format!("{} {} {now} {}", mark(i), profile.label, profile.unit)
+        .map(|(i, course)| {
+            let now = reading(course).unwrap_or_default();
+            let (label, unit) = (course.label(traces), course.row().unit);
+            format!("{} {label} {now} {unit}", mark(i))
         })
         .collect();
     // What does not fit into one line of the legend takes two.
     let room = area.width.saturating_sub(LEGEND);
     let long: u16 = entries.iter().map(|text| width(text) + 2).sum();
-    let lines = if profiles.len() > 1 && long > room + 2 {
+    let lines = if courses.len() > 1 && long > room + 2 {
         2
     } else {
         1
@@ -252,7 +202,7 @@ fn chart(model: &Model, shown: &Shown, which: &[usize], area: Rect, buffer: &mut
         look: model.look,
     }
     .draw(field, buffer);
-    if profiles.len() > 1 {
+    if courses.len() > 1 {
         let each = entries.len().div_ceil(usize::from(lines));
         let mut x = LEGEND;
         for (i, text) in entries.iter().enumerate() {

@@ -4,14 +4,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
-use crate::eye::{Monitor, Region};
+use crate::eye::Region;
 use crate::report::text::significant;
+use crate::study::Quantity;
+use crate::study::course::{Beside, COURSES, Course, Group};
 use crate::tui::clock::peak_at;
 use crate::tui::form::unverified;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
-use crate::tui::screens::forces::{drive, drive_label};
 use crate::tui::step::Step;
 use crate::tui::terminal::caps::Symbols;
 use crate::tui::update::time;
@@ -99,25 +100,21 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let ascii = model.look.symbols == Symbols::Ascii;
     legend(shown, (theme, ascii), area, &mut y, buffer);
     let traces = shown.answer.recording.traces.as_ref();
-    let now = |values: Option<&[f64]>| {
-        let traces = traces?;
-        value_at(&traces.time, values?, time)
-    };
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
-    let mut reading = |label: &str, value: Option<f64>, unit: &str| {
+    let forces = COURSES.iter().copied();
+    let forces = forces.filter(|course| course.row().place.0 == Group::NodeForces);
+    let first = std::iter::once(Course::Beside(Beside::Drive));
+    for course in first.chain(forces).chain([Course::Of(Quantity::Apex)]) {
+        let row = course.row();
+        let label = traces.map_or(row.label, |traces| course.label(traces));
+        let now = traces.and_then(|t| value_at(&t.time, course.values(t), time));
         put(buffer, area, (0, y), label, theme.text());
-        let text = value.map_or("-".to_owned(), |v| format!("{} {unit}", reading_of(v)));
+        let reading = |value: f64| format!("{} {}", reading_of(value * row.factor), row.unit);
+        let text = now.map_or("-".to_owned(), reading);
         put_right(buffer, area, (20, y), &text, theme.strong());
         y += 1;
-    };
-    let label = traces.map_or("load", drive_label);
-    reading(label, now(traces.map(drive)), "N");
-    for (i, monitor) in Monitor::ALL.iter().enumerate() {
-        reading(monitor.name(), now(traces.map(|t| &t.force[i][..])), "N");
     }
-    let apex = now(traces.map(|t| &t.apex[..])).map(|v| v * 1e3);
-    reading("apex", apex, "mm");
     if let Some(peak) = peak_at(&shown.answer, time) {
         for line in wrapped(&format!("peak {peak}"), usize::from(area.width - 1)) {
             put(buffer, area, (0, y), &line, theme.cursor());
@@ -228,7 +225,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(field, model.look.symbols);
         let curve = Curve {
             time: &traces.time,
-            values: drive(traces),
+            values: Course::Beside(Beside::Drive).values(traces),
             factor: 1.0,
             ink: Ink::solid(theme.load(), 1, '#'),
         };

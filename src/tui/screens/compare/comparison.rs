@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::SimulateMarked;
 use crate::scenario::Scenario;
+use crate::study::course::Course;
 use crate::study::{Answer, Quantity};
 use crate::tui::model::Shown;
 use crate::tui::task::Task;
@@ -79,7 +80,7 @@ pub struct Comparison {
     /// The column that sorts the table, and whether the largest comes first.
     pub sort: Option<(Column, bool)>,
     /// The curve below the table.
-    pub curve: usize,
+    pub curve: Course,
     /// The entry that is being simulated.
     pub task: Task<SimulateMarked>,
 }

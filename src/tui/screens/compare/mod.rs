@@ -11,11 +11,12 @@ use super::{Mouse, Pane, Screen, screen};
 use crate::plain_text::quoted;
 use crate::recording::Traces;
 use crate::scenario::Scenario;
+use crate::study::course::Course;
 use crate::study::{Answer, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown, Work};
-use crate::tui::screens::forces::CURVES;
+use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FRAME_KEYS;
 use crate::tui::simulation::Simulate;
 use crate::tui::task::{Question, Report};
@@ -203,13 +204,14 @@ fn change_column(model: &mut Model, by: isize) {
 /// Takes the next curve that any of the answers has.
 fn next_curve(model: &mut Model) {
     let entries = &model.screens.compare.entries;
-    let there = |curve: &usize| {
-        let has = |traces: &Traces| !(CURVES[*curve].values)(traces).is_empty();
+    let there = |course: &Course| {
+        let has = |traces: &Traces| !course.values(traces).is_empty();
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
         answers.any(|answer| answer.recording.traces.as_ref().is_some_and(has))
     };
-    let (here, count) = (model.screens.compare.curve, CURVES.len());
-    let next = (1..=count).map(|by| (here + by) % count).find(there);
+    let here = model.screens.compare.curve;
+    let after = drawn().skip_while(|course| *course != here).skip(1);
+    let next = after.chain(drawn()).find(there);
     model.screens.compare.curve = next.unwrap_or(here);
 }
 

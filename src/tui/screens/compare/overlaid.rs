@@ -3,21 +3,22 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::study::course::Course;
 use crate::tui::model::Model;
-use crate::tui::screens::forces::{CURVES, DRIVE, drive_label, mark};
+use crate::tui::screens::forces::mark;
 use crate::tui::view::chart::{Chart, Curve};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::theme::Theme;
 
 /// One curve of every entry in one chart.
-pub(super) fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buffer) {
+pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let profile = &CURVES[curve % CURVES.len()];
+    let row = course.row();
     let entries = model.screens.compare.entries.iter().enumerate();
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
             let traces = entry.answer()?.recording.traces.as_ref()?;
-            let values = (profile.values)(traces);
+            let values = course.values(traces);
             if values.is_empty() {
                 return None;
             }
@@ -31,7 +32,7 @@ pub(super) fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buf
             Some(Curve {
                 time: &traces.time,
                 values,
-                factor: profile.factor,
+                factor: row.factor,
                 ink,
             })
         })
@@ -40,19 +41,15 @@ pub(super) fn overlaid(model: &Model, curve: usize, area: Rect, buffer: &mut Buf
         return;
     };
     let reading = format!("{:.3} ms", model.time() * 1e3);
-    let label = if curve % CURVES.len() == DRIVE {
-        let entries = model.screens.compare.entries.iter();
-        let mut labels: Vec<&str> = entries
-            .filter_map(|entry| Some(drive_label(entry.answer()?.recording.traces.as_ref()?)))
-            .collect();
-        labels.sort_unstable_by(|a, b| b.cmp(a));
-        labels.dedup();
-        labels.join(" or ")
-    } else {
-        profile.label.to_owned()
-    };
+    // What drives the eye is a load for some and a contact for others.
+    let entries = model.screens.compare.entries.iter();
+    let mut labels: Vec<&str> = entries
+        .filter_map(|entry| Some(course.label(entry.answer()?.recording.traces.as_ref()?)))
+        .collect();
+    labels.sort_unstable_by(|a, b| b.cmp(a));
+    labels.dedup();
     Chart {
-        title: &format!("{label}, {}", profile.unit),
+        title: &format!("{}, {}", labels.join(" or "), row.unit),
         reading: &reading,
         curves,
         window,

@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 
 use super::DIAL;
 use super::{form, score};
-use crate::recording::Peak;
+use crate::recording::{Extremes, Peak};
 use crate::report::text::digits;
+use crate::study::Quantity;
+use crate::study::course::Course;
 use crate::tui::model::{Model, Shown};
-use crate::tui::screens::forces::{CURVES, DRIVE, PRESSURE};
 use crate::tui::view::chart::{Curve, spark};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::raster::Ink;
@@ -117,50 +118,24 @@ fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     put(buffer, above, (0, 0), &caption, style);
 }
 
-/// A curve with its name and its peak.
-struct Trace {
-    label: &'static str,
-    unit: &'static str,
-    factor: f64,
-    which: usize,
-    peak: Peak,
-}
-
-/// The four monitored forces, then pressure and force of contact where the scene has them.
-fn traces_of(shown: &Shown) -> Vec<Trace> {
-    let extremes = &shown.answer.recording.extremes;
-    let forces = extremes
-        .force
-        .iter()
-        .enumerate()
-        .map(|(i, peak)| (i, *peak));
-    let fluid = extremes.fluid.map(|fluid| (PRESSURE, fluid.pressure));
-    let shot = extremes.shot.map(|shot| (DRIVE, shot.force));
-    forces
-        .chain(fluid)
-        .chain(shot)
-        .map(|(which, peak)| Trace {
-            label: match which {
-                DRIVE => "contact",
-                _ => CURVES[which].label,
-            },
-            unit: CURVES[which].unit,
-            factor: CURVES[which].factor,
-            which,
-            peak,
-        })
-        .collect()
+/// The results whose curves are drawn beside the eye, with their peaks.
+fn sparks(extremes: &Extremes) -> Vec<(Quantity, Peak)> {
+    let spark = |q: &Quantity| q.row().trace.is_some_and(|trace| trace.spark);
+    let all = Quantity::ALL.iter().copied().filter(spark);
+    all.filter_map(|q| Some((q, q.peak(extremes)?))).collect()
 }
 
 /// Below this many columns the time of a peak stands at its curve.
 const TIMED: u16 = 22;
+/// Longer names are cut where room is short.
+const LONGEST: usize = 7;
 
 /// The name of a curve, its peak and the time of that, which together fit with a space between them.
 /// Where room is short the space before the unit gives way, then letters of the name, digits of the
 /// value and of the time, and at last the time.
-fn caption(trace: &Trace, room: u16) -> (&'static str, String, String) {
-    let peak = trace.peak;
-    let (value, ms) = (peak.value * trace.factor, peak.time * 1e3);
+fn caption(quantity: Quantity, peak: Peak, room: u16) -> (String, String, String) {
+    let row = quantity.row();
+    let (value, ms) = (peak.value * row.factor, peak.time * 1e3);
     let beside = |after: u8| {
         if ms < 10.0 {
             format!("{ms:.0$}ms", usize::from(after))
@@ -173,12 +148,13 @@ fn caption(trace: &Trace, room: u16) -> (&'static str, String, String) {
         TIMED.. => vec![beside(3), beside(2)],
         _ => vec![String::new()],
     };
-    let brief = match trace.which {
-        PRESSURE => "press.",
-        _ => trace.label,
+    let brief = match row.short.get(..LONGEST - 2) {
+        Some(start) if row.short.len() > LONGEST => format!("{start}."),
+        _ => row.short.to_owned(),
     };
+    let brief = brief.as_str();
     let clear = [
-        (trace.label, digits(value, 4), " "),
+        (row.short, digits(value, 4), " "),
         (brief, digits(value, 4), " "),
         (brief, digits(value, 4), ""),
         (brief, digits(value, 3), ""),
@@ -188,18 +164,18 @@ fn caption(trace: &Trace, room: u16) -> (&'static str, String, String) {
     let mut candidates = Vec::new();
     for time in &times {
         for (label, number, gap) in &clear {
-            let text = format!("{number}{gap}{}", trace.unit);
-            candidates.push((*label, text, time.clone()));
+            let text = format!("{number}{gap}{}", row.unit);
+            candidates.push(((*label).to_owned(), text, time.clone()));
         }
     }
     let none = String::new();
     for time in times.iter().chain([&none]) {
         for number in &rough {
-            let text = format!("{number}{}", trace.unit);
-            candidates.push((brief, text, time.clone()));
+            let text = format!("{number}{}", row.unit);
+            candidates.push((brief.to_owned(), text, time.clone()));
         }
     }
-    let wide = |(label, value, time): &(&str, String, String)| {
+    let wide = |(label, value, time): &(String, String, String)| {
         let after = if time.is_empty() { 0 } else { width(time) + 1 };
         width(label) + 1 + width(value) + after
     };
@@ -214,17 +190,16 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let Some(recorded) = &shown.answer.recording.traces else {
         return;
     };
-    let traces = traces_of(shown);
-    let each = (area.height / traces.len() as u16).max(1);
-    for (i, trace) in traces.iter().enumerate() {
+    let sparks = sparks(&shown.answer.recording.extremes);
+    let each = (area.height / sparks.len().max(1) as u16).max(1);
+    for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = area.y + each * i as u16;
         if top >= area.y + area.height {
             break;
         }
         let row = Rect::new(area.x, top, area.width, 1);
-        let peak = trace.peak;
-        let (label, value, time) = caption(trace, area.width);
-        put(buffer, row, (0, 0), label, theme.heading());
+        let (label, value, time) = caption(quantity, peak, area.width);
+        put(buffer, row, (0, 0), &label, theme.heading());
         let left = area.width - width(&time);
         put(buffer, row, (left, 0), &time, theme.quiet());
         let right = if time.is_empty() { left } else { left - 1 };
@@ -232,7 +207,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         if each < 2 {
             continue;
         }
-        let values = (CURVES[trace.which].values)(recorded);
+        let values = Course::Of(quantity).values(recorded);
         if values.is_empty() {
             continue;
         }
@@ -259,28 +234,17 @@ mod tests {
 
     #[test]
     fn a_caption_keeps_its_parts_apart() {
-        let labels = [
-            ("centre", 0, "N"),
-            ("contact", DRIVE, "N"),
-            ("pressure", PRESSURE, "MPa"),
-        ];
-        for (label, which, unit) in labels {
+        let drawn = |q: &&Quantity| q.row().trace.is_some_and(|trace| trace.spark);
+        for &quantity in Quantity::ALL.iter().filter(drawn) {
             for value in [12.4, 5199.0, 0.002, -0.0063, 1.016e-13] {
                 for ms in [0.362, 12.345] {
                     let peak = Peak {
-                        value,
+                        value: value / quantity.row().factor,
                         time: ms * 1e-3,
                     };
-                    let trace = Trace {
-                        label,
-                        unit,
-                        factor: 1.0,
-                        which,
-                        peak,
-                    };
                     for room in 15..30 {
-                        let (label, value, time) = caption(&trace, room);
-                        let long = width(label) + 1 + width(&value);
+                        let (label, value, time) = caption(quantity, peak, room);
+                        let long = width(&label) + 1 + width(&value);
                         let after = if time.is_empty() { 0 } else { width(&time) + 1 };
                         assert!(long + after <= room, "{label} {value} {time} in {room}");
                         assert_eq!(time.is_empty(), room < TIMED, "{label} {value} in {room}");
