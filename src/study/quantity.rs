@@ -132,6 +132,7 @@ impl Quantity {
     pub const ALL: &[Self] = Self::VARIANTS;
 
     /// Its row.
+    #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
         match self {
             Self::Damage => Row {
