@@ -4,6 +4,7 @@ use contrecoup::dynamics::revolution::{
     BallSpring, Blow, Form, Keep, Object, Outline, Refusal, Run, STEP_SHARE, Surface, run, run_as,
 };
 use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
+use contrecoup::scenario::ForcePulse;
 use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
@@ -187,6 +188,108 @@ fn the_plain_loop_and_the_rows_give_the_same_run() {
     }
 }
 
+/// Soft, hollow and bursting things, with the surfaces that published tests give them.
+fn soft_objects() -> Vec<(&'static str, Object)> {
+    let surface = |object: Object, stiffness: f64, cap: Option<f64>, restitution: f64| {
+        let surface = Surface {
+            cap,
+            ..Surface::foundation(stiffness, object.reach())
+        };
+        Object {
+            surface: surface.losing(restitution),
+            ..object
+        }
+    };
+    vec![
+        (
+            "baseball",
+            surface(ball(145.0, 73.0, 40.0), 1.4e9, None, 0.5),
+        ),
+        (
+            "softball",
+            surface(ball(185.0, 97.0, 30.0), 2e9, None, 0.44),
+        ),
+        ("golf", surface(ball(45.9, 42.7, 60.0), 4.6e9, None, 0.78)),
+        (
+            "tennis",
+            surface(ball(58.0, 66.0, 50.0), 1e9, Some(200e3), 0.55),
+        ),
+        (
+            "squash",
+            surface(ball(24.0, 40.0, 60.0), 1e9, Some(150e3), 0.4),
+        ),
+        (
+            "racquet",
+            surface(ball(40.0, 57.0, 50.0), 1e9, Some(120e3), 0.75),
+        ),
+        (
+            "pickle",
+            surface(ball(25.0, 74.0, 25.0), 1.6e8, Some(150e3), 0.6),
+        ),
+        (
+            "soccer",
+            surface(ball(430.0, 220.0, 25.0), 1e9, Some(110e3), 0.78),
+        ),
+        (
+            "paintball",
+            surface(ball(3.0, 17.3, 90.0), 1e10, Some(4.5e6), 0.0),
+        ),
+        (
+            "gel ball",
+            surface(ball(0.25, 7.5, 60.0), 5e6, Some(1.8e6), 0.3),
+        ),
+        (
+            "cork",
+            surface(ball(9.0, 25.0, 20.0), 1.1e9, Some(800e3), 0.4),
+        ),
+        (
+            "shuttlecock",
+            surface(ball(5.0, 25.0, 70.0), 1.4e9, Some(800e3), 0.4),
+        ),
+        (
+            "foam dart",
+            surface(ball(1.2, 13.0, 25.0), 5e7, Some(150e3), 0.4),
+        ),
+        ("sponge", surface(ball(28.0, 40.0, 61.0), 1e8, None, 0.3)),
+        (
+            "airbag foam",
+            surface(ball(0.03, 6.0, 30.0), 3e8, None, 0.3),
+        ),
+        ("fist", surface(ball(500.0, 80.0, 8.0), 1.3e8, None, 0.4)),
+    ]
+}
+
+#[test]
+fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
+    for level in [1, 2] {
+        let eye = eye(level, Some(Surround::orbit()));
+        for (what, object) in soft_objects() {
+            let run = try_hit(&eye, object, 1.5, STEP_SHARE);
+            let run = run.unwrap_or_else(|refusal| panic!("{level} {what}: {refusal}"));
+            let e = &run.extremes;
+            println!(
+                "{level} {what}: F {:.0} N p {:.2} MPa stress {:.1} intrusion {:.1} mm rebound {:.1} given {:.2} J of {:.2} triangle {:.3} residual {:.1e} steps {}",
+                e.filtered_force.value,
+                e.pressure.value * 1e-6,
+                e.scleral_stress.value * 1e-6,
+                e.intrusion.value * 1e3,
+                e.rebound.unwrap_or(0.0),
+                e.energy_imparted,
+                0.5 * object.mass * object.speed.powi(2),
+                e.least_triangle,
+                e.energy_residual,
+                run.steps
+            );
+            assert!(e.folded_at.is_none(), "{level} {what}");
+            assert!(
+                e.energy_residual < 0.01,
+                "{level} {what} {}",
+                e.energy_residual
+            );
+        }
+    }
+}
+
 #[test]
 fn a_ball_on_a_spring_gives_back_what_its_restitution_says() {
     let eye = eye(1, Some(Surround::orbit()));
@@ -209,4 +312,80 @@ fn a_ball_on_a_spring_gives_back_what_its_restitution_says() {
     };
     let (lively, dull) = (rebound(0.9), rebound(0.3));
     assert!(lively > dull, "{lively} {dull}");
+}
+
+#[test]
+fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let mut objects = soft_objects();
+    objects.push(("BB", ball(0.345, 4.5, 60.0)));
+    objects.push(("airsoft", ball(0.2, 6.0, 100.0)));
+    objects.push(("steel", ball(1.05, 6.35, 30.0)));
+    let (mut count, objects_in_all) = (0, objects.len());
+    for (what, object) in objects {
+        let runs = [None, Some(1e-3)].map(|frames| {
+            let keep = Keep {
+                traces: None,
+                frames,
+            };
+            let mut watch = |_| ControlFlow::Continue(());
+            run(
+                &eye,
+                &Blow::Object(object),
+                4e-3,
+                STEP_SHARE,
+                keep,
+                &mut watch,
+            )
+            .expect("a run")
+        });
+        for ((name, early), (_, whole)) in leading(&runs[0]).into_iter().zip(leading(&runs[1])) {
+            assert!(
+                (early / whole - 1.0).abs() < 1e-6,
+                "{what} {name} {early} {whole}"
+            );
+        }
+        assert_eq!(runs[0].extremes.lens, runs[1].extremes.lens);
+        assert_eq!(runs[0].extremes.node_force, runs[1].extremes.node_force);
+        assert!(!runs[1].settled);
+        count += usize::from(runs[0].settled);
+    }
+    assert!(
+        count > objects_in_all / 2,
+        "{count} of {objects_in_all} ended early"
+    );
+}
+
+#[test]
+fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
+    let eye = eye(1, Some(Surround::orbit()));
+    for restitution in [0.3, 0.5, 0.8] {
+        let mut object = soft(ball(430.0, 220.0, 25.0), 1e9);
+        object.surface = object.surface.capped(110e3).losing(restitution);
+        let rebound = hit(&eye, object, 1.5).extremes.rebound.expect("an object");
+        assert!(
+            (rebound / 25.0 - restitution).abs() < 0.03,
+            "{restitution} {rebound}"
+        );
+    }
+}
+
+#[test]
+fn a_pulse_gives_the_eye_its_work_and_balances() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let pulse = contrecoup::dynamics::Pulse::new(&ForcePulse {
+        force_n: 100.0,
+        duration_ms: 0.2,
+        ..ForcePulse::default()
+    });
+    let blow = Blow::Pulse(pulse, 20f64.to_radians());
+    let mut watch = |_| ControlFlow::Continue(());
+    let run = run(&eye, &blow, 1.5e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run");
+    let e = &run.extremes;
+    assert!((e.force.value - 100.0).abs() < 1.0, "{:?}", e.force);
+    assert!(
+        e.energy_imparted > 0.01 && e.energy_residual < 0.02,
+        "{e:?}"
+    );
+    assert!(e.rebound.is_none() && e.apex.value > 1e-4);
 }

@@ -42,6 +42,8 @@ pub(super) struct Touch {
     pub limit: f64,
     /// Largest traction, Pa.
     pub traction: f64,
+    /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
+    pub loss: f64,
 }
 
 /// Where the points lie along a segment, as shares of it.
@@ -70,15 +72,14 @@ impl Target {
         target
     }
 
-    /// Adds the forces of contact to the shell's `fx`, `fr` and to the flight's.
+    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the flight's.
     pub fn forces(
         &self,
         object: &Object,
         flight: &mut Flight,
-        x: &[f64],
-        r: &[f64],
-        fx: &mut [f64],
-        fr: &mut [f64],
+        (x, r): (&[f64], &[f64]),
+        (vx, vr): (&[f64], &[f64]),
+        (fx, fr): (&mut [f64], &mut [f64]),
     ) -> Touch {
         let mut touch = Touch {
             force: 0.0,
@@ -86,6 +87,7 @@ impl Target {
             energy: 0.0,
             limit: f64::INFINITY,
             traction: 0.0,
+            loss: 0.0,
         };
         let centre = flight.x[0];
         let front = centre + object.reach() + NEAR;
@@ -93,7 +95,7 @@ impl Target {
             if x[i].min(x[i + 1]) > front {
                 continue;
             }
-            let mut steepest: f64 = 0.0;
+            let (mut steepest, mut damping): (f64, f64) = (0.0, 0.0);
             for (point, area) in areas.iter().enumerate() {
                 let s = share(point);
                 let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
@@ -106,9 +108,16 @@ impl Target {
                 if gap <= 0.0 {
                     continue;
                 }
-                let force = area * pressed.traction;
+                let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
+                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
+                let (left, change) = object.surface.hysteresis(object.speed, closing);
+                damping = damping.max(change * pressed.traction);
+                let force = area * pressed.traction * left;
+                let lossy = area * pressed.traction * (left - 1.0);
+                touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
+                flight.lossy[0] -= lossy * nx;
                 touch.energy += area * pressed.energy;
-                touch.traction = touch.traction.max(pressed.traction);
+                touch.traction = touch.traction.max(pressed.traction * left);
                 touch.force += force * nx;
                 fx[i] += (1.0 - s) * force * nx;
                 fr[i] += (1.0 - s) * force * nr;
@@ -116,14 +125,25 @@ impl Target {
                 fr[i + 1] += s * force * nr;
             }
             if steepest > 0.0 {
-                touch.limit = touch.limit.min(COURANT * (self.areal[i] / steepest).sqrt());
+                let stable = COURANT * (self.areal[i] / steepest).sqrt();
+                touch.limit = touch.limit.min(stable);
+            }
+            if damping > 0.0 {
+                touch.limit = touch.limit.min(COURANT * self.areal[i] / damping);
             }
         }
         if let Some((x, r, stiffness)) = self.rim {
             let (gap, nx, _) = object.gap(x - centre, r);
             if gap > 0.0 {
-                touch.rim = -stiffness * gap * nx;
+                let closing = flight.v[0] * nx;
+                let (left, change) = object.surface.hysteresis(object.speed, closing);
+                let force = stiffness * gap;
+                touch.rim = -force * left * nx;
+                flight.lossy[0] -= force * (left - 1.0) * nx;
                 touch.energy += 0.5 * stiffness * gap * gap;
+                let stable = (flight.mass[0] / stiffness).sqrt();
+                let damped = flight.mass[0] / (force * change).max(f64::MIN_POSITIVE);
+                touch.limit = touch.limit.min(COURANT * stable.min(damped));
             }
         }
         flight.force[0] += touch.rim - touch.force;

@@ -4,19 +4,39 @@
 //! the gap at that point alone. A plain foundation would let light soft things fly through the eye, so
 //! it stiffens as its depth h is used up: k g/(1 - g/h). A hollow ball holds its gas pressure up against
 //! the eye, whatever its wall does: the traction then saturates at that cap before it stiffens.
-//! Beyond 0.9 h both go on linearly.
+//! Beyond 0.98 h both go on linearly.
 //!
-//! The whole ball is a core on a spring behind a surface of a twentieth of its mass, with a dashpot
-//! that gives the published coefficient of restitution against a rigid wall.
+//! The whole ball is a core on a spring behind a surface of a twentieth of its mass; the spring stiffens
+//! where the ball comes to be flat.
+//!
+//! Both give back the square of the coefficient of restitution e of the energy they took, as against a rigid
+//! wall: while they open, the force is e^2 of what it was at the same place while they closed, and near the
+//! turning point it goes smoothly from one to the other. A ball that bursts or flows (e = 0) gives back nothing.
 
-use std::f64::consts::PI;
+use super::super::object_spring::ObjectSpring;
 
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;
 /// Share of the mass that is the surface of an object on a spring.
 const SURFACE_SHARE: f64 = 0.05;
 /// Share of a foundation's depth beyond which it goes on linearly.
-const LINEAR_BEYOND: f64 = 0.9;
+const LINEAR_BEYOND: f64 = 0.98;
+
+/// Speed of opening over the speed of arrival at which all of the loss is felt.
+const FULL_LOSS: f64 = 0.1;
+
+/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the share `kept` of
+/// its energy and came at `speed`; and how fast that changes with closing, in s/m.
+#[inline]
+fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
+    let full = FULL_LOSS * speed;
+    if kept >= 1.0 || full <= 0.0 {
+        (1.0, 0.0)
+    } else {
+        let opening = (-closing / full).clamp(0.0, 1.0);
+        (1.0 - (1.0 - kept) * opening, (1.0 - kept) / full)
+    }
+}
 
 /// Outline, with the axis of revolution along the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +47,15 @@ pub enum Outline {
     Cylinder(f64, f64),
 }
 
+impl Outline {
+    /// Largest distance from the axis, m.
+    pub fn radius(&self) -> f64 {
+        match *self {
+            Self::Sphere(radius) | Self::Cylinder(radius, _) => radius,
+        }
+    }
+}
+
 /// How a surface gives way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
@@ -34,8 +63,10 @@ pub struct Surface {
     pub stiffness: f64,
     /// Depth of the foundation, in m; `None` is as deep as it needs to be.
     pub depth: Option<f64>,
-    /// Traction at which a hollow or crushable object gives way, in Pa.
+    /// Traction at which a hollow, crushable or bursting object gives way, in Pa.
     pub cap: Option<f64>,
+    /// Coefficient of restitution of the surface itself, 0 to 1.
+    pub restitution: f64,
 }
 
 /// Traction of a foundation at some gap.
@@ -55,6 +86,7 @@ impl Surface {
         stiffness: HARD,
         depth: None,
         cap: None,
+        restitution: 1.0,
     };
 
     /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E, and
@@ -69,6 +101,7 @@ impl Surface {
             stiffness: 1.0 / (1.0 / HARD + 1.0 / stiffness),
             depth: Some(0.7 * radius),
             cap: None,
+            restitution: 1.0,
         }
     }
 
@@ -79,6 +112,20 @@ impl Surface {
             cap: Some(cap),
             ..self
         }
+    }
+
+    /// The same, giving back the square of `restitution` of its energy.
+    #[must_use]
+    pub fn losing(self, restitution: f64) -> Self {
+        Self {
+            restitution,
+            ..self
+        }
+    }
+
+    /// How much of the traction is left at a speed of closing, and how fast that changes with it, s/m.
+    pub(super) fn hysteresis(&self, speed: f64, closing: f64) -> (f64, f64) {
+        hysteresis(self.restitution * self.restitution, speed, closing)
     }
 
     pub(super) fn at(&self, gap: f64) -> Pressed {
@@ -166,10 +213,26 @@ impl Object {
     }
 
     /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
-    /// the outward normal there.
+    /// the way that the depth decreases there.
+    ///
+    /// Below the surface of a ball that gives way lie balls that touch it at the back of its flight: what is
+    /// left of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core, which goes through
+    /// the eye.) On the axis both are the same, and on the surface the normals are.
     #[inline]
     pub(super) fn gap(&self, x: f64, r: f64) -> (f64, f64, f64) {
         match self.outline {
+            Outline::Sphere(radius) if self.surface.depth.is_some() => {
+                let behind = x + radius;
+                if behind <= 0.0 {
+                    return (-radius, 1.0, 0.0);
+                }
+                let slope = r / behind;
+                (
+                    2.0 * radius - behind - r * slope,
+                    1.0 - slope * slope,
+                    2.0 * slope,
+                )
+            }
             Outline::Sphere(radius) => {
                 let distance = x.hypot(r);
                 (radius - distance, x / distance, r / distance)
@@ -198,67 +261,70 @@ pub(super) struct Flight {
     pub v: [f64; 2],
     /// On each, N.
     pub force: [f64; 2],
-    mass: [f64; 2],
-    stiffness: f64,
-    damping: f64,
+    /// The part of those forces that gives nothing back, N.
+    pub lossy: [f64; 2],
+    /// kg.
+    pub mass: [f64; 2],
+    spring: Option<(ObjectSpring, f64)>,
+    /// Of arrival, m/s.
+    speed: f64,
     /// Longest stable step of the spring, s.
     pub limit: f64,
-    /// Energy lost in the dashpot, J.
-    pub lost: f64,
 }
 
 impl Flight {
     /// An object whose frontmost point is at `front`.
     pub fn new(object: &Object, front: f64) -> Self {
-        let x = front - object.reach();
-        let (mass, stiffness, damping) = match object.spring {
-            None => ([object.mass, 0.0], 0.0, 0.0),
-            Some(spring) => {
-                let surface = SURFACE_SHARE * object.mass;
-                // The damping ratio whose half cycle leaves the share e of the speed: -ln e/sqrt(pi^2 + ln^2 e).
-                let log = -spring.restitution.max(1e-6).ln();
-                let ratio = log / (PI * PI + log * log).sqrt();
-                (
-                    [surface, object.mass - surface],
-                    spring.stiffness,
-                    2.0 * ratio * (spring.stiffness * (object.mass - surface)).sqrt(),
-                )
-            }
-        };
-        let limit = if stiffness > 0.0 {
-            let reduced = mass[0] * mass[1] / object.mass;
-            let (w, z) = (
-                (stiffness / reduced).sqrt(),
-                0.5 * damping / (stiffness * reduced).sqrt(),
-            );
-            2.0 / w * ((1.0 + z * z).sqrt() - z)
+        let spring = object.spring.map(|spring| {
+            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
+            (law, spring.restitution * spring.restitution)
+        });
+        let surface = if spring.is_some() {
+            SURFACE_SHARE * object.mass
         } else {
-            f64::INFINITY
+            object.mass
         };
         Self {
-            x: [x; 2],
+            x: [front - object.reach(); 2],
             v: [object.speed; 2],
             force: [0.0; 2],
-            mass,
-            stiffness,
-            damping,
-            limit,
-            lost: 0.0,
+            lossy: [0.0; 2],
+            mass: [surface, object.mass - surface],
+            spring,
+            speed: object.speed,
+            limit: f64::INFINITY,
         }
     }
 
-    /// Forces of spring and dashpot; returns the loss in W.
-    pub fn inner(&mut self) -> f64 {
+    /// Sets the forces to those of the spring.
+    pub fn inner(&mut self) {
+        (self.force, self.lossy) = ([0.0; 2], [0.0; 2]);
+        let Some((law, kept)) = self.spring else {
+            return;
+        };
+        let squeezed = law.at(self.x[1] - self.x[0]);
         let closing = self.v[1] - self.v[0];
-        let viscous = self.damping * closing;
-        let force = self.stiffness * (self.x[1] - self.x[0]) + viscous;
+        // Drawn out, a ball is its surface on its way back: nothing is lost there.
+        let (left, slope) = if squeezed.force > 0.0 {
+            hysteresis(kept, self.speed, closing)
+        } else {
+            (1.0, 0.0)
+        };
+        let force = squeezed.force * left;
         self.force = [force, -force];
-        viscous * closing
+        let lossy = force - squeezed.force;
+        self.lossy = [lossy, -lossy];
+        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
+        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
+        let w = (squeezed.slope / reduced).sqrt();
+        let z = 0.5 * squeezed.force.max(0.0) * slope / (w * reduced);
+        self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
     }
 
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
-        0.5 * self.stiffness * (self.x[1] - self.x[0]).powi(2)
+        self.spring
+            .map_or(0.0, |(law, _)| law.at(self.x[1] - self.x[0]).energy)
     }
 
     /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
@@ -281,15 +347,20 @@ impl Flight {
         self.momentum() / (self.mass[0] + self.mass[1])
     }
 
-    pub fn advance(&mut self, kick: f64, drift: f64) {
+    /// Kicks and drifts; returns what was lost, J.
+    pub fn advance(&mut self, kick: f64, drift: f64) -> f64 {
+        let mut lost = 0.0;
         for i in 0..2 {
             if self.mass[i] > 0.0 {
+                let before = self.v[i];
                 self.v[i] += kick * self.force[i] / self.mass[i];
+                lost -= kick * self.lossy[i] * 0.5 * (before + self.v[i]);
                 self.x[i] += drift * self.v[i];
             }
         }
         if self.mass[1] == 0.0 {
             (self.x[1], self.v[1]) = (self.x[0], self.v[0]);
         }
+        lost
     }
 }

@@ -64,6 +64,29 @@ pub struct Extremes {
     pub energy_residual: f64,
 }
 
+impl Extremes {
+    /// When one of them last grew, s.
+    pub(super) fn last_growth(&self) -> f64 {
+        let node = self.node_force.iter().map(|p| p.time);
+        [
+            self.force,
+            self.pressure,
+            self.back_pressure,
+            self.scleral_stress,
+            self.shortening,
+            self.equator_growth,
+            self.meridian_growth,
+            self.intrusion,
+            self.apex,
+            self.lens,
+        ]
+        .iter()
+        .map(|p| p.time)
+        .chain(node)
+        .fold(0.0, f64::max)
+    }
+}
+
 /// Where the energy is at some instant, in J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
@@ -165,6 +188,8 @@ pub struct Run {
     pub steps: usize,
     /// Simulated time, s.
     pub simulated: f64,
+    /// Whether the run ended before its window because nothing had grown for long: a rule, not a proof.
+    pub settled: bool,
     /// Evaluations of cells, and of segments against an object.
     pub cell_evaluations: usize,
 }

@@ -11,7 +11,7 @@ use super::rows::Rows;
 use super::sensor::{Accelerometers, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
-use crate::dynamics::load::{Pulse, Segment};
+use crate::dynamics::load::{Piece, Pulse, Segment};
 use crate::eye::revolution::RevolutionEye;
 use fearless_simd::Level;
 use std::ops::ControlFlow;
@@ -24,6 +24,11 @@ const GROWTH: f64 = 1.05;
 const NODE_MASS: f64 = 75e-6;
 /// Balances of energy taken over a window.
 const BALANCES: f64 = 100.0;
+/// A run may end when nothing has grown since this share of its time, and for this long, in s, after its
+/// object has gone this far from the eye, in m, or its pulse is over.
+const QUIET_SHARE: f64 = 0.5;
+const QUIET: f64 = 0.2e-3;
+const GONE: f64 = 0.5e-3;
 /// Steps between two looks at the watch.
 const WATCH_EVERY: usize = 256;
 
@@ -139,6 +144,9 @@ struct Motion<'a, C> {
     window: f64,
     keep: Keep,
     energy_before: f64,
+    /// Most energy that has come in, and most that the balance was off, J.
+    came: f64,
+    missing: f64,
     energy: Energy,
     extremes: Extremes,
     traces: Traces,
@@ -212,6 +220,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             filters: [LowPass::default(); 3],
             window,
             keep,
+            came: 0.0,
+            missing: 0.0,
             energy: Energy::default(),
             extremes: Extremes {
                 force: zero,
@@ -258,7 +268,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             };
             let kick = 0.5 * (before + step);
             let forces = self.look(&now, time, before);
-            let last = time >= self.window;
+            let settled = steps % WATCH_EVERY == 0 && self.settled(time);
+            let last = time >= self.window || settled;
             let due = |next: &mut f64, every: Option<f64>| match every {
                 Some(every) if time >= *next || last => {
                     *next = time + every;
@@ -284,7 +295,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
             self.through(time)?;
             if last {
-                return Ok(self.finish(time, steps));
+                let settled = time < self.window;
+                return Ok(self.finish(time, steps, settled));
             }
             step = step.min(self.window - time).max(f64::MIN_POSITIVE);
             let kick = 0.5 * (before + step);
@@ -305,7 +317,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
             self.cells.advance(&mut self.state, kick, step);
             if let Some((_, flight)) = &mut self.object {
-                flight.advance(kick, step);
+                self.energy.lost_in_object += flight.advance(kick, step);
             }
             time += step;
             steps += 1;
@@ -317,6 +329,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         let sums = self.cells.forces(&mut self.state);
         let at = self.state.shell.clone();
         let (x, r) = (&self.state.x[at.clone()], &self.state.r[at.clone()]);
+        let v = (&self.state.vx[at.clone()], &self.state.vr[at.clone()]);
         let fx = &mut self.state.fx[at.clone()];
         let fr = &mut self.state.fr[at];
         let shell = self.shell.forces(x, r, fx, fr);
@@ -324,8 +337,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         let (mut force, mut loss_in_object) = (0.0, 0.0);
         let mut touch = None;
         if let Some((object, flight)) = &mut self.object {
-            loss_in_object = flight.inner();
-            let touched = self.target.forces(object, flight, x, r, fx, fr);
+            flight.inner();
+            let touched = self.target.forces(object, flight, (x, r), v, (fx, fr));
+            loss_in_object = touched.loss;
             limit = limit.min(flight.limit).min(touched.limit);
             force = touched.force;
             touch = Some(touched);
@@ -348,14 +362,15 @@ impl<'a, C: Cells> Motion<'a, C> {
 
     /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
     fn look(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
+        let share = LowPass::share(step);
         let e = &mut self.extremes;
         e.force.raise(now.force, time);
         e.filtered_force
-            .raise(self.filters[0].pass(now.force, step), time);
+            .raise(self.filters[0].pass(now.force, share), time);
         e.pressure
-            .raise(self.filters[1].pass(now.sums.pressure, step), time);
+            .raise(self.filters[1].pass(now.sums.pressure, share), time);
         e.back_pressure
-            .raise(self.filters[2].pass(now.sums.sensor, step), time);
+            .raise(self.filters[2].pass(now.sums.sensor, share), time);
         if now.shell.stress > e.scleral_stress.value {
             e.scleral_stress.raise(now.shell.stress, time);
             e.stress_angle = self.eye.segments[now.shell.at].front_angle;
@@ -387,6 +402,28 @@ impl<'a, C: Cells> Motion<'a, C> {
             peak.raise(force, time);
         }
         forces
+    }
+
+    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
+    fn settled(&self, time: f64) -> bool {
+        if self.keep != Keep::default() {
+            return false;
+        }
+        let over = match (&self.object, &self.load) {
+            (Some((object, flight)), _) => {
+                let apex = self.state.shell.start;
+                let away = self.state.x[apex] - flight.x[0] - object.reach();
+                let slowest = flight.velocity().max(flight.v[0]);
+                away > GONE && slowest < self.state.vx[apex].min(0.0)
+            }
+            (_, Some(load)) => load
+                .segments
+                .iter()
+                .any(|s| s.piece == Piece::Nothing && time > s.start),
+            _ => false,
+        };
+        let growth = self.extremes.last_growth();
+        over && growth < QUIET_SHARE * time && growth < time - QUIET
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
@@ -427,11 +464,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         self.energy.object = object;
         self.extremes.energy_imparted = given;
-        let came = self.energy_before + self.energy.work.abs();
-        if came > 0.0 {
-            let residual = (self.energy.total() - self.energy_before).abs() / came;
-            self.extremes.energy_residual = self.extremes.energy_residual.max(residual);
-        }
+        self.came = self.came.max(self.energy_before + self.energy.work.abs());
+        let missing = (self.energy.total() - self.energy_before).abs();
+        self.missing = self.missing.max(missing);
     }
 
     fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
@@ -471,7 +506,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         });
     }
 
-    fn finish(mut self, time: f64, steps: usize) -> Run {
+    fn finish(mut self, time: f64, steps: usize, settled: bool) -> Run {
         let eye: f64 = self
             .mass
             .iter()
@@ -479,6 +514,9 @@ impl<'a, C: Cells> Motion<'a, C> {
             .map(|(m, v)| m * v)
             .sum();
         let object = self.object.as_ref().map_or(0.0, |(_, f)| f.momentum());
+        if self.came > 0.0 {
+            self.extremes.energy_residual = self.missing / self.came;
+        }
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {
             extremes: self.extremes,
@@ -488,6 +526,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             momentum: eye + object,
             steps,
             simulated: time,
+            settled,
             cell_evaluations: (steps + 1) * self.eye.cells.len(),
         }
     }

@@ -44,9 +44,15 @@ pub(super) fn weights(eye: &RevolutionEye) -> Vec<(f64, f64)> {
 pub(super) struct LowPass(pub f64);
 
 impl LowPass {
-    pub fn pass(&mut self, value: f64, step: f64) -> f64 {
-        self.0 += (value - self.0) * -(-step / SMOOTHING_S).exp_m1();
+    /// `share` is that of the way to `value` that is gone.
+    pub fn pass(&mut self, value: f64, share: f64) -> f64 {
+        self.0 += (value - self.0) * share;
         self.0
+    }
+
+    /// The share of a step, in s.
+    pub fn share(step: f64) -> f64 {
+        -(-step / SMOOTHING_S).exp_m1()
     }
 }
 

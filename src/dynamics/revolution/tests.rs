@@ -118,6 +118,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let eye = free_eye(2);
     let target = Target::new(&eye);
     let n = eye.mesh.shell.len();
+    let still = vec![0.0; n];
     let rest: Vec<f64> = eye
         .mesh
         .shell
@@ -136,10 +137,17 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                 };
                 let respond = |at: &[f64]| {
                     let mut flight = Flight::new(&object, -12e-3 + depth);
+                    flight.v = [0.0; 2];
                     flight.inner();
                     let mut f = vec![0.0; 2 * n];
                     let (fx, fr) = f.split_at_mut(n);
-                    let touch = target.forces(&object, &mut flight, &at[..n], &at[n..], fx, fr);
+                    let touch = target.forces(
+                        &object,
+                        &mut flight,
+                        (&at[..n], &at[n..]),
+                        (&still, &still),
+                        (fx, fr),
+                    );
                     let sum: f64 = fx.iter().sum();
                     assert!((sum + flight.force[0]).abs() <= 1e-9 * sum.abs());
                     assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
