@@ -325,3 +325,30 @@ fn sweeps_and_ensembles_vary_what_stands_beside_a_table() {
     let (out, _) = printed(&program(folder.path(), &ensemble).success());
     assert!(out.contains("impact.duration_ms"), "{out}");
 }
+
+#[test]
+fn a_sweep_over_recorded_curves_runs_each_of_them() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [
+        ("a.csv", "0,0\n0.1,1\n0.2,0\n"),
+        ("b.csv", "0,0\n0.2,1\n0.4,0\n"),
+    ] {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    // Beside another pulse the word Table would be refused; beside a table it would mean that table.
+    let own = "(name: \"x\", impact: ForcePulse(force_n: 300, shape: Csv(\"a.csv\")))";
+    fs::write(folder.path().join("x.ron"), own).unwrap();
+    let vary = "impact.shape=Csv(\"a.csv\"),Csv(\"b.csv\"),half-sine";
+    for preset in ["x.ron", "paper-300n"] {
+        let done = program(folder.path(), &["sweep", preset, "--vary", vary, "--json"]).success();
+        let (rows, _) = printed(&done);
+        let rows: Vec<serde_json::Value> = rows
+            .lines()
+            .map(|row| serde_json::from_str(row).unwrap())
+            .filter(|row: &serde_json::Value| row["row"].is_number())
+            .collect();
+        let damage = |i: usize| rows[i]["results"]["damage_percent"].as_f64().unwrap();
+        assert!(rows.len() == 3 && damage(1) > 1.2 * damage(0), "{rows:?}");
+        assert!(rows[1].to_string().contains("b.csv") && rows[2].to_string().contains("HalfSine"));
+    }
+}

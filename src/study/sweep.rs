@@ -116,7 +116,14 @@ impl Sweep {
                 let mut changed = scenario.clone();
                 set(&mut changed, &path, value)?;
                 let plain = fields::find(&path).and_then(|field| field.text(&changed));
-                *value = plain.unwrap_or_else(|| value.clone());
+                // The word for a curve that was recorded does not say which: there the name of its file stands.
+                let says_all = |plain: &String| {
+                    let mut again = scenario.clone();
+                    set(&mut again, &path, plain).is_ok() && again == changed
+                };
+                if let Some(plain) = plain.filter(says_all) {
+                    *value = plain;
+                }
             }
             rows = rows.saturating_mul(axes[i].values.len());
         }
