@@ -1,6 +1,6 @@
 //! What keys do to the measurement of speed against error.
 
-use super::{model as open, open_measured, press};
+use super::drawn::{model as open, open_measured, press};
 use contrecoup::tui::model::Model;
 use contrecoup::tui::screens::SCREENS;
 use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};

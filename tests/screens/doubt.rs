@@ -1,24 +1,21 @@
 //! What the screens say of samples: which scenario they are of, how many, and their numbers apart.
 
-use super::{SIZES, line_from, model, open_sampled, picture, press, ticket};
+use super::drawn::{SIZES, line_from, model, open_sampled, picture, press, ticket};
+use super::made_up;
+use contrecoup::study::Quantity;
 use contrecoup::study::ensemble::Ensemble;
-use contrecoup::study::{Quantity, unwatched};
 use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::model::Model;
-use contrecoup::tui::task::{Question, Report};
+use contrecoup::tui::task::Report;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Message, update};
 
-/// Opens the screen and lets so many samples be run, changed by `then`, of as many as were asked for.
+/// Opens the screen and lets so many made-up samples come, changed by `then`.
 fn open_changed(model: &mut Model, count: u32, then: impl Fn(&mut Ensemble)) {
     press(model, "\x1b6");
     let job = model.ensemble.task.job.as_ref().unwrap();
-    let few = RunSamples {
-        count,
-        ..(*job.question).clone()
-    };
     let ticket = job.ticket;
-    let mut done = few.answer(&mut unwatched).unwrap();
+    let mut done = made_up::ensemble(&job.question.scenario, count);
     then(&mut done);
     let report = Report::done::<RunSamples>(ticket, Ok(done));
     update(model, Message::News(report));
@@ -167,5 +164,23 @@ fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
             text.contains(&format!("1 to {curves} of ")),
             text.contains('▾')
         );
+    }
+}
+
+#[test]
+fn bands_of_many_results_scrolls_above_what_drives_them() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    open_sampled(&mut model);
+    for keys in ["", "jjjjjjjjjjjjjjjjjjjjjj"] {
+        press(&mut model, keys);
+        for size in SIZES {
+            let text = picture(&model, size);
+            let lines: Vec<&str> = text.lines().collect();
+            let at = lines.iter().position(|line| line.contains("What drives"));
+            let drivers = &lines[at.unwrap() + 1..at.unwrap() + 4];
+            let is_bar = |line: &&str| line.contains("0.") || line.contains("1.00");
+            assert!(drivers.iter().all(is_bar), "{text}");
+            assert_eq!(text.matches('▸').count(), 1);
+        }
     }
 }

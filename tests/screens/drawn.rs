@@ -1,0 +1,189 @@
+//! The app on a made-up answer: opened, driven by keys, and drawn as text and styles.
+
+use contrecoup::scenario::Scenario;
+use contrecoup::scenario::fields;
+use contrecoup::study::Answer;
+use contrecoup::tui::ensemble::RunSamples;
+use contrecoup::tui::form::Row;
+use contrecoup::tui::model::{Look, Model};
+use contrecoup::tui::prepare;
+use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
+use contrecoup::tui::screens::compare::SimulateMarked;
+use contrecoup::tui::screens::map::state::DrawMap;
+use contrecoup::tui::simulation::Simulate;
+use contrecoup::tui::task::{Report, Task, Ticket};
+use contrecoup::tui::terminal::caps::{Depth, Symbols};
+use contrecoup::tui::terminal::input::{Input, Parser};
+use contrecoup::tui::update::{Effect, Message, begin, update};
+use contrecoup::tui::view;
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::layout::Rect;
+use ratatui::style::{Color, Modifier, Style};
+
+use super::{made_up, made_up_accuracy};
+
+/// The smallest that the app draws on, the usual, and a large one.
+pub const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
+
+fn look(depth: Depth) -> Look {
+    Look {
+        depth,
+        symbols: Symbols::Braille,
+    }
+}
+
+/// Answers what the app's threads would, by `find`.
+fn settle(model: &mut Model, effects: Vec<Effect>, find: fn(&Scenario) -> Answer) {
+    let mut open = effects;
+    while let Some(effect) = open.pop() {
+        let Effect::Start(request) = effect else {
+            continue;
+        };
+        let ticket = request.ticket;
+        let report = if let Some(Simulate(asked)) = request.question() {
+            Report::done::<Simulate>(ticket, Ok(find(asked)))
+        } else if let Some(SimulateMarked { scenario, .. }) = request.question() {
+            Report::done::<SimulateMarked>(ticket, Ok(find(scenario)))
+        } else {
+            continue;
+        };
+        open.extend(update(model, Message::News(report)));
+    }
+}
+
+/// The ticket of what is under way.
+pub fn ticket<Q>(task: &Task<Q>) -> Ticket {
+    task.job.as_ref().unwrap().ticket
+}
+
+/// Opened on these presets, with made-up answers.
+pub fn model(sources: &[&str], depth: Depth) -> Model {
+    model_by(sources, depth, made_up::answer)
+}
+
+/// Opened on these presets, with the answers that `find` gives.
+pub fn model_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> Model {
+    let sources: Vec<String> = sources.iter().map(|s| (*s).to_owned()).collect();
+    let mut model = prepare(&sources, look(depth)).unwrap();
+    // A person's own presets would change the pictures.
+    model.choices.retain(|choice| choice.origin != "own");
+    let effects = begin(&mut model);
+    settle(&mut model, effects, find);
+    if let Some(force) = fields::find("impact.force_n")
+        && force.text(&model.work.scenario).is_some()
+    {
+        model.form.selected = Row::Field(force);
+    }
+    model
+}
+
+/// Types these keys; whatever they ask for is answered at once.
+pub fn press(model: &mut Model, keys: &str) {
+    let mut parser = Parser::default();
+    let mut inputs = parser.feed(keys.as_bytes());
+    inputs.extend(parser.flush());
+    for input in inputs {
+        if let Input::Key(event) = input {
+            let effects = update(model, Message::Key(event));
+            settle(model, effects, made_up::answer);
+        }
+    }
+}
+
+/// Opens the accuracy screen and lets a made-up measurement end.
+pub fn open_measured(model: &mut Model) {
+    press(model, "\x1b5");
+    let ticket = ticket(&model.screens.accuracy.task);
+    let report = Report::done::<MeasureAccuracy>(ticket, Ok(made_up_accuracy::made_up()));
+    update(model, Message::News(report));
+}
+
+/// Opens the doubt screen and lets made-up samples come.
+pub fn open_sampled(model: &mut Model) {
+    press(model, "\x1b6");
+    let job = model.ensemble.task.job.as_ref().unwrap();
+    let few = made_up::ensemble(&job.question.scenario, 24);
+    let report = Report::done::<RunSamples>(job.ticket, Ok(few));
+    update(model, Message::News(report));
+}
+
+/// Opens the map and lets a made-up first grid come; the second is on its way.
+pub fn open_mapped(model: &mut Model) {
+    press(model, "\x1b7");
+    let job = model.screens.map.task.job.as_ref().unwrap();
+    let grid = made_up::grid(job.question.side);
+    let report = Report::done::<DrawMap>(job.ticket, Ok(grid));
+    update(model, Message::News(report));
+    let report = Report::progress(ticket(&model.screens.map.task), 0.43);
+    update(model, Message::News(report));
+}
+
+/// The cells of a screen.
+pub fn cells(model: &Model, (width, height): (u16, u16)) -> Buffer {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, width, height));
+    view::draw(model, &mut buffer);
+    buffer
+}
+
+fn lines(buffer: &Buffer, of: impl FnMut(&Cell) -> String) -> String {
+    let width = usize::from(buffer.area.width);
+    let cells: Vec<String> = buffer.content.iter().map(of).collect();
+    let rows = cells
+        .chunks(width)
+        .map(|row| row.concat().trim_end().to_owned() + "\n");
+    rows.collect()
+}
+
+/// The text of a screen.
+pub fn picture(model: &Model, size: (u16, u16)) -> String {
+    lines(&cells(model, size), |cell| cell.symbol().to_owned())
+}
+
+/// A style in few words.
+fn words(style: Style) -> String {
+    let coloured = |colour: Option<Color>| colour.filter(|colour| *colour != Color::Reset);
+    let mut words = Vec::new();
+    words.extend(coloured(style.fg).map(|colour| format!("{colour:?}")));
+    words.extend(coloured(style.bg).map(|colour| format!("on {colour:?}")));
+    let modifiers = style.add_modifier;
+    words.extend(
+        modifiers
+            .iter_names()
+            .map(|(name, _): (&str, Modifier)| name.to_lowercase()),
+    );
+    words.join(" ")
+}
+
+/// The text of a screen of 80 x 24; below it, where it is styled, a letter for each cell's style;
+/// and what the letters mean. Cells without a letter are plain.
+pub fn styled(model: &Model) -> String {
+    let buffer = cells(model, (80, 24));
+    let mut styles: Vec<String> = Vec::new();
+    let letters = lines(&buffer, |cell| {
+        let style = words(cell.style());
+        let on_blank = style.contains("on ") || style.contains("reversed");
+        if style.is_empty() || (cell.symbol() == " " && !on_blank) {
+            return " ".to_owned();
+        }
+        let known = styles.iter().position(|known| *known == style);
+        let at = known.unwrap_or_else(|| {
+            styles.push(style);
+            styles.len() - 1
+        });
+        char::from(b'a' + u8::try_from(at).unwrap()).to_string()
+    });
+    let names = styles
+        .iter()
+        .zip('a'..)
+        .map(|(style, letter)| format!("{letter} {style}\n"));
+    let names: String = names.collect();
+    let text = picture(model, (80, 24));
+    format!("{text}\n{letters}\n{names}")
+}
+
+/// The line that has a word, from that word on.
+pub fn line_from<'a>(text: &'a str, word: &str) -> &'a str {
+    let line = text.lines().find(|line| line.contains(word));
+    let line = line.unwrap_or_else(|| panic!("no {word} in\n{text}"));
+    &line[line.find(word).unwrap()..]
+}

@@ -1,0 +1,271 @@
+//! What every screen says whatever its size: words and numbers that must stand whole.
+
+use std::sync::Arc;
+
+use super::drawn::{
+    SIZES, cells, line_from, model, open_mapped, open_measured, open_sampled, picture, press,
+    ticket,
+};
+use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
+use contrecoup::scenario::fields;
+use contrecoup::study::Refusal;
+use contrecoup::tui::form::Row;
+use contrecoup::tui::model::Model;
+use contrecoup::tui::simulation::Simulate;
+use contrecoup::tui::task::Report;
+use contrecoup::tui::terminal::caps::{Depth, Symbols};
+use contrecoup::tui::update::{Message, update};
+
+#[test]
+fn a_small_terminal_still_asks_what_it_waits_for() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "lq");
+    for size in [(60, 5), (20, 5), (59, 19)] {
+        let text = picture(&model, size).replace('\n', " ");
+        let words: Vec<&str> = text.split_whitespace().collect();
+        assert!(
+            words.join(" ").contains("unsaved: y quits, n stays"),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "l");
+    let good = Arc::clone(&model.shown.as_ref().unwrap().answer);
+    let question = Simulate(model.work.scenario.clone());
+    model.run.ask(question, &mut model.out);
+    let refusal = Refusal::StepAboveLimit {
+        step_us: 900.0,
+        integrator: "velocity-verlet",
+        limit_us: 7.0,
+    };
+    let report = Report::done::<Simulate>(ticket(&model.run), Err(refusal));
+    update(&mut model, Message::News(report));
+    assert!(Arc::ptr_eq(&good, &model.shown.as_ref().unwrap().answer));
+    let text = picture(&model, (80, 24));
+    assert!(text.contains("last good result") && text.contains("above the"));
+}
+
+#[test]
+fn no_size_and_no_screen_makes_the_drawing_fail() {
+    let mut model = model(&["paper-300n", "wide-area"], Depth::Sixteen);
+    open_measured(&mut model);
+    open_sampled(&mut model);
+    open_mapped(&mut model);
+    for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
+        model.look.symbols = symbols;
+        for keys in [
+            "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "6", "7", "8", "1?", "?p", "\x1bs",
+        ] {
+            press(&mut model, keys);
+            for width in [1, 20, 59, 60, 61, 79, 100, 300] {
+                for height in [1, 5, 19, 20, 21, 50, 100] {
+                    let buffer = cells(&model, (width, height));
+                    if symbols == Symbols::Ascii {
+                        assert!(buffer.content.iter().all(|c| c.symbol().is_ascii()));
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_a_name_holds_never_reaches_the_terminal_as_a_command() {
+    let mut model = model(&[], Depth::Mono);
+    model.work.source = "\u{1b}[2J\u{202e}evil".to_owned();
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(!text.contains(['\u{1b}', '\u{202e}']));
+    }
+}
+
+#[test]
+fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
+    let mut model = model(&["golf-ball"], Depth::Mono);
+    let speed = fields::find("impact.speed_m_s").unwrap();
+    for size in SIZES {
+        model.form.selected = Row::Preset;
+        let text = picture(&model, size);
+        assert!(line_from(&text, " Speed").starts_with(" Speed "));
+        assert!(line_from(&text, " Speed").contains(" ? "));
+        assert!(
+            !line_from(&text, " Mass")
+                .split('│')
+                .next()
+                .unwrap()
+                .contains('?')
+        );
+        model.form.selected = Row::Field(speed);
+        assert!(picture(&model, size).contains("? unverified figure"));
+    }
+    press(&mut model, "50\r");
+    assert!(!picture(&model, (80, 24)).contains("? unverified"));
+}
+
+#[test]
+fn points_of_a_large_blow_stand_whole_beside_their_threshold() {
+    let mut model = model(&["paper-600n"], Depth::Mono);
+    press(&mut model, "\r\x1520000\r");
+    let index = &model.shown.as_ref().unwrap().answer.index;
+    let parts = [
+        ("S shell", "1.5", SHELL.points(index.shell_growth)),
+        ("M meridian", "4", MERIDIAN.points(index.meridian_growth)),
+        ("E energy", "5.3", ENERGY.points(index.energy)),
+    ];
+    assert!(parts[2].2 > 1e4);
+    for size in SIZES {
+        let text = picture(&model, size);
+        for (name, threshold, points) in parts {
+            let line = line_from(&text, name);
+            let words: Vec<&str> = line.split_whitespace().collect();
+            assert_eq!(words[4..6], ["of", threshold], "{line}");
+            let last = words.last().unwrap().split('/').next().unwrap();
+            let shown: f64 = last.parse().unwrap_or_else(|_| panic!("{line}"));
+            assert!((shown / points - 1.0).abs() < 0.05, "{line}");
+        }
+    }
+}
+
+#[test]
+fn the_legend_of_the_energies_is_whole() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "\x1b3vvvvvv");
+    for size in SIZES {
+        let text = picture(&model, size);
+        for name in ["1 kinetic", "2 elastic", "3 dissipated", "4 work in"] {
+            let rest = &line_from(&text, name)[name.len()..];
+            let words: Vec<&str> = rest.split_whitespace().collect();
+            assert!(words[0].parse::<f64>().is_ok() && words[1] == "J", "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    press(&mut model, "\x1b2");
+    let text = picture(&model, (80, 24));
+    assert!(text.contains(" contact ") && !text.contains(" load "));
+    assert!(text.contains('⣿'), "the bar of time has the force in it");
+    press(&mut model, "\x1b3vvvvv");
+    assert!(picture(&model, (80, 24)).contains("contact, N"));
+    for (sources, label) in [
+        (["paper-300n", "wide-area"], "load, N"),
+        (["paper-300n", "bb-56"], "load or contact, N"),
+        (["golf-ball", "bb-56"], "contact, N"),
+    ] {
+        let mut model = super::drawn::model(&sources, Depth::Mono);
+        press(&mut model, "\x1b4vvvv");
+        let text = picture(&model, (80, 24));
+        assert!(text.contains(&format!(" {label}")), "{label}\n{text}");
+    }
+}
+
+#[test]
+fn curves_that_no_answer_has_are_not_offered() {
+    let mut model = model(&["paper-300n", "wide-area"], Depth::Mono);
+    press(&mut model, "\x1b4");
+    for _ in 0..20 {
+        press(&mut model, "v");
+        assert!(!picture(&model, (80, 24)).contains("pressure, MPa"));
+    }
+}
+
+#[test]
+fn six_marked_presets_leave_room_for_their_curves() {
+    let six = [
+        "paper-300n",
+        "paper-100n",
+        "paper-600n",
+        "wide-area",
+        "bb-56",
+        "golf-ball",
+    ];
+    let mut model = model(&six, Depth::Mono);
+    press(&mut model, "\x1b4");
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(text.contains("centre, N") && text.contains("v curves"));
+        assert!(
+            six.iter()
+                .all(|name| text.contains(&name[..8.min(name.len())]))
+        );
+    }
+}
+
+#[test]
+fn what_a_folded_mesh_makes_of_a_risk_is_said_beside_it() {
+    let mut model = model(&["bb-56"], Depth::Mono);
+    press(&mut model, "\x1b8");
+    for size in SIZES {
+        assert!(picture(&model, size).contains("FLAGS mesh folded"));
+    }
+}
+
+#[test]
+fn a_peak_has_its_time_beside_it_however_long_its_number() {
+    let model = model(&["bb-56"], Depth::Mono);
+    let text = picture(&model, (80, 24));
+    for name in ["centre", "front", "right", "top ", "press.", "contact"] {
+        let line = line_from(&text, name);
+        assert!(line.ends_with("ms"), "{line}");
+    }
+    let text = picture(&model, (60, 20));
+    assert!(line_from(&text, "press.").ends_with("MPa"));
+}
+
+/// States whose pictures are taken at 80 x 24 only: what they must say, they say at every size.
+#[test]
+fn what_a_state_must_say_is_said_at_every_size() {
+    let said = |model: &Model, words: &[&str]| {
+        for size in SIZES {
+            let text = picture(model, size);
+            for word in words {
+                assert!(text.contains(word), "{word} at {size:?}\n{text}");
+            }
+        }
+    };
+    let after = |sources: &[&str], keys: &str| {
+        let mut model = model(sources, Depth::Mono);
+        press(&mut model, keys);
+        model
+    };
+    said(
+        &after(&[], "ajjjjjjjj\r-"),
+        &["▸Name", "1 to 80 characters", "Enter accept  Esc restore"],
+    );
+    said(
+        &after(&["paper-600n"], &("L".repeat(30) + "\tKK")),
+        &["3600 N", "20 deg", "mesh folded", "←→ width"],
+    );
+    said(&after(&[], "\x1b5"), &["measuring 0 %", "Esc stops"]);
+    said(
+        &after(&[], "\x1b6"),
+        &["running 0 %", "Esc stops", "into a field"],
+    );
+    said(
+        &after(&["off-axis-triangle"], "\x1b7x-"),
+        &["Angle across, Duration up", "not known yet", "o yours"],
+    );
+    said(
+        &after(&[], "\x1b8"),
+        &["Paper's index", "No published curve applies here"],
+    );
+    said(
+        &after(&["fist"], "jjjjj.3\r\x1b2"),
+        &["Now", "contact", "Physiological model"],
+    );
+    said(
+        &after(&["bb-56"], "\x1b3vvvvvvv"),
+        &["pressure, MPa", "vitreous area, %"],
+    );
+    let mut model = model(&[], Depth::Mono);
+    open_measured(&mut model);
+    press(&mut model, "Ll");
+    model.work.scenario.window_ms = 2.0;
+    said(&model, &["of another scenario: m measures", "▸ 5 of 14"]);
+}

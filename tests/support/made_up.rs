@@ -1,0 +1,350 @@
+//! Made-up answers: nothing is simulated, so no picture of one changes when the physics does.
+//!
+//! The mesh is that of the scenario, at rest; every course is a few humps in the share of the window
+//! that has gone, and what a blow does grows with its size: a force of 300 N has size 1. Humps are
+//! polynomials, which give the same digits on every machine.
+
+#![allow(dead_code, reason = "every test file uses a part")]
+
+use std::time::Duration;
+
+use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan};
+use contrecoup::eye::{Eye, GLOBE_RADIUS_M};
+use contrecoup::injury::DamageIndex;
+use contrecoup::recording::{
+    Extremes, FluidExtremes, Frame, Peak, Recording, ShotExtremes, Traces,
+};
+use contrecoup::scenario::{Impact, Scenario};
+use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
+use contrecoup::study::map::{Grid, Spot};
+use contrecoup::study::point::{Check, Point};
+use contrecoup::study::quantity::Family;
+use contrecoup::study::spreads::inputs;
+use contrecoup::study::{Answer, Case, Errors, Flag, FlagKind, Quantity};
+use nalgebra::{Point2, Vector2};
+
+/// Rows of the traces, and the frames among them.
+const ROWS: usize = 240;
+const EVERY_FRAME: usize = 6;
+/// The size from which the mesh folds.
+const FOLDING: f64 = 1.5;
+/// What a blow of size 1 does: N at the monitored nodes, m, shares, J, Pa.
+const FORCES_N: [f64; 4] = [12.0, 70.0, 10.0, 11.0];
+const APEX_M: f64 = 2.2e-3;
+const SHELL: f64 = 0.0025;
+const MERIDIAN: f64 = 0.03;
+const ENERGY_J: f64 = 0.5;
+const PRESSURE_PA: f64 = 0.4e6;
+const PRESSURE_AT_REST_PA: f64 = 2e3;
+
+/// From 0 up to 1 in the `middle` and down to 0, both `reach` away from it.
+fn hump(at: f64, middle: f64, reach: f64) -> f64 {
+    let away = (at - middle) / reach;
+    let left = (1.0 - away * away).max(0.0);
+    left * left
+}
+
+/// From 0 at 0 to 1 at `end`, and then 1.
+fn rise(at: f64, end: f64) -> f64 {
+    let share = (at / end).min(1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
+/// How large a blow is.
+fn size(case: &Case, scenario: &Scenario) -> f64 {
+    match &scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
+        Impact::Projectile(_) => case
+            .blow
+            .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
+    }
+}
+
+/// How far the eye is pushed in, from 0 to 1.
+fn pushed(share: f64) -> f64 {
+    hump(share, 0.1, 0.1) + 0.25 * hump(share, 0.35, 0.2)
+}
+
+/// The force at a monitored node, from 0 to 1: each has a time of its own.
+fn shaken(node: usize, share: f64) -> f64 {
+    let later = 0.02 * node as f64;
+    hump(share, 0.04 + later, 0.03)
+        + 0.6 * hump(share, 0.13 + later, 0.05)
+        + 0.2 * hump(share, 0.4, 0.25)
+}
+
+fn touch(share: f64) -> f64 {
+    hump(share, 0.06, 0.06)
+}
+
+/// The centre of an object of this radius: it comes, pushes and goes.
+fn centre(radius: f64, share: f64) -> Point2<f64> {
+    let away = 3e-3 * (1.0 - rise(share, 0.1)) + 6e-3 * rise((share - 0.15).max(0.0), 0.8);
+    Point2::new(APEX_M - away - GLOBE_RADIUS_M - radius, 0.0)
+}
+
+fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
+    let shares: Vec<f64> = (0..=ROWS).map(|row| row as f64 / ROWS as f64).collect();
+    let over = |of: &dyn Fn(f64) -> f64| -> Vec<f64> { shares.iter().map(|s| of(*s)).collect() };
+    let energy = ENERGY_J * size * size;
+    let force = match &scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.force_n,
+        Impact::Projectile(_) => 0.0,
+    };
+    let blow = case.blow;
+    let fluid = case.system.coupled().is_some_and(|c| c.fluid.is_some());
+    let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
+    Traces {
+        time: over(&|s| s * case.window),
+        load: over(&|s| force * touch(s)),
+        force: std::array::from_fn(|n| over(&|s| size * FORCES_N[n] * shaken(n, s))),
+        apex: over(&|s| size * APEX_M * pushed(s)),
+        shell_growth: over(&|s| size * SHELL * pushed(s)),
+        meridian_growth: over(&|s| size * MERIDIAN * (pushed(s) - 0.1 * hump(s, 0.6, 0.2))),
+        kinetic: over(&|s| 0.6 * energy * hump(s, 0.06, 0.06)),
+        elastic: over(&|s| 0.4 * energy * pushed(s)),
+        dissipated: over(&|s| 0.9 * energy * rise(s, 0.8)),
+        work: over(&|s| energy * rise(s, 0.1)),
+        pressure: some(fluid, &|s| {
+            PRESSURE_AT_REST_PA + size * PRESSURE_PA * pushed(s)
+        }),
+        area_ratio: some(fluid, &|s| 1.0 - 0.01 * pushed(s)),
+        contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
+        projectile: blow.map_or(Vec::new(), |b| {
+            shares
+                .iter()
+                .map(|s| centre(0.5 * b.diameter, *s))
+                .collect()
+        }),
+        projectile_velocity: blow.map_or(Vec::new(), |b| {
+            shares
+                .iter()
+                .map(|s| Vector2::new(b.speed * (1.0 - 2.0 * s), 0.0))
+                .collect()
+        }),
+    }
+}
+
+/// Nodes are pushed back the more, the nearer they are to the cornea; a ring of force runs from it.
+fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
+    let share = row as f64 / ROWS as f64;
+    let apex = traces.apex[row];
+    let push = |at: Point2<f64>| {
+        let from = (at - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm();
+        apex * (1.0 - from / (2.5 * GLOBE_RADIUS_M)).max(0.0)
+    };
+    let heat = |at: Point2<f64>| {
+        let from = (at - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm() / (2.0 * GLOBE_RADIUS_M);
+        traces.force[1][row] * hump(from, 2.0 * share, 0.5)
+    };
+    Frame {
+        time: traces.time[row],
+        positions: (eye.nodes.iter())
+            .map(|node| match node.fixed() {
+                true => node.position,
+                false => node.position + Vector2::new(push(node.position), 0.0),
+            })
+            .collect(),
+        forces: (eye.nodes.iter())
+            .map(|node| {
+                if node.fixed() {
+                    0.0
+                } else {
+                    heat(node.position)
+                }
+            })
+            .collect(),
+        projectile: diameter.map(|diameter| centre(0.5 * diameter, share)),
+        squeezed: 0.0,
+        pressure: traces.pressure.get(row).copied(),
+    }
+}
+
+/// The largest value of a course.
+fn peak(times: &[f64], values: &[f64]) -> Peak {
+    let mut peak = Peak::floor(0.0);
+    for (time, value) in times.iter().zip(values) {
+        peak.offer(*value, *time);
+    }
+    peak
+}
+
+fn extremes(case: &Case, traces: &Traces, size: f64) -> Extremes {
+    let of = |values: &[f64]| peak(&traces.time, values);
+    let work = ENERGY_J * size * size;
+    Extremes {
+        force: std::array::from_fn(|n| of(&traces.force[n])),
+        apex: of(&traces.apex),
+        shell_growth: of(&traces.shell_growth),
+        meridian_growth: of(&traces.meridian_growth),
+        work,
+        elastic: of(&traces.elastic),
+        strain: Peak {
+            value: 0.2 * size,
+            time: 0.1 * case.window,
+        },
+        least_quad_ratio: 1.0 - size / FOLDING,
+        folded_at: (size >= FOLDING).then_some(0.05 * case.window),
+        energy_residual: 1e-5,
+        still_rising: false,
+        could_rise: false,
+        fluid: (!traces.pressure.is_empty()).then(|| FluidExtremes {
+            pressure: of(&traces.pressure),
+            rest_pressure: PRESSURE_AT_REST_PA,
+            area_ratio: (0.99, 1.0),
+        }),
+        shot: case.blow.map(|blow| ShotExtremes {
+            diameter: blow.diameter,
+            force: of(&traces.contact_force),
+            contact: Some((0.0, 0.12 * case.window)),
+            velocity: Vector2::new(-0.5 * blow.speed, 0.0),
+            rebound_speed: 0.5 * blow.speed,
+            energy: work,
+            energy_before: 0.5 * blow.mass * blow.speed * blow.speed,
+            penetration: 1e-5,
+            penetration_share: 1e-5 / blow.diameter,
+            squeezed_share: 0.0,
+            travel: of(&traces.apex),
+            rim_at: None,
+            through_bone_at: None,
+            light: false,
+            touching: false,
+            going_on: false,
+        }),
+    }
+}
+
+fn flags(extremes: &Extremes) -> Vec<Flag> {
+    let folded = extremes.folded_at.map(|time| Flag {
+        kind: FlagKind::MeshFolded,
+        message: "made up: the mesh folded, beyond the model's validity".to_owned(),
+        time: Some(time),
+    });
+    folded.into_iter().collect()
+}
+
+/// The answer to a scenario, with traces and frames.
+pub fn answer(scenario: &Scenario) -> Answer {
+    let case = Case::new(&scenario.check().unwrap());
+    let size = size(&case, scenario);
+    let traces = traces(&case, scenario, size);
+    let extremes = extremes(&case, &traces, size);
+    let diameter = case.blow.map(|blow| blow.diameter);
+    let frames = (0..=ROWS).step_by(EVERY_FRAME);
+    let frames = frames
+        .map(|row| frame(&case.eye, &traces, row, diameter))
+        .collect();
+    let stated = |of: Quantity| of.row().family != Family::Unstated;
+    let error = |of: Quantity, value: &Option<f64>| {
+        let error = if of.row().per_node_mass { 0.08 } else { 0.004 };
+        value.is_some().then_some(error).filter(|_| stated(of))
+    };
+    let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
+    Answer {
+        plan: Plan {
+            integrator: scenario.numerics.integrator.unwrap_or(Integrator::Srkn6b),
+            step,
+            window: case.window,
+            multiple: 1.0,
+            local_tolerance: LOCAL_TOLERANCE,
+        },
+        step,
+        step_limit: 8e-6,
+        index: DamageIndex::of(&extremes),
+        errors: Errors {
+            time_step: case.results(&extremes).map(error),
+            mesh: None,
+            energy_balance: 1e-3,
+        },
+        flags: flags(&extremes),
+        cost: Cost {
+            steps: 1500,
+            evaluations: 9000,
+            contact_tests: 0,
+            pressure_evaluations: 0,
+            dashpot_evaluations: 0,
+        },
+        simulated: case.window,
+        spring_evaluations: 8_000_000,
+        solve_time: Duration::from_millis(10),
+        total_time: Duration::from_millis(25),
+        recording: Recording {
+            extremes,
+            traces: Some(traces),
+            frames,
+        },
+        case,
+    }
+}
+
+/// Samples over what is not known of a scenario: the first input drives the most, the second less.
+/// Where the mesh of the scenario folds, that of five in six samples does.
+pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
+    let answer = answer(scenario);
+    let nominal = answer.results();
+    let inputs = inputs(scenario);
+    let folds = answer.recording.extremes.folded_at.is_some();
+    let sample = |index: u32| {
+        // Steps of numbers without common factors: every input in another order.
+        let shares = (0..inputs.len() as u32).map(|input| {
+            (f64::from((index * (5 + 2 * input) + input) % count) + 0.5) / f64::from(count)
+        });
+        let shares: Vec<f64> = shares.collect();
+        let weights = [0.6, 0.2, 0.1];
+        let moved = shares
+            .iter()
+            .zip(weights)
+            .map(|(share, weight)| weight * (share - 0.5));
+        let factor = 1.0 + moved.sum::<f64>();
+        let folded = folds && index % 6 != 5;
+        Sample {
+            drawn: inputs
+                .iter()
+                .zip(&shares)
+                .map(|(input, u)| input.value(*u))
+                .collect(),
+            outcome: Ok(Point {
+                values: nominal.map(|_, value| value.map(|value| value * factor)),
+                flags: folded.then_some(FlagKind::MeshFolded).into_iter().collect(),
+                check: (index < 8).then_some(Check {
+                    first: 0.02,
+                    last: 0.02,
+                    tried: 2e-6,
+                    good_step: 3e-6,
+                }),
+            }),
+        }
+    };
+    Ensemble {
+        nominal: Some(nominal),
+        samples: (0..count).map(sample).collect(),
+        inputs: inputs.clone(),
+        asked: count,
+        seed: 1,
+        cap: Some(2e-6),
+        timing: Timing {
+            wall: 0.5,
+            cores: 1.0,
+            single: Some(0.02),
+            threads: 2,
+        },
+    }
+}
+
+/// A map that rises to the upper right, where the mesh folds; one corner is not allowed.
+pub fn grid(side: usize) -> Grid {
+    let last = (side - 1) as f64;
+    let spot = |place: usize| {
+        let (x, y) = ((place % side) as f64 / last, (place / side) as f64 / last);
+        let damage = 160.0 * x * (0.2 + 0.8 * y);
+        match () {
+            () if x < 0.2 && y > 0.8 => Spot::Refused,
+            () if damage > 90.0 => Spot::Folded(damage),
+            () => Spot::Damage(damage),
+        }
+    };
+    Grid {
+        side,
+        spots: (0..side * side).map(spot).collect(),
+    }
+}
