@@ -60,6 +60,11 @@ fn size(case: &Case, scenario: &Scenario) -> f64 {
     }
 }
 
+/// How much further than by size 1 it moves the eye: never as far as through it.
+fn give(size: f64) -> f64 {
+    1.25 * size / (1.0 + 0.25 * size)
+}
+
 /// How far the eye is pushed in, from 0 to 1.
 fn pushed(share: f64) -> f64 {
     hump(share, 0.1, 0.1) + 0.25 * hump(share, 0.35, 0.2)
@@ -77,16 +82,16 @@ fn touch(share: f64) -> f64 {
     hump(share, 0.06, 0.06)
 }
 
-/// The centre of an object of this radius: it comes, pushes and goes.
-fn centre(radius: f64, share: f64) -> Point2<f64> {
+/// The centre of an object of this radius: it comes, pushes the cornea `deep` and goes.
+fn centre(radius: f64, deep: f64, share: f64) -> Point2<f64> {
     let away = 3e-3 * (1.0 - rise(share, 0.1)) + 6e-3 * rise((share - 0.15).max(0.0), 0.8);
-    Point2::new(APEX_M - away - GLOBE_RADIUS_M - radius, 0.0)
+    Point2::new(deep - away - GLOBE_RADIUS_M - radius, 0.0)
 }
 
 fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
     let shares: Vec<f64> = (0..=ROWS).map(|row| row as f64 / ROWS as f64).collect();
     let over = |of: &dyn Fn(f64) -> f64| -> Vec<f64> { shares.iter().map(|s| of(*s)).collect() };
-    let energy = ENERGY_J * size * size;
+    let (give, energy) = (give(size), ENERGY_J * size * size);
     let force = match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n,
         Impact::Projectile(_) => 0.0,
@@ -98,11 +103,11 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         time: over(&|s| s * case.window),
         load: over(&|s| force * touch(s)),
         force: std::array::from_fn(|n| over(&|s| size * FORCES_N[n] * shaken(n, s))),
-        apex: over(&|s| size * APEX_M * pushed(s)),
-        shell_growth: over(&|s| size * SHELL * pushed(s)),
-        meridian_growth: over(&|s| size * MERIDIAN * (pushed(s) - 0.1 * hump(s, 0.6, 0.2))),
+        apex: over(&|s| give * APEX_M * pushed(s)),
+        shell_growth: over(&|s| give * SHELL * pushed(s - 0.02)),
+        meridian_growth: over(&|s| give * MERIDIAN * (pushed(s - 0.04) - 0.1 * hump(s, 0.6, 0.2))),
         kinetic: over(&|s| 0.6 * energy * hump(s, 0.06, 0.06)),
-        elastic: over(&|s| 0.4 * energy * pushed(s)),
+        elastic: over(&|s| 0.4 * energy * pushed(s - 0.06)),
         dissipated: over(&|s| 0.9 * energy * rise(s, 0.8)),
         work: over(&|s| energy * rise(s, 0.1)),
         pressure: some(fluid, &|s| {
@@ -113,7 +118,7 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         projectile: blow.map_or(Vec::new(), |b| {
             shares
                 .iter()
-                .map(|s| centre(0.5 * b.diameter, *s))
+                .map(|s| centre(0.5 * b.diameter, give * APEX_M, *s))
                 .collect()
         }),
         projectile_velocity: blow.map_or(Vec::new(), |b| {
@@ -129,6 +134,7 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
 fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
     let share = row as f64 / ROWS as f64;
     let apex = traces.apex[row];
+    let deep = peak(&traces.time, &traces.apex).value;
     let push = |at: Point2<f64>| {
         let from = (at - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm();
         apex * (1.0 - from / (2.5 * GLOBE_RADIUS_M)).max(0.0)
@@ -140,9 +146,13 @@ fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame
     Frame {
         time: traces.time[row],
         positions: (eye.nodes.iter())
-            .map(|node| match node.fixed() {
-                true => node.position,
-                false => node.position + Vector2::new(push(node.position), 0.0),
+            .map(|node| {
+                let push = if node.fixed() {
+                    0.0
+                } else {
+                    push(node.position)
+                };
+                node.position + Vector2::new(push, 0.0)
             })
             .collect(),
         forces: (eye.nodes.iter())
@@ -154,7 +164,7 @@ fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame
                 }
             })
             .collect(),
-        projectile: diameter.map(|diameter| centre(0.5 * diameter, share)),
+        projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
         pressure: traces.pressure.get(row).copied(),
     }

@@ -20,7 +20,7 @@ use crate::tui::view::chart::{Curve, value_at};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room at the right for legend and readings.
@@ -115,13 +115,23 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         put_right(buffer, area, (20, y), &text, theme.strong());
         y += 1;
     }
+    let unverified = !unverified(&shown.scenario).is_empty();
     if let Some(peak) = peak_at(&shown.answer, time) {
-        for line in wrapped(&format!("peak {peak}"), usize::from(area.width - 1)) {
+        let room = usize::from(area.width - 1);
+        let mut lines = wrapped(&format!("peak {peak}"), room);
+        // What stands below keeps its lines.
+        let rows = area.height.saturating_sub(y + 1 + u16::from(unverified));
+        if lines.len() > usize::from(rows) {
+            lines.truncate(rows.into());
+            if let Some(last) = lines.last_mut() {
+                *last = fitted(&format!("{last} …{}", " ".repeat(room)), room);
+            }
+        }
+        for line in lines {
             put(buffer, area, (0, y), &line, theme.cursor());
             y += 1;
         }
     }
-    let unverified = !unverified(&shown.scenario).is_empty();
     if unverified && y + 1 < area.height {
         let at = (0, area.height - 2);
         put(buffer, area, at, "? unverified figures", theme.warning());
