@@ -45,6 +45,9 @@ pub use mesh_error::{
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
 pub use solve::{Answer, Errors, solve};
-pub use spreads::{Input, Shape};
 #[doc(hidden)]
+/// What an ensemble of a scenario draws: for who makes one up, as tests of pictures do.
+#[doc(hidden)]
+pub use spreads::inputs;
+pub use spreads::{Input, Shape};
 pub use statistics::median;

@@ -19,8 +19,7 @@ use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::study::map::{Grid, Spot};
 use contrecoup::study::point::{Check, Point};
 use contrecoup::study::quantity::Family;
-use contrecoup::study::spreads::inputs;
-use contrecoup::study::{Answer, Case, Errors, Flag, FlagKind, Quantity};
+use contrecoup::study::{Answer, Case, Errors, Flag, FlagKind, Quantity, inputs};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
@@ -246,7 +245,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
         .collect();
     let stated = |of: Quantity| of.row().family != Family::Unstated;
     let error = |of: Quantity, value: &Option<f64>| {
-        let error = if of.row().per_node_mass { 0.08 } else { 0.004 };
+        let error = if of.row().unit == "N" { 0.08 } else { 0.004 };
         value.is_some().then_some(error).filter(|_| stated(of))
     };
     let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
@@ -264,6 +263,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
         errors: Errors {
             time_step: case.results(&extremes).map(error),
             mesh: None,
+            limits: None,
             energy_balance: 1e-3,
         },
         flags: flags(&extremes),
