@@ -96,6 +96,7 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         Impact::Projectile(_) => 0.0,
     };
     let blow = case.blow;
+    let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
     let fluid = case.system.coupled().is_some_and(|c| c.fluid.is_some());
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
@@ -114,18 +115,14 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         }),
         area_ratio: some(fluid, &|s| 1.0 - 0.01 * pushed(s)),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
-        projectile: blow.map_or(Vec::new(), |b| {
-            shares
-                .iter()
-                .map(|s| centre(0.5 * b.diameter, give * APEX_M, *s))
-                .collect()
-        }),
-        projectile_velocity: blow.map_or(Vec::new(), |b| {
-            shares
-                .iter()
-                .map(|s| Vector2::new(b.speed * (1.0 - 2.0 * s), 0.0))
-                .collect()
-        }),
+        projectile: [
+            some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
+            some(blow.is_some(), &|_| 0.0),
+        ],
+        projectile_velocity: [
+            some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
+            some(blow.is_some(), &|_| 0.0),
+        ],
     }
 }
 
