@@ -20,10 +20,10 @@ fn said(arguments: &[&str]) -> String {
     let mut said = text(output.stdout);
     let complaint = text(output.stderr);
     if !complaint.is_empty() {
-        said += &format!("--- to standard error\n{complaint}");
+        said.extend(["--- to standard error\n", &complaint]);
     }
     if let Some(code) = output.status.code().filter(|code| *code != 0) {
-        said += &format!("--- ends with {code}\n");
+        said.extend([format!("--- ends with {code}\n")]);
     }
     said
 }
