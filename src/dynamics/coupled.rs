@@ -95,7 +95,7 @@ impl Coupled {
             Impact::ForcePulse(_) => None,
         };
         let (fluid, dashpots) = match &scenario.model {
-            Model::Paper => (None, None),
+            Model::Paper | Model::Axisymmetric(_) => (None, None),
             Model::Physiological(parts) => (
                 parts.pressure.then(|| {
                     Fluid::new(

@@ -26,7 +26,7 @@ impl SceneKind {
             {
                 Self::Coupled
             }
-            (Impact::ForcePulse(_), Model::Paper | Model::Physiological(_)) => Self::Springs,
+            (Impact::ForcePulse(_), _) => Self::Springs,
         }
     }
 

@@ -38,7 +38,7 @@ const UNIT_DEPTH_M: f64 = 1.0;
 pub(crate) fn depth_m(model: &Model) -> f64 {
     match model {
         Model::Physiological(parts) if parts.slab => parts.depth_mm * 1e-3,
-        Model::Paper | Model::Physiological(_) => UNIT_DEPTH_M,
+        Model::Paper | Model::Physiological(_) | Model::Axisymmetric(_) => UNIT_DEPTH_M,
     }
 }
 

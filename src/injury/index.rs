@@ -5,6 +5,7 @@
 //! "Prediction of retinal damage"). It is an index, not a probability: above 100 it grades the
 //! extent. The paper gives no source for its weights and thresholds.
 
+use crate::dynamics::revolution;
 use crate::recording::Extremes;
 
 /// One of the three parts of the index.
@@ -59,6 +60,16 @@ impl DamageIndex {
             shell_growth: 100.0 * extremes.shell_growth.value,
             meridian_growth: 100.0 * extremes.meridian_growth.value,
             energy: extremes.work,
+        }
+    }
+
+    /// The same of an eye of revolution: S is the growth of the meridian, the line that the section
+    /// shows as the shell, and M that of the largest diameter across the blow.
+    pub fn of_revolution(extremes: &revolution::Extremes) -> Self {
+        Self {
+            shell_growth: 100.0 * extremes.meridian_growth.value,
+            meridian_growth: 100.0 * extremes.equator_growth.value,
+            energy: extremes.energy_imparted,
         }
     }
 

@@ -10,7 +10,7 @@ use crate::dynamics::{PA_PER_MMHG, SceneKind, kernel_name};
 use crate::eye::Monitor;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
-use crate::study::{Answer, Limit, Limits, Quantity, Results};
+use crate::study::{Answer, Errors, Flag, Limit, Limits, Quantity, Results};
 use serde_json::{Map, Value, json};
 
 /// A number for each monitored node, by name.
@@ -52,34 +52,40 @@ fn peak_times(extremes: &Extremes) -> Value {
     timed.collect::<Map<String, Value>>().into()
 }
 
+/// How far the results may be off.
+pub(super) fn errors(errors: &Errors) -> Value {
+    json!({
+        "time_step_percent": errors.time_step_percent(),
+        "mesh_percent": errors.mesh_percent(),
+        "energy_balance_percent": errors.energy_balance,
+        "time_step_percent_by_result": by_result(&errors.time_step),
+        "mesh_percent_by_result": errors.mesh.as_ref().map(by_result),
+        "mesh_limit_by_result": errors.limits.as_ref().map(by_limit),
+        "mesh_limit_unknown": errors.mesh.map(|_| {
+            errors.without_limit().map(Quantity::key).collect::<Vec<_>>()
+        }),
+    })
+}
+
+/// What limits them.
+pub(super) fn flags(flags: &[Flag]) -> Value {
+    let one = |flag: &Flag| {
+        json!({
+            "kind": flag.kind.name(),
+            "message": flag.message,
+            "time_ms": flag.time.map(|t| t * 1e3),
+        })
+    };
+    flags.iter().map(one).collect()
+}
+
 /// An answer as one object; `reasons` say how its numerics were chosen.
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let extremes = &answer.recording.extremes;
-    let flags: Vec<Value> = answer
-        .flags
-        .iter()
-        .map(|flag| {
-            json!({
-                "kind": flag.kind.name(),
-                "message": flag.message,
-                "time_ms": flag.time.map(|t| t * 1e3),
-            })
-        })
-        .collect();
     let mut object = json!({
         "scenario": scenario,
         "results": by_result(&answer.results()),
-        "error": {
-            "time_step_percent": answer.errors.time_step_percent(),
-            "mesh_percent": answer.errors.mesh_percent(),
-            "energy_balance_percent": answer.errors.energy_balance,
-            "time_step_percent_by_result": by_result(&answer.errors.time_step),
-            "mesh_percent_by_result": answer.errors.mesh.as_ref().map(by_result),
-            "mesh_limit_by_result": answer.errors.limits.as_ref().map(by_limit),
-            "mesh_limit_unknown": answer.errors.mesh.map(|_| {
-                answer.errors.without_limit().map(Quantity::key).collect::<Vec<_>>()
-            }),
-        },
+        "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.eye.level,
             "nodes": answer.case.eye.nodes.len(),
@@ -96,7 +102,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "kernel": kernel_name(false),
             "choice": reasons,
         },
-        "flags": flags,
+        "flags": flags(&answer.flags),
     });
     let results = &mut object["results"];
     results["peak_time_ms_by_result"] = peak_times(extremes);

@@ -4,11 +4,11 @@ use super::errors;
 use unicode_width::UnicodeWidthStr;
 
 use crate::dynamics::PA_PER_MMHG;
-use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::injury::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::{Impact, Model, Projectile, Scenario};
-use crate::study::{Answer, Errors, Quantity, Results};
+use crate::study::{Answer, Errors, Flag, Quantity, Results};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -69,7 +69,6 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 /// Whatever `out` reports.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let extremes = &answer.recording.extremes;
-    let index = &answer.index;
     let eye = &answer.case.eye;
     let model = match scenario.model {
         Model::Paper => "Paper model, unit depth (1 m)".to_owned(),
@@ -77,6 +76,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
             format!("Physiological model, {} mm deep", parts.depth_mm)
         }
         Model::Physiological(_) => "Physiological model, unit depth (1 m)".to_owned(),
+        Model::Axisymmetric(_) => "Axisymmetric model".to_owned(),
     };
     writeln!(out, "{}", printable(&scenario.name))?;
     writeln!(
@@ -86,25 +86,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         eye.nodes.len(),
         eye.springs.len()
     )?;
-    writeln!(
-        out,
-        "Damage index       {:>9} %  (an index, not a probability)",
-        significant(index.damage())
-    )?;
-    let mut part = |letter, what, value: f64, unit, term: Term| {
-        writeln!(
-            out,
-            "  {letter} {what:<15} {:>9} {unit}  of {} {unit}: {:.1} of {} points",
-            significant(value),
-            term.threshold,
-            term.points(value),
-            term.weight,
-        )
-    };
-    part("S", "shell growth", index.shell_growth, "%", SHELL)?;
-    part("M", "meridian growth", index.meridian_growth, "%", MERIDIAN)?;
-    part("E", "energy imparted", index.energy, "J", ENERGY)?;
-    writeln!(out)?;
+    damage(&answer.index, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     let missed = |of: &Quantity| *of == Quantity::Contact && extremes.missed();
@@ -146,8 +128,31 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     Ok(())
 }
 
+/// The damage index and its parts.
+pub(super) fn damage(index: &DamageIndex, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Damage index       {:>9} %  (an index, not a probability)",
+        significant(index.damage())
+    )?;
+    let mut part = |letter, what, value: f64, unit, term: Term| {
+        writeln!(
+            out,
+            "  {letter} {what:<15} {:>9} {unit}  of {} {unit}: {:.1} of {} points",
+            significant(value),
+            term.threshold,
+            term.points(value),
+            term.weight,
+        )
+    };
+    part("S", "shell growth", index.shell_growth, "%", SHELL)?;
+    part("M", "meridian growth", index.meridian_growth, "%", MERIDIAN)?;
+    part("E", "energy imparted", index.energy, "J", ENERGY)?;
+    writeln!(out)
+}
+
 /// `label` with a capital letter.
-fn capital(label: &str) -> String {
+pub(super) fn capital(label: &str) -> String {
     let mut letters = label.chars();
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()
@@ -259,23 +264,9 @@ fn limit(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 /// # Errors
 /// Whatever `out` reports.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
-    let said = |of: &Results| {
-        let (damage, worst) = (errors::of_damage(of), errors::worst(of));
-        format!("damage index {damage}, worst {worst}")
-    };
-    let Errors {
-        time_step, mesh, ..
-    } = &answer.errors;
-    writeln!(out, "\nStep error: {}", said(time_step))?;
-    let mesh = mesh.as_ref();
-    let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
-    writeln!(out, "Mesh error: {mesh}")?;
+    numerical(&answer.errors, out)?;
     limit(answer, out)?;
-    writeln!(
-        out,
-        "Energy balance: within {}",
-        percent(answer.errors.energy_balance)
-    )?;
+    balance(&answer.errors, out)?;
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",
@@ -296,7 +287,29 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     for reason in reasons {
         writeln!(out, "  {reason}")?;
     }
-    for flag in &answer.flags {
+    flagged(&answer.flags, out)
+}
+
+/// Prints the errors of step and mesh.
+pub(super) fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
+    let said = |of: &Results| {
+        let (damage, worst) = (errors::of_damage(of), errors::worst(of));
+        format!("damage index {damage}, worst {worst}")
+    };
+    writeln!(out, "\nStep error: {}", said(&of.time_step))?;
+    let mesh = of.mesh.as_ref();
+    let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
+    writeln!(out, "Mesh error: {mesh}")
+}
+
+/// Prints the balance of energy.
+pub(super) fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "Energy balance: within {}", percent(of.energy_balance))
+}
+
+/// Prints the flags, and what no result may be taken for.
+pub(super) fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
+    for flag in flags {
         let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
         for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {
             writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;

@@ -9,7 +9,9 @@ use std::ops::Deref;
 
 use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
-use super::{Impact, Projectile, Scenario, doubt};
+use super::{
+    FINEST_AXISYMMETRIC_LEVEL, Impact, Model, NumericsInput, Outline, Projectile, Scenario, doubt,
+};
 use crate::plain_text::printable;
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
@@ -27,6 +29,7 @@ impl Scenario {
         let rules = behind_bone(self)
             .into_iter()
             .chain(too_high(self))
+            .chain(beyond_revolution(self))
             .chain(unknown_marks(self));
         outcome(ranges.chain(rules).chain(doubt::check(self)).collect())?;
         Ok(CheckedScenario(self.clone()))
@@ -132,12 +135,88 @@ fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str>
     }
 }
 
-/// A blow whose middle lies beyond the opening of the orbit would land on bone.
-fn behind_bone(scenario: &Scenario) -> Option<Problem> {
-    let angle = match &scenario.impact {
+fn angle_of(scenario: &Scenario) -> f64 {
+    match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.angle_deg,
         Impact::Projectile(shot) => shot.angle_deg,
+    }
+}
+
+/// What the axisymmetric eye cannot be asked for.
+fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
+    let Model::Axisymmetric(_) = scenario.model else {
+        return Vec::new();
     };
+    let mut problems = Vec::new();
+    let mut refuse = |path, value: &str, complaint, allowed: &str| {
+        problems.push(Problem::refused(path, value, complaint, allowed.to_owned()));
+    };
+    let angle = angle_of(scenario);
+    if angle.abs() > STEEPEST_DEG {
+        let allowed = format!("-{STEEPEST_DEG} to {STEEPEST_DEG} deg");
+        let complaint = "is out of range for model Axisymmetric";
+        refuse("impact.angle_deg", &plain(angle), complaint, &allowed);
+    }
+    if let Impact::Projectile(shot) = &scenario.impact {
+        if shot.offset_mm != 0.0 {
+            refuse(
+                "impact.offset_mm",
+                &plain(shot.offset_mm),
+                "is no blow along an axis of revolution",
+                "0 mm, or model Paper, which takes an offset in its section",
+            );
+        }
+        if let Outline::Cylinder { edge_mm } = shot.outline
+            && edge_mm > 0.5 * shot.diameter_mm
+        {
+            let allowed = format!(
+                "up to {} mm, half of its diameter",
+                plain(0.5 * shot.diameter_mm)
+            );
+            let complaint = "is larger than the cylinder";
+            refuse(
+                "impact.outline.edge_mm",
+                &plain(edge_mm),
+                complaint,
+                &allowed,
+            );
+        }
+    }
+    let level = scenario.eye.level;
+    if level > FINEST_AXISYMMETRIC_LEVEL {
+        let allowed = format!("whole numbers 1 to {FINEST_AXISYMMETRIC_LEVEL}");
+        let complaint = "is out of range for model Axisymmetric";
+        refuse("eye.level", &level.to_string(), complaint, &allowed);
+    }
+    let NumericsInput {
+        integrator,
+        step_us,
+    } = &scenario.numerics;
+    if let Some(integrator) = integrator {
+        let complaint = "does not solve model Axisymmetric, which has a leapfrog of its own";
+        refuse(
+            "numerics.integrator",
+            integrator.spelling(),
+            complaint,
+            "Auto",
+        );
+    }
+    if let Some(step) = step_us {
+        let complaint = "is no step for model Axisymmetric, whose steps follow the motion";
+        refuse("numerics.step_us", &plain(*step), complaint, "None (auto)");
+    }
+    problems
+}
+
+/// A blow at a greater angle would come from behind the equator.
+const STEEPEST_DEG: f64 = 90.0;
+
+/// A blow whose middle lies beyond the opening of the orbit would land on bone.
+fn behind_bone(scenario: &Scenario) -> Option<Problem> {
+    if let Model::Axisymmetric(_) = scenario.model {
+        return None;
+    }
+    let angle = angle_of(scenario);
     let opening = scenario.eye.opening_deg;
     (angle.abs() > opening).then(|| {
         let allowed = format!(
@@ -238,5 +317,43 @@ mod tests {
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(fields, ["impact.angle_deg", "impact.unverified"]);
         assert!(error.problems[1].message.contains("colour"));
+    }
+
+    #[test]
+    fn an_axis_of_revolution_has_its_own_limits_and_none_of_the_sections() {
+        let mut scenario = Scenario {
+            model: Model::Axisymmetric(crate::scenario::Axisymmetric::default()),
+            impact: Impact::Projectile(Projectile {
+                angle_deg: 60.0,
+                ..Projectile::default()
+            }),
+            ..Scenario::default()
+        };
+        assert!(scenario.check().is_ok());
+        scenario.impact = Impact::Projectile(Projectile {
+            offset_mm: 1.0,
+            angle_deg: -91.0,
+            outline: Outline::Cylinder { edge_mm: 5.0 },
+            ..Projectile::default()
+        });
+        scenario.eye.level = 6;
+        scenario.numerics.step_us = Some(1.0);
+        let error = scenario.check().unwrap_err();
+        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        assert_eq!(
+            fields,
+            [
+                "impact.angle_deg",
+                "impact.offset_mm",
+                "impact.outline.edge_mm",
+                "eye.level",
+                "numerics.step_us"
+            ]
+        );
+        assert!(
+            error
+                .to_string()
+                .contains("model Paper, which takes an offset")
+        );
     }
 }

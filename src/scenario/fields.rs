@@ -10,8 +10,8 @@ use std::mem::discriminant;
 
 use super::problem::plain;
 use super::{
-    ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile, ProjectileStiffness,
-    PulseShape, Scenario, integrator,
+    Axisymmetric, ForcePulse, Impact, Integrator, Lens, Model, Outline, Physiological, Projectile,
+    ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface, integrator,
 };
 
 /// Characters that a name may have.
@@ -90,6 +90,24 @@ const MODELS: Variants<Model> = &[
     ("Physiological", || {
         Model::Physiological(Physiological::default())
     }),
+    ("Axisymmetric", || {
+        Model::Axisymmetric(Axisymmetric::default())
+    }),
+];
+const SPECIES: Variants<Species> = &[("Human", || Species::Human), ("Pig", || Species::Pig)];
+const SUPPORTS: Variants<Support> = &[
+    ("Orbit", || Support::Orbit),
+    ("Gelatin", || Support::Gelatin),
+    ("Free", || Support::Free),
+];
+const OUTLINES: Variants<Outline> = &[
+    ("Sphere", || Outline::Sphere),
+    ("Cylinder", || Outline::CYLINDER),
+];
+const SURFACES: Variants<Surface> = &[
+    ("Hard", || Surface::Hard),
+    ("Elastic", || Surface::ELASTIC),
+    ("Inflated", || Surface::INFLATED),
 ];
 const IMPACTS: Variants<Impact> = &[
     ("ForcePulse", || Impact::ForcePulse(ForcePulse::default())),
@@ -202,6 +220,16 @@ macro_rules! within {
     };
 }
 
+/// Both accessors of what the eye of a section alone has.
+macro_rules! of_section {
+    ($part:ident) => {
+        Place {
+            get: |s| Some(&section(s)?.eye.$part),
+            get_mut: |s| Some(&mut section_mut(s)?.eye.$part),
+        }
+    };
+}
+
 fn pulse(scenario: &Scenario) -> Option<&ForcePulse> {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => Some(pulse),
@@ -233,15 +261,77 @@ pub(super) fn shot_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
 fn physiological(scenario: &Scenario) -> Option<&Physiological> {
     match &scenario.model {
         Model::Physiological(parts) => Some(parts),
-        Model::Paper => None,
+        Model::Paper | Model::Axisymmetric(_) => None,
     }
 }
 
 fn physiological_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
     match &mut scenario.model {
         Model::Physiological(parts) => Some(parts),
-        Model::Paper => None,
+        Model::Paper | Model::Axisymmetric(_) => None,
     }
+}
+
+fn axisymmetric(scenario: &Scenario) -> Option<&Axisymmetric> {
+    match &scenario.model {
+        Model::Axisymmetric(parts) => Some(parts),
+        Model::Paper | Model::Physiological(_) => None,
+    }
+}
+
+fn axisymmetric_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
+    match &mut scenario.model {
+        Model::Axisymmetric(parts) => Some(parts),
+        Model::Paper | Model::Physiological(_) => None,
+    }
+}
+
+fn orbit(scenario: &Scenario) -> Option<&Axisymmetric> {
+    axisymmetric(scenario).filter(|parts| parts.support == Support::Orbit)
+}
+
+fn orbit_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
+    axisymmetric_mut(scenario).filter(|parts| parts.support == Support::Orbit)
+}
+
+fn gelatin(scenario: &Scenario) -> Option<&Axisymmetric> {
+    axisymmetric(scenario).filter(|parts| parts.support == Support::Gelatin)
+}
+
+fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
+    axisymmetric_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
+}
+
+/// What only a section has.
+fn section(scenario: &Scenario) -> Option<&Scenario> {
+    axisymmetric(scenario).is_none().then_some(scenario)
+}
+
+fn section_mut(scenario: &mut Scenario) -> Option<&mut Scenario> {
+    axisymmetric(scenario).is_none().then_some(scenario)
+}
+
+/// An object at the eye of revolution.
+fn body(scenario: &Scenario) -> Option<&Projectile> {
+    shot(scenario).filter(|_| axisymmetric(scenario).is_some())
+}
+
+fn body_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
+    axisymmetric(scenario)?;
+    shot_mut(scenario)
+}
+
+fn gives_way(shot: &Projectile) -> bool {
+    shot.stiffness != ProjectileStiffness::Rigid || shot.surface != Surface::Hard
+}
+
+/// The same where it gives way, by its spring or its surface: nothing else loses energy.
+fn lossy(scenario: &Scenario) -> Option<&Projectile> {
+    body(scenario).filter(|shot| gives_way(shot))
+}
+
+fn lossy_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
+    body_mut(scenario).filter(|shot| gives_way(shot))
 }
 
 /// Both impacts have an angle.
@@ -264,6 +354,43 @@ const N_PER_M: Place<f64> = Place {
     get_mut: |s| match &mut shot_mut(s)?.stiffness {
         ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
         ProjectileStiffness::Rigid => None,
+    },
+};
+
+const EDGE_MM: Place<f64> = Place {
+    get: |s| match &body(s)?.outline {
+        Outline::Cylinder { edge_mm } => Some(edge_mm),
+        Outline::Sphere => None,
+    },
+    get_mut: |s| match &mut body_mut(s)?.outline {
+        Outline::Cylinder { edge_mm } => Some(edge_mm),
+        Outline::Sphere => None,
+    },
+};
+
+const MODULUS_MPA: Place<f64> = Place {
+    get: |s| match &body(s)?.surface {
+        Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
+            Some(modulus_mpa)
+        }
+        Surface::Hard => None,
+    },
+    get_mut: |s| match &mut body_mut(s)?.surface {
+        Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
+            Some(modulus_mpa)
+        }
+        Surface::Hard => None,
+    },
+};
+
+const KPA: Place<f64> = Place {
+    get: |s| match &body(s)?.surface {
+        Surface::Inflated { kpa, .. } => Some(kpa),
+        Surface::Hard | Surface::Elastic { .. } => None,
+    },
+    get_mut: |s| match &mut body_mut(s)?.surface {
+        Surface::Inflated { kpa, .. } => Some(kpa),
+        Surface::Hard | Surface::Elastic { .. } => None,
     },
 };
 
@@ -317,6 +444,22 @@ pub static FIELDS: &[Field] = &[
     field("model.fat_damping_ratio", "Fat damping", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(physiological, physiological_mut, fat_damping_ratio))),
     field("model.sclera_stiffening", "Sclera stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, sclera_stiffening))),
     field("model.fat_stiffening", "Fat stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, fat_stiffening))),
+    field("model.species", "Species", "", Choice(&OneOf(SPECIES, within!(axisymmetric, axisymmetric_mut, species)))),
+    field("model.support", "Held by", "", Choice(&OneOf(SUPPORTS, within!(axisymmetric, axisymmetric_mut, support)))),
+    field("model.globe_bulk_mpa", "Globe bulk modulus", "MPa", Number(b(10.0, 2200.0, 10.0, 100.0), within!(axisymmetric, axisymmetric_mut, globe_bulk_mpa))),
+    field("model.vitreous_shear_pa", "Vitreous shear", "Pa", Number(b(0.0, 1e5, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, vitreous_shear_pa))),
+    field("model.vitreous_viscosity_pa_s", "Vitreous viscosity", "Pa s", Number(b(0.0, 100.0, 0.01, 0.1), within!(axisymmetric, axisymmetric_mut, vitreous_viscosity_pa_s))),
+    field("model.lens_shear_kpa", "Lens shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, lens_shear_kpa))),
+    field("model.sclera_mpa", "Sclera, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, sclera_mpa))),
+    field("model.cornea_mpa", "Cornea, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, cornea_mpa))),
+    field("model.sclera_thickness", "Sclera thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(axisymmetric, axisymmetric_mut, sclera_thickness))),
+    field("model.cornea_thickness", "Cornea thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(axisymmetric, axisymmetric_mut, cornea_thickness))),
+    field("model.fat_bulk_mpa", "Fat bulk modulus", "MPa", Number(b(0.05, 2200.0, 0.1, 1.0), within!(orbit, orbit_mut, fat_bulk_mpa))),
+    field("model.fat_shear_kpa", "Fat shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(orbit, orbit_mut, fat_shear_kpa))),
+    field("model.orbit_opening_deg", "Orbit opening", "deg", Number(b(40.0, 120.0, 1.0, 10.0), within!(orbit, orbit_mut, orbit_opening_deg))),
+    field("model.gelatin_bulk_mpa", "Gelatin bulk mod.", "MPa", Number(b(0.05, 2200.0, 10.0, 100.0), within!(gelatin, gelatin_mut, gelatin_bulk_mpa))),
+    field("model.gelatin_shear_kpa", "Gelatin shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_shear_kpa))),
+    field("model.gelatin_opening_deg", "Gelatin opening", "deg", Number(b(20.0, 120.0, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_opening_deg))),
     field("impact", "Impact", "", Choice(&OneOf(IMPACTS, at!(impact)))),
     field("impact.force_n", "Peak force", "N", Number(b(0.0, 1e5, 10.0, 100.0), within!(pulse, pulse_mut, force_n))),
     field("impact.duration_ms", "Duration", "ms", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
@@ -327,23 +470,29 @@ pub static FIELDS: &[Field] = &[
     field("impact.offset_mm", "Offset of the path", "mm", Number(b(-100.0, 100.0, 0.1, 1.0), within!(shot, shot_mut, offset_mm))),
     field("impact.stiffness", "Its stiffness", "", Choice(&OneOf(STIFFNESSES, within!(shot, shot_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
+    field("impact.outline", "Its shape", "", Choice(&OneOf(OUTLINES, within!(body, body_mut, outline)))),
+    field("impact.outline.edge_mm", "Its edge radius", "mm", Number(b(0.01, 100.0, 0.1, 1.0), EDGE_MM)),
+    field("impact.surface", "Its surface", "", Choice(&OneOf(SURFACES, within!(body, body_mut, surface)))),
+    field("impact.surface.kpa", "Presses up to", "kPa", Number(b(1.0, 1e5, 1.0, 10.0), KPA)),
+    field("impact.surface.modulus_mpa", "Surface modulus", "MPa", Number(b(1e-3, 1e6, 0.1, 1.0), MODULUS_MPA)),
+    field("impact.restitution", "Restitution", "", Number(b(0.01, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
     field("impact.half_width_deg", "Half width", "deg", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
     field("impact.shape.edge_fraction", "Edge, of duration", "", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
     field("window_ms", "Simulated time", "ms", Number(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", Integer(1, 8, at!(eye.level))),
-    field("eye.opening_deg", "Orbit opening", "deg", Number(b(1.0, 120.0, 1.0, 10.0), at!(eye.opening_deg))),
-    field("eye.lens", "Stiff lens", "", Choice(&OneOf(LENSES, at!(eye.lens)))),
-    field("eye.filament_hops", "Filament hops", "", Integers(1, 17, 8, at!(eye.filament_hops))),
-    field("eye.filament_factor", "Filament stiffness", "x", Number(b(0.0, 1e3, 0.1, 1.0), at!(eye.filament_factor))),
-    field("eye.retina_deg", "Retina half-angle", "deg", Number(b(0.0, 180.0, 1.0, 10.0), at!(eye.retina_deg))),
-    field("eye.sclera_kpa", "Sclera modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), at!(eye.sclera_kpa))),
-    field("eye.fat_kpa", "Fat modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), at!(eye.fat_kpa))),
-    field("eye.lens_kpa", "Lens modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), at!(eye.lens_kpa))),
-    field("eye.rest_kpa", "Rest modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), at!(eye.rest_kpa))),
-    field("eye.globe_mass_g", "Globe mass", "g", Number(b(0.1, 100.0, 0.1, 1.0), at!(eye.globe_mass_g))),
-    field("eye.globe_drag_ns_m", "Globe drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.globe_drag_ns_m))),
-    field("eye.fat_drag_ns_m", "Fat drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), at!(eye.fat_drag_ns_m))),
+    field("eye.opening_deg", "Orbit opening", "deg", Number(b(1.0, 120.0, 1.0, 10.0), of_section!(opening_deg))),
+    field("eye.lens", "Stiff lens", "", Choice(&OneOf(LENSES, of_section!(lens)))),
+    field("eye.filament_hops", "Filament hops", "", Integers(1, 17, 8, of_section!(filament_hops))),
+    field("eye.filament_factor", "Filament stiffness", "x", Number(b(0.0, 1e3, 0.1, 1.0), of_section!(filament_factor))),
+    field("eye.retina_deg", "Retina half-angle", "deg", Number(b(0.0, 180.0, 1.0, 10.0), of_section!(retina_deg))),
+    field("eye.sclera_kpa", "Sclera modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), of_section!(sclera_kpa))),
+    field("eye.fat_kpa", "Fat modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), of_section!(fat_kpa))),
+    field("eye.lens_kpa", "Lens modulus", "kPa", Number(b(1e-3, 1e8, 10.0, 100.0), of_section!(lens_kpa))),
+    field("eye.rest_kpa", "Rest modulus", "kPa", Number(b(1e-3, 1e8, 1.0, 10.0), of_section!(rest_kpa))),
+    field("eye.globe_mass_g", "Globe mass", "g", Number(b(0.1, 100.0, 0.1, 1.0), of_section!(globe_mass_g))),
+    field("eye.globe_drag_ns_m", "Globe drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(globe_drag_ns_m))),
+    field("eye.fat_drag_ns_m", "Fat drag", "N s/m", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(fat_drag_ns_m))),
     field("numerics.integrator", "Integrator", "", Choice(&AnIntegrator(at!(numerics.integrator)))),
     field("numerics.step_us", "Time step", "µs", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
 ];

@@ -6,6 +6,7 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
+mod axisymmetric;
 mod check;
 mod curve;
 mod curve_file;
@@ -24,13 +25,16 @@ mod text_file;
 
 use std::collections::BTreeMap;
 
+pub use axisymmetric::{
+    Axisymmetric, FINEST_AXISYMMETRIC_LEVEL, Species, Support, TRUSTED_ANGLE_DEG,
+};
 pub use check::CheckedScenario;
 pub use curve::{Curve, CurveError};
 use curve_file::CurveFile;
 pub use integrator::Integrator;
 pub use physiological::Physiological;
 pub use problem::{Problem, ScenarioError};
-pub use projectile::{Projectile, ProjectileStiffness};
+pub use projectile::{Outline, Projectile, ProjectileStiffness, Surface};
 use serde::{Deserialize, Serialize};
 
 /// One blow to one eye: everything that a run depends on.
@@ -90,6 +94,9 @@ pub enum Model {
     /// The same mesh as a slab of tissue, with a fluid that keeps its area and dashpots along the
     /// springs.
     Physiological(Physiological),
+    /// A body of revolution about the line of the blow, with tissues that have a bulk modulus each and a
+    /// shell that has a thickness.
+    Axisymmetric(Axisymmetric),
 }
 
 /// What hits the eye.

@@ -1,7 +1,9 @@
 //! An object that flies at the eye.
 //!
 //! In the section it is a disc, so in space it is a rod across the slab: a small ball engages more of
-//! the eye here than in life.
+//! the eye there than in life. At the eye of revolution it is a ball or a flat cylinder, whose own
+//! surface may give way; the section knows none of [`Projectile::outline`], [`Projectile::surface`] and
+//! [`Projectile::restitution`].
 
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +26,19 @@ pub struct Projectile {
     /// How it gives way itself.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
+    /// Its shape at the axisymmetric eye.
+    #[serde(default, skip_serializing_if = "Outline::is_default")]
+    pub outline: Outline,
+    /// How its surface gives way at the axisymmetric eye.
+    #[serde(default, skip_serializing_if = "Surface::is_default")]
+    pub surface: Surface,
+    /// Share of its speed that it keeps when its spring, or else its surface, throws it back from a rigid
+    /// wall, at the axisymmetric eye.
+    #[serde(
+        default = "Projectile::lossless",
+        skip_serializing_if = "Projectile::is_lossless"
+    )]
+    pub restitution: f64,
     /// Names of the fields above whose figures come from no source that was checked, as in
     /// `["speed_m_s"]`. Shown with the results; nothing is computed from it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -32,14 +47,29 @@ pub struct Projectile {
 
 impl Projectile {
     /// The fields that [`Self::unverified`] may name.
-    pub const FIELDS: [&'static str; 6] = [
+    pub const FIELDS: [&'static str; 9] = [
         "mass_g",
         "diameter_mm",
         "speed_m_s",
         "angle_deg",
         "offset_mm",
         "stiffness",
+        "outline",
+        "surface",
+        "restitution",
     ];
+
+    fn lossless() -> f64 {
+        1.0
+    }
+
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde asks for a reference"
+    )]
+    fn is_lossless(restitution: &f64) -> bool {
+        *restitution == Self::lossless()
+    }
 }
 
 /// A 6.35 mm steel ball at 20 m/s.
@@ -52,6 +82,9 @@ impl Default for Projectile {
             angle_deg: 0.0,
             offset_mm: 0.0,
             stiffness: ProjectileStiffness::default(),
+            outline: Outline::default(),
+            surface: Surface::default(),
+            restitution: Self::lossless(),
             unverified: Vec::new(),
         }
     }
@@ -74,4 +107,62 @@ pub enum ProjectileStiffness {
 impl ProjectileStiffness {
     /// What a switch to `Linear` starts from: a tennis ball's order of magnitude.
     pub(super) const LINEAR: Self = Self::Linear { n_per_m: 2e4 };
+}
+
+/// Shape of an object, with its axis along the flight.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Outline {
+    /// A ball.
+    #[default]
+    Sphere,
+    /// A flat end with a rounded edge, as the rods of published tests have.
+    Cylinder {
+        /// Radius of the edge.
+        edge_mm: f64,
+    },
+}
+
+impl Outline {
+    /// What a switch to `Cylinder` starts from.
+    pub(super) const CYLINDER: Self = Self::Cylinder { edge_mm: 1.0 };
+
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Surface {
+    /// Hardly.
+    #[default]
+    Hard,
+    /// A solid body.
+    Elastic {
+        /// Its modulus.
+        modulus_mpa: f64,
+    },
+    /// A wall around gas, or a foam that crushes: it presses no harder than its cap until it is used up.
+    Inflated {
+        /// The cap.
+        kpa: f64,
+        /// Modulus at small dents.
+        modulus_mpa: f64,
+    },
+}
+
+impl Surface {
+    /// What a switch to `Elastic` starts from: soft rubber.
+    pub(super) const ELASTIC: Self = Self::Elastic { modulus_mpa: 5.0 };
+    /// What a switch to `Inflated` starts from: soft rubber around the gas of a soccer ball.
+    pub(super) const INFLATED: Self = Self::Inflated {
+        kpa: 110.0,
+        modulus_mpa: 5.0,
+    };
+
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }

@@ -26,13 +26,14 @@ fn options() -> Options {
         .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
 }
 
-/// A model whose parts all have defaults, and may stand without brackets.
-const BARE: &str = "Physiological";
+/// Models whose parts all have defaults, and which may stand without brackets.
+const BARE: [&str; 2] = ["Physiological", "Axisymmetric"];
 
 /// `model: Physiological` with the brackets that the reader wants.
 fn completed(text: &str) -> Option<String> {
     let (line, column) = locate(text, "model");
-    let rest = rest_of_line(text, (line, column)).strip_prefix(BARE)?;
+    let value = rest_of_line(text, (line, column));
+    let rest = BARE.iter().find_map(|name| value.strip_prefix(name))?;
     let start = text.split_inclusive('\n').take(line - 1).map(str::len);
     let within: usize = rest_of_line(text, (line, 1)).len() - rest.len();
     let end = start.sum::<usize>() + within;

@@ -52,6 +52,20 @@ static GROUPS: &[Group] = &[
         },
     },
     Group {
+        path: "impact.outline",
+        replace: |s, text| {
+            let outline = fields::shot_mut(s).map(|shot| &mut shot.outline);
+            put(outline, text, "impact.outline")
+        },
+    },
+    Group {
+        path: "impact.surface",
+        replace: |s, text| {
+            let surface = fields::shot_mut(s).map(|shot| &mut shot.surface);
+            put(surface, text, "impact.surface")
+        },
+    },
+    Group {
         path: "eye",
         replace: |s, text| put(Some(&mut s.eye), text, "eye"),
     },
@@ -231,6 +245,23 @@ fn is_name(text: &str) -> bool {
 
 /// The field exists, but not in the variant that its parent holds now.
 fn absent(field: &Field, scenario: &Scenario) -> Problem {
+    if let Some(Field {
+        kind: Kind::Choice(models),
+        ..
+    }) = fields::find("model")
+    {
+        let has = |model: &&str| {
+            let mut other = scenario.clone();
+            models.set(&mut other, model) && field.text(&other).is_some()
+        };
+        let path = field.path;
+        // What is under `model` is told by its own path below.
+        if !path.starts_with("model.")
+            && let (Some(model), true) = (models.get(scenario), models.names().iter().any(has))
+        {
+            return Problem::new(path, format!("model is {model}, which has no {path}"));
+        }
+    }
     let mut path = field.path;
     while let Some((parent, _)) = path.rsplit_once('.') {
         let part = &field.path[parent.len() + 1..];

@@ -125,7 +125,7 @@ fn model_at(at: [f64; 3]) -> Physiological {
 /// `scenario` with `model` in place of its own, if it is physiological.
 fn fitted_with(scenario: Scenario, model: Physiological) -> Scenario {
     match scenario.model {
-        Model::Paper => scenario,
+        Model::Paper | Model::Axisymmetric(_) => scenario,
         Model::Physiological(_) => Scenario {
             model: Model::Physiological(model),
             ..scenario

@@ -4,13 +4,13 @@ use super::results::Results;
 use super::rules::{Automatic, Rules};
 use crate::dynamics::{
     ArcLoad, Cost, Coupled, Diverged, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse,
-    SceneKind, State, Survey, System, march, stability,
+    SceneKind, State, Survey, System, march, revolution, stability,
 };
 use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
 use crate::scenario::problem::ScenarioError;
-use crate::scenario::{CheckedScenario, Impact, Scenario};
+use crate::scenario::{CheckedScenario, Impact, Model, Scenario};
 use std::ops::ControlFlow;
 
 /// More than this takes longer than half an hour.
@@ -60,6 +60,15 @@ pub enum Refusal {
         /// The smallest step allowed, in us.
         least_us: f64,
     },
+    /// The eye of revolution gave no result.
+    #[error(transparent)]
+    Revolution(#[from] revolution::Refusal),
+    /// What was asked for is made for a section alone.
+    #[error(
+        "model: Axisymmetric is simulated by contrecoup run alone so far: allowed here Paper, \
+         Physiological"
+    )]
+    SectionOnly,
     /// Nothing that was tried is accurate enough.
     #[error("no result within {percent} %: {reason}")]
     ToleranceNotMet {
@@ -80,8 +89,13 @@ impl Refusal {
             Self::Scenario(_)
             | Self::StepAboveLimit { .. }
             | Self::TooMuchWork { .. }
+            | Self::SectionOnly
+            | Self::Revolution(revolution::Refusal::Through(_))
             | Self::IntegratorUnfit { .. } => true,
-            Self::Diverged(_) | Self::ToleranceNotMet { .. } | Self::Cancelled => false,
+            Self::Revolution(_)
+            | Self::Diverged(_)
+            | Self::ToleranceNotMet { .. }
+            | Self::Cancelled => false,
         }
     }
 }
@@ -222,6 +236,9 @@ impl Case {
     }
 
     fn plan_by(&self, scenario: &Scenario, automatic: &Automatic) -> Result<Plan, Refusal> {
+        if let Model::Axisymmetric(_) = scenario.model {
+            return Err(Refusal::SectionOnly);
+        }
         let integrator = scenario.numerics.integrator.unwrap_or(automatic.integrator);
         let allowed = self.rules().integrators;
         if !allowed.contains(&integrator) {

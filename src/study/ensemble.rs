@@ -115,6 +115,8 @@ fn name(refusal: &Refusal) -> String {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
+        Refusal::SectionOnly => "section_only",
+        Refusal::Revolution(_) => "revolution",
         Refusal::Diverged(_) => "diverged",
         Refusal::TooMuchWork { .. } => "too_much_work",
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",

@@ -53,6 +53,8 @@ pub enum FlagKind {
     RimStops,
     /// The projectile never touched the eye.
     EyeMissed,
+    /// The blow comes at an angle at which a turned axis is no good picture of an orbit.
+    AngleBeyondTrust,
     /// The projectile touched the eye, or still flew at it, when the window ended.
     ContactCut,
 }
@@ -78,6 +80,7 @@ impl FlagKind {
             Self::ObjectUnresolved => "object_unresolved",
             Self::RimStops => "rim_stops",
             Self::EyeMissed => "eye_missed",
+            Self::AngleBeyondTrust => "angle_beyond_trust",
             Self::ContactCut => "contact_cut",
         }
     }
@@ -86,9 +89,9 @@ impl FlagKind {
 /// Quads smaller than this share of their rest area are worth a warning.
 const NEARLY_FOLDED: f64 = 0.2;
 /// An energy residual above this share of the work in is an alarm.
-const ENERGY_ALARM: f64 = 0.01;
+pub(super) const ENERGY_ALARM: f64 = 0.01;
 /// A step error above this many percent is called unconverged.
-const UNCONVERGED_PERCENT: f64 = 10.0;
+pub(super) const UNCONVERGED_PERCENT: f64 = 10.0;
 /// Two runs of a folded mesh that differ by more than this many percent predict nothing.
 const UNPREDICTABLE_PERCENT: f64 = 5.0;
 

@@ -24,6 +24,7 @@ pub(crate) mod ordered;
 pub mod point;
 pub mod quantity;
 mod results;
+mod revolution;
 mod rules;
 mod solve;
 pub(crate) mod spreads;
@@ -44,6 +45,7 @@ pub use mesh_error::{
 };
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
+pub use revolution::{RevolutionAnswer, RevolutionCase, Solved, solve_any};
 pub use solve::{Answer, Errors, solve};
 #[doc(hidden)]
 /// What an ensemble of a scenario draws: for who makes one up, as tests of pictures do.

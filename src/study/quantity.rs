@@ -8,6 +8,7 @@
 //! force of contact where there is no projectile.
 
 use super::course::{Group, Trace, trace};
+use crate::dynamics::revolution;
 use crate::eye::Monitor;
 use crate::injury::{Blow, DamageIndex, Injury, Measure, Standing, curve_of, measured};
 use crate::recording::{Extremes, Peak};
@@ -37,10 +38,24 @@ pub enum Quantity {
     /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
     /// was imparted the tissues held at once, before it went into drag.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, where the eye holds a fluid.
+    /// Peak intraocular pressure, in megapascals, where the eye holds a fluid; at the eye of revolution
+    /// the mean of the globe through a low pass of 20 us.
     Pressure,
-    /// Peak force of contact, mean over 100 us, N, where a projectile hits.
+    /// Peak force of contact, N, where a projectile hits: a mean over 100 us in a section, through a low
+    /// pass of 20 us at the eye of revolution.
     Contact,
+    /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals.
+    BackPressure,
+    /// Peak tension of the sclera of the eye of revolution, in megapascals.
+    ScleralStress,
+    /// Largest loss of the eye's length along the blow, in % of it, at the eye of revolution.
+    Shortening,
+    /// Way of an object's surface into the eye of revolution, mm.
+    Intrusion,
+    /// Way of the lens along the blow, mm, in the eye of revolution.
+    LensWay,
+    /// Speed of an object back along its path at the end, m/s, at the eye of revolution.
+    Rebound,
     /// Risk of rupture of the globe by peak pressure, %.
     RuptureByPressure,
     /// Risk of rupture of the globe by normalized energy, %.
@@ -99,6 +114,17 @@ pub enum Read {
     Risk(Injury, Measure),
 }
 
+/// How a result is read from a run of the eye of revolution, SI; the risks are read as anywhere.
+#[derive(Clone, Copy)]
+pub enum ReadRevolution {
+    /// That eye has no such result.
+    Nowhere,
+    /// The largest value of something over time.
+    Peak(fn(&revolution::Extremes) -> Option<revolution::Peak>),
+    /// A number without a time.
+    Number(fn(&revolution::Extremes) -> Option<f64>),
+}
+
 /// All that is known of one result.
 #[derive(Clone, Copy)]
 pub struct Row {
@@ -123,6 +149,8 @@ pub struct Row {
     pub scatter: MeshScatter,
     /// How it is read.
     pub read: Read,
+    /// How it is read at the eye of revolution.
+    pub revolution: ReadRevolution,
     /// Its course over time, if it is recorded.
     pub trace: Option<Trace>,
 }
@@ -139,12 +167,16 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.055, 0.3),
                 read: Read::Number(|e| Some(DamageIndex::of(e).damage())),
+                revolution: ReadRevolution::Number(|e| {
+                    Some(DamageIndex::of_revolution(e).damage())
+                }),
                 ..number("damage_percent", "damage index", "damage", "%")
             },
             Self::ShellGrowth => Row {
                 factor: 1e2,
                 scatter: SHELL_SCATTER,
                 read: Read::Peak(|e| Some(e.shell_growth)),
+                revolution: ReadRevolution::Peak(|e| Some(e.meridian_growth)),
                 trace: Some(trace(
                     "shell growth S",
                     "scleral_growth_percent",
@@ -157,6 +189,7 @@ impl Quantity {
                 factor: 1e2,
                 scatter: within(0.055, 0.3),
                 read: Read::Peak(|e| Some(e.meridian_growth)),
+                revolution: ReadRevolution::Peak(|e| Some(e.equator_growth)),
                 trace: Some(trace(
                     "meridian growth M",
                     "meridian_growth_percent",
@@ -169,6 +202,7 @@ impl Quantity {
                 rounding: 1e-16,
                 scatter: within(0.08, 0.3),
                 read: Read::Number(|e| Some(e.work)),
+                revolution: ReadRevolution::Number(|e| Some(e.energy_imparted)),
                 trace: Some(trace(
                     "work in",
                     "work_j",
@@ -181,6 +215,7 @@ impl Quantity {
                 factor: 1e3,
                 leads: Leads::Always,
                 read: Read::Peak(|e| Some(e.apex)),
+                revolution: ReadRevolution::Peak(|e| Some(e.apex)),
                 trace: Some(trace("apex", "apex_mm", |t| &t.apex, (Group::Motion, 1))),
                 ..number("apex_displacement_mm", "corneal apex", "apex", "mm")
             },
@@ -189,6 +224,7 @@ impl Quantity {
                 family: Family::Alone,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Centre as usize])),
+                revolution: ReadRevolution::Peak(|e| Some(e.node_force[Monitor::Centre as usize])),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -203,6 +239,7 @@ impl Quantity {
             Self::ForceFront => Row {
                 scatter: within(0.25, 0.3),
                 read: Read::Peak(|e| Some(e.force[Monitor::Front as usize])),
+                revolution: ReadRevolution::Peak(|e| Some(e.node_force[Monitor::Front as usize])),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -217,6 +254,7 @@ impl Quantity {
             Self::ForceRight => Row {
                 scatter: within(0.6, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Right as usize])),
+                revolution: ReadRevolution::Peak(|e| Some(e.node_force[Monitor::Right as usize])),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -231,6 +269,7 @@ impl Quantity {
             Self::ForceTop => Row {
                 scatter: within(0.3, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Top as usize])),
+                revolution: ReadRevolution::Peak(|e| Some(e.node_force[Monitor::Top as usize])),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -259,6 +298,7 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.fluid?.pressure)),
+                revolution: ReadRevolution::Peak(|e| Some(e.pressure)),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -275,6 +315,7 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.shot?.force)),
+                revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.filtered_force)),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(
@@ -285,6 +326,43 @@ impl Quantity {
                     )
                 }),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
+            },
+            Self::BackPressure => Row {
+                factor: 1e-6,
+                leads: Leads::Always,
+                revolution: ReadRevolution::Peak(|e| Some(e.back_pressure)),
+                ..number(
+                    "peak_back_pressure_mpa",
+                    "pressure at back",
+                    "p back",
+                    "MPa",
+                )
+            },
+            Self::ScleralStress => Row {
+                factor: 1e-6,
+                leads: Leads::Always,
+                revolution: ReadRevolution::Peak(|e| Some(e.scleral_stress)),
+                ..number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
+            },
+            Self::Shortening => Row {
+                factor: 1e2,
+                leads: Leads::Always,
+                revolution: ReadRevolution::Peak(|e| Some(e.shortening)),
+                ..number("shortening_percent", "shortening", "shorter", "%")
+            },
+            Self::Intrusion => Row {
+                factor: 1e3,
+                revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.intrusion)),
+                ..number("intrusion_mm", "object intrusion", "intrude", "mm")
+            },
+            Self::LensWay => Row {
+                factor: 1e3,
+                revolution: ReadRevolution::Peak(|e| Some(e.lens)),
+                ..number("lens_displacement_mm", "lens displacement", "lens", "mm")
+            },
+            Self::Rebound => Row {
+                revolution: ReadRevolution::Number(|e| e.rebound),
+                ..number("rebound_speed_m_s", "rebound speed", "rebound", "m/s")
             },
             Self::RuptureByPressure => Row {
                 read: Read::Risk(Injury::GlobeRupture, Measure::Pressure),
@@ -329,6 +407,31 @@ impl Quantity {
             }
         };
         Some(value * row.factor)
+    }
+
+    /// The value that a run of the eye of revolution left, in its unit.
+    pub fn of_revolution(self, extremes: &revolution::Extremes, blow: Option<Blow>) -> Option<f64> {
+        let row = self.row();
+        let value = match (row.revolution, row.read) {
+            (ReadRevolution::Peak(peak), _) => peak(extremes)?.value,
+            (ReadRevolution::Number(number), _) => number(extremes)?,
+            (ReadRevolution::Nowhere, Read::Risk(injury, measure)) => {
+                let value = measured(measure, blow, Some(extremes.pressure.value))?;
+                curve_of(injury, measure)?.risk(value)
+            }
+            (ReadRevolution::Nowhere, _) => return None,
+        };
+        Some(value * row.factor)
+    }
+
+    /// The peak that it is at the eye of revolution, SI, with its time.
+    pub fn peak_of_revolution(self, extremes: &revolution::Extremes) -> Option<Peak> {
+        match self.row().revolution {
+            ReadRevolution::Peak(peak) => {
+                peak(extremes).map(|revolution::Peak { value, time }| Peak { value, time })
+            }
+            ReadRevolution::Number(_) | ReadRevolution::Nowhere => None,
+        }
     }
 
     /// The peak that it is, SI, with its time; none where it is a number without one.
@@ -384,6 +487,7 @@ const fn number(
         family: Family::Motion,
         scatter: within(0.04, 0.3),
         read: Read::Number(|_| None),
+        revolution: ReadRevolution::Nowhere,
         trace: None,
     }
 }

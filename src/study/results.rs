@@ -1,6 +1,7 @@
 //! One thing for each result, and what is computed over all of them.
 
 use super::quantity::{Family, Leads, Quantity};
+use crate::dynamics::revolution;
 use crate::injury::Blow;
 use crate::recording::Extremes;
 use std::ops::{Index, IndexMut};
@@ -48,6 +49,11 @@ impl Results {
     /// All results of a march; `blow` is the object that hit, if there is one.
     pub fn of(extremes: &Extremes, blow: Option<Blow>) -> Self {
         Self::from_fn(|quantity| quantity.of(extremes, blow))
+    }
+
+    /// All results of a run of the eye of revolution.
+    pub fn of_revolution(extremes: &revolution::Extremes, blow: Option<Blow>) -> Self {
+        Self::from_fn(|quantity| quantity.of_revolution(extremes, blow))
     }
 
     /// The results that there are.

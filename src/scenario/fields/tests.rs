@@ -3,17 +3,35 @@
 use super::*;
 
 /// Scenarios that together hold every variant with fields.
-pub(crate) fn every_variant() -> [Scenario; 2] {
+pub(crate) fn every_variant() -> [Scenario; 4] {
     let shot = Projectile {
         stiffness: ProjectileStiffness::LINEAR,
         ..Projectile::default()
     };
     let other = Scenario {
         model: Model::Physiological(Physiological::default()),
-        impact: Impact::Projectile(shot),
+        impact: Impact::Projectile(shot.clone()),
         ..Scenario::default()
     };
-    [Scenario::default(), other]
+    let axisymmetric = |support, surface| Scenario {
+        model: Model::Axisymmetric(Axisymmetric {
+            support,
+            ..Axisymmetric::default()
+        }),
+        impact: Impact::Projectile(Projectile {
+            outline: Outline::CYLINDER,
+            surface,
+            restitution: 0.5,
+            ..shot.clone()
+        }),
+        ..Scenario::default()
+    };
+    [
+        Scenario::default(),
+        axisymmetric(Support::Orbit, Surface::ELASTIC),
+        axisymmetric(Support::Gelatin, Surface::INFLATED),
+        other,
+    ]
 }
 
 #[test]

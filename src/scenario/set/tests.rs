@@ -64,7 +64,7 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
 
     let parts = |scenario: &Scenario| match scenario.model {
         Model::Physiological(parts) => parts,
-        Model::Paper => panic!(),
+        Model::Paper | Model::Axisymmetric(_) => panic!(),
     };
     assert_eq!(
         parts(&after("model", "physiological")),
@@ -72,6 +72,35 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
     );
     assert!(!parts(&after("model", "Physiological(slab: false)")).slab);
     assert!(refusal("model.slab", "false").contains("model is Paper, which has no slab"));
+    let shot = Scenario {
+        impact: Impact::Projectile(Projectile::default()),
+        ..Scenario::default()
+    };
+    let mut section = shot.clone();
+    let refused = set(&mut section, "impact.surface", "Hard").unwrap_err();
+    let why = refused.to_string();
+    assert!(
+        why.contains("model is Paper, which has no impact.surface"),
+        "{why}"
+    );
+    let mut turned = shot;
+    set(&mut turned, "model", "Axisymmetric").unwrap();
+    set(
+        &mut turned,
+        "impact.surface",
+        "Inflated(kpa: 150, modulus_mpa: 3)",
+    )
+    .unwrap();
+    set(&mut turned, "impact.surface.kpa", "120").unwrap();
+    set(&mut turned, "model.support", "gelatin").unwrap();
+    let refused = set(&mut turned, "model.fat_bulk_mpa", "1").unwrap_err();
+    assert!(refused.to_string().contains("which has no fat_bulk_mpa"));
+    let refused = set(&mut turned, "eye.fat_kpa", "1").unwrap_err();
+    assert!(
+        refused
+            .to_string()
+            .contains("model is Axisymmetric, which has no eye.fat_kpa")
+    );
 }
 
 #[test]

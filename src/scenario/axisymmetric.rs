@@ -1,0 +1,96 @@
+//! The axisymmetric model: the eye as a body of revolution about the line of the blow.
+//!
+//! Its mesh and mechanics are in [`crate::eye::revolution`] and [`crate::dynamics::revolution`], where
+//! each default has its source. This holds what a person may change of it. Of [`super::EyeInput`] it
+//! takes the level alone: the rest there is of the section.
+
+use serde::{Deserialize, Serialize};
+
+/// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of the
+/// blow, which an orbit does not.
+pub const TRUSTED_ANGLE_DEG: f64 = 40.0;
+/// The finest mesh level of this model.
+pub const FINEST_AXISYMMETRIC_LEVEL: u32 = crate::eye::revolution::RevolutionEye::FINEST;
+
+/// What the eye of revolution is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Axisymmetric {
+    /// Whose eye: it sets the thickness of the shell.
+    pub species: Species,
+    /// What holds the globe.
+    pub support: Support,
+    /// Bulk modulus of vitreous and lens.
+    pub globe_bulk_mpa: f64,
+    /// Shear modulus of the vitreous.
+    pub vitreous_shear_pa: f64,
+    /// Newtonian viscosity of the vitreous.
+    pub vitreous_viscosity_pa_s: f64,
+    /// Shear modulus of the lens.
+    pub lens_shear_kpa: f64,
+    /// Secant modulus of the sclera at failure (Uchio et al. 1999).
+    pub sclera_mpa: f64,
+    /// Secant modulus of the cornea at failure (Uchio et al. 1999).
+    pub cornea_mpa: f64,
+    /// Multiplies the thickness of the sclera.
+    pub sclera_thickness: f64,
+    /// Multiplies the thickness of the cornea.
+    pub cornea_thickness: f64,
+    /// Bulk modulus of orbital fat.
+    pub fat_bulk_mpa: f64,
+    /// Shear modulus of orbital fat.
+    pub fat_shear_kpa: f64,
+    /// Front angle at which orbital fat and bone begin.
+    pub orbit_opening_deg: f64,
+    /// Bulk modulus of the gelatin.
+    pub gelatin_bulk_mpa: f64,
+    /// Shear modulus of the gelatin.
+    pub gelatin_shear_kpa: f64,
+    /// Front angle at which gelatin and holder begin.
+    pub gelatin_opening_deg: f64,
+}
+
+impl Default for Axisymmetric {
+    fn default() -> Self {
+        Self {
+            species: Species::Human,
+            support: Support::Orbit,
+            globe_bulk_mpa: 100.0,
+            vitreous_shear_pa: 10.0,
+            vitreous_viscosity_pa_s: 0.1,
+            lens_shear_kpa: 10.0,
+            sclera_mpa: 138.0,
+            cornea_mpa: 52.0,
+            sclera_thickness: 1.0,
+            cornea_thickness: 1.0,
+            fat_bulk_mpa: 0.78,
+            fat_shear_kpa: 15.7,
+            orbit_opening_deg: 72.0,
+            gelatin_bulk_mpa: 100.0,
+            gelatin_shear_kpa: 30.0,
+            gelatin_opening_deg: 40.0,
+        }
+    }
+}
+
+/// Whose eye.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Species {
+    /// Thicknesses of human eyes (Vurgese et al. 2012).
+    #[default]
+    Human,
+    /// Sclera twice and cornea 1.6 times as thick: an assumption.
+    Pig,
+}
+
+/// What holds the globe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Support {
+    /// Fat in a rigid bony cone, as in the head.
+    #[default]
+    Orbit,
+    /// Gelatin in a rigid cup, as enucleated eyes in experiments.
+    Gelatin,
+    /// Nothing.
+    Free,
+}

@@ -1,0 +1,153 @@
+//! A scenario with the axisymmetric model, compiled: the eye in SI units and what hits it.
+
+use crate::dynamics::Pulse;
+use crate::dynamics::revolution::{self as engine, BallSpring, Object};
+use crate::eye::revolution::{Material, Parameters, RevolutionEye, ShellParameters, Surround};
+use crate::injury::Blow;
+use crate::scenario::{
+    Axisymmetric, CheckedScenario, Impact, Model, Outline, Projectile, ProjectileStiffness,
+    Species, Support, Surface,
+};
+
+/// An eye of revolution ready to be hit.
+#[derive(Debug, Clone)]
+pub struct RevolutionCase {
+    /// The eye.
+    pub eye: RevolutionEye,
+    /// What hits it.
+    pub load: engine::Blow,
+    /// The object that hits it, if there is one, for the injury curves.
+    pub blow: Option<Blow>,
+    /// Simulated time, in s.
+    pub window: f64,
+    /// Front angle of the blow, in degrees.
+    pub angle_deg: f64,
+}
+
+impl RevolutionCase {
+    /// Compiles a scenario; none if its model is another.
+    pub fn new(scenario: &CheckedScenario) -> Option<Self> {
+        let Model::Axisymmetric(model) = &scenario.model else {
+            return None;
+        };
+        let (angle_deg, load) = match &scenario.impact {
+            Impact::ForcePulse(pulse) => {
+                let half_width = pulse.half_width_deg.to_radians();
+                (
+                    pulse.angle_deg,
+                    engine::Blow::Pulse(Pulse::new(pulse), half_width),
+                )
+            }
+            Impact::Projectile(shot) => (shot.angle_deg, engine::Blow::Object(object(shot))),
+        };
+        Some(Self {
+            eye: RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level),
+            load,
+            blow: Blow::of(scenario),
+            window: scenario.window_ms * 1e-3,
+            angle_deg,
+        })
+    }
+
+    /// The same on a mesh of another level.
+    #[must_use]
+    pub fn at_level(&self, level: u32) -> Self {
+        Self {
+            eye: RevolutionEye::new(&self.eye.parameters, level),
+            ..self.clone()
+        }
+    }
+
+    /// Duration of a pulse, in s.
+    pub fn pulse(&self) -> Option<f64> {
+        match &self.load {
+            engine::Blow::Pulse(pulse, _) => Some(pulse.duration()),
+            engine::Blow::Object(_) => None,
+        }
+    }
+}
+
+fn parameters(model: &Axisymmetric, angle_deg: f64) -> Parameters {
+    let mut parameters = Parameters {
+        axis_angle: angle_deg.abs().to_radians(),
+        shell: match model.species {
+            Species::Human => ShellParameters::human(),
+            Species::Pig => ShellParameters::pig(),
+        },
+        surround: surround(model),
+        ..Parameters::default()
+    };
+    let bulk = model.globe_bulk_mpa * 1e6;
+    parameters.vitreous = Material {
+        bulk,
+        shear: model.vitreous_shear_pa,
+        viscosity: model.vitreous_viscosity_pa_s,
+        ..parameters.vitreous
+    };
+    parameters.lens.material = Material {
+        bulk,
+        shear: model.lens_shear_kpa * 1e3,
+        ..parameters.lens.material
+    };
+    let shell = &mut parameters.shell;
+    shell.sclera_modulus = model.sclera_mpa * 1e6;
+    shell.cornea_modulus = model.cornea_mpa * 1e6;
+    shell.cornea_thickness *= model.cornea_thickness;
+    for (_, thickness) in &mut shell.sclera_thickness {
+        *thickness *= model.sclera_thickness;
+    }
+    parameters
+}
+
+fn surround(model: &Axisymmetric) -> Option<Surround> {
+    let (plain, bulk_mpa, shear_kpa, opening_deg) = match model.support {
+        Support::Free => return None,
+        Support::Orbit => (
+            Surround::orbit(),
+            model.fat_bulk_mpa,
+            model.fat_shear_kpa,
+            model.orbit_opening_deg,
+        ),
+        Support::Gelatin => (
+            Surround::gelatin(),
+            model.gelatin_bulk_mpa,
+            model.gelatin_shear_kpa,
+            model.gelatin_opening_deg,
+        ),
+    };
+    let mut surround = plain.with_bulk(bulk_mpa * 1e6);
+    surround.material.shear = shear_kpa * 1e3;
+    surround.opening = opening_deg.to_radians();
+    Some(surround)
+}
+
+fn object(shot: &Projectile) -> Object {
+    let radius = 0.5e-3 * shot.diameter_mm;
+    let surface = match shot.surface {
+        Surface::Hard => engine::Surface::RIGID,
+        Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
+        Surface::Inflated { kpa, modulus_mpa } => {
+            engine::Surface::elastic(modulus_mpa * 1e6, radius).capped(kpa * 1e3)
+        }
+    };
+    Object {
+        outline: match shot.outline {
+            Outline::Sphere => engine::Outline::Sphere(radius),
+            Outline::Cylinder { edge_mm } => engine::Outline::Cylinder(radius, edge_mm * 1e-3),
+        },
+        mass: shot.mass_g * 1e-3,
+        speed: shot.speed_m_s,
+        // What is lost is lost once: in the spring, where there is one.
+        surface: match shot.stiffness {
+            ProjectileStiffness::Rigid => surface.losing(shot.restitution),
+            ProjectileStiffness::Linear { .. } => surface,
+        },
+        spring: match shot.stiffness {
+            ProjectileStiffness::Rigid => None,
+            ProjectileStiffness::Linear { n_per_m } => Some(BallSpring {
+                stiffness: n_per_m,
+                restitution: shot.restitution,
+            }),
+        },
+    }
+}

@@ -1,0 +1,136 @@
+use super::*;
+use crate::scenario::{Axisymmetric, Impact, Model, Projectile, Scenario, Surface};
+use crate::study::{FlagKind, Quantity, unwatched};
+
+fn scene(shot: Projectile) -> Scenario {
+    Scenario {
+        model: Model::Axisymmetric(Axisymmetric::default()),
+        impact: Impact::Projectile(shot),
+        window_ms: 1.0,
+        ..Scenario::default()
+    }
+}
+
+fn bb(speed_m_s: f64) -> Projectile {
+    Projectile {
+        mass_g: 0.345,
+        diameter_mm: 4.5,
+        speed_m_s,
+        ..Projectile::default()
+    }
+}
+
+fn solved(scenario: &Scenario) -> RevolutionAnswer {
+    let checked = scenario.check().unwrap();
+    match solve_any(&checked, Keep::default(), &mut unwatched).unwrap() {
+        Solved::Revolution(answer) => *answer,
+        Solved::Section(_) => panic!("the section answered"),
+    }
+}
+
+#[test]
+fn the_model_chooses_the_machine_and_what_knows_the_section_alone_refuses() {
+    let checked = scene(bb(56.0)).check().unwrap();
+    let refused = solve(&checked, Keep::default(), &mut unwatched);
+    assert_eq!(refused.unwrap_err(), Refusal::SectionOnly);
+    let paper = CheckedScenario::default();
+    let answer = solve_any(&paper, Keep::default(), &mut unwatched).unwrap();
+    assert!(matches!(answer, Solved::Section(_)));
+}
+
+#[test]
+fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy() {
+    let mut answer = solved(&scene(bb(56.0)));
+    let results = answer.results();
+    let missing: Vec<_> = Quantity::ALL
+        .iter()
+        .filter(|of| results[**of].is_none())
+        .collect();
+    assert_eq!(missing, [&Quantity::StoredEnergy]);
+    let (pressure, stress) = (
+        results[Quantity::Pressure].unwrap(),
+        results[Quantity::ScleralStress].unwrap(),
+    );
+    assert!((0.3..2.0).contains(&pressure), "{pressure} MPa");
+    assert!((5.0..30.0).contains(&stress), "{stress} MPa");
+    assert!(answer.errors.energy_balance < 1.0);
+    assert!(answer.errors.time_step_percent() < 5.0);
+    assert!(answer.flags.iter().all(|f| f.kind != FlagKind::MeshFolded));
+    answer.add_mesh_error(&mut unwatched).unwrap();
+    let mesh = answer.errors.mesh.unwrap();
+    assert!(mesh[Quantity::Pressure].unwrap() < 30.0);
+    assert_eq!(mesh[Quantity::RuptureByPressure], None);
+}
+
+#[test]
+fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
+    use crate::dynamics::revolution::{Keep as KeepRun, run};
+    for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
+        let mut scenario = scene(Projectile { angle_deg, ..shot });
+        scenario.window_ms = 0.5;
+        let answer = solved(&scenario);
+        let case = &answer.case;
+        let exact = run(
+            &case.eye,
+            &case.load,
+            case.window,
+            0.06,
+            KeepRun::default(),
+            &mut unwatched,
+        )
+        .unwrap();
+        let exact = crate::study::Results::of_revolution(&exact.extremes, case.blow);
+        let off = exact.difference_percent(&answer.results());
+        for (of, off) in off.leading() {
+            let stated = answer.errors.time_step[of].unwrap();
+            assert!(off <= stated, "{}: {off} of {stated}", of.key());
+        }
+    }
+}
+
+#[test]
+fn a_pulse_acts_on_it_too_and_has_no_result_of_an_object() {
+    let mut scenario = scene(bb(1.0));
+    scenario.impact = Scenario::default().impact;
+    let answer = solved(&scenario);
+    let results = answer.results();
+    for none in [Quantity::Contact, Quantity::Intrusion, Quantity::Rebound] {
+        assert_eq!(results[none], None);
+    }
+    assert!(results[Quantity::Pressure].unwrap() > 0.01);
+}
+
+#[test]
+fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
+    let mut scenario = scene(Projectile {
+        angle_deg: 50.0,
+        ..bb(20.0)
+    });
+    scenario.window_ms = 0.05;
+    let answer = solved(&scenario);
+    let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
+    assert!(kinds.contains(&FlagKind::AngleBeyondTrust), "{kinds:?}");
+    assert!(kinds.contains(&FlagKind::ContactCut), "{kinds:?}");
+    assert!(kinds.contains(&FlagKind::WindowShort), "{kinds:?}");
+}
+
+#[test]
+fn a_surface_that_gives_way_lowers_the_pressure() {
+    let ball = Projectile {
+        mass_g: 24.0,
+        diameter_mm: 40.0,
+        speed_m_s: 20.0,
+        ..Projectile::default()
+    };
+    let hard = solved(&scene(ball.clone())).results();
+    let soft = solved(&scene(Projectile {
+        surface: Surface::Inflated {
+            kpa: 150.0,
+            modulus_mpa: 3.0,
+        },
+        ..ball
+    }));
+    let soft = soft.results();
+    let of = Quantity::Pressure;
+    assert!(soft[of].unwrap() < 0.7 * hard[of].unwrap());
+}
