@@ -152,7 +152,7 @@ pub(super) fn damage(index: &DamageIndex, out: &mut dyn Write) -> io::Result<()>
 }
 
 /// `label` with a capital letter.
-pub(super) fn capital(label: &str) -> String {
+pub fn capital(label: &str) -> String {
     let mut letters = label.chars();
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()

@@ -1,7 +1,7 @@
-//! The damage index over two inputs: a square grid that is refined without losing what is known.
+//! The results over two inputs: a square grid that is refined without losing what is known.
 //!
-//! Grids have 2^k + 1 points a side, so every point of one is a point of the next. Between points the
-//! index is interpolated linearly in both directions.
+//! Grids have 2^k + 1 points a side, so every point of one is a point of the next. Each point holds
+//! every result of its run; between points one is interpolated linearly in both directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
@@ -9,6 +9,7 @@ use super::case::Refusal;
 use super::ordered;
 use super::point::single;
 use super::quantity::Quantity;
+use super::results::Results;
 use super::sweep::spaced;
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
@@ -44,21 +45,26 @@ impl std::fmt::Debug for Span {
 /// What is known at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
-    /// The damage index, in %.
-    Damage(f64),
+    /// Every result.
+    Known(Results),
     /// The same beyond the model's validity: the mesh folded.
-    Folded(f64),
+    Folded(Results),
     /// The inputs are not allowed, or the run failed.
     Refused,
 }
 
 impl Spot {
-    /// The damage index, if there is one.
-    pub fn damage(self) -> Option<f64> {
+    /// A result in its unit, if there is one.
+    pub fn value(&self, quantity: Quantity) -> Option<f64> {
         match self {
-            Self::Damage(v) | Self::Folded(v) => Some(v),
+            Self::Known(results) | Self::Folded(results) => results[quantity],
             Self::Refused => None,
         }
+    }
+
+    /// Whether the mesh folded.
+    pub fn folded(&self) -> bool {
+        matches!(self, Self::Folded(_))
     }
 }
 
@@ -73,26 +79,32 @@ pub struct Grid {
 
 impl Grid {
     /// What is known at a point.
-    pub fn at(&self, x: usize, y: usize) -> Spot {
-        self.spots[y * self.side + x]
+    pub fn at(&self, x: usize, y: usize) -> &Spot {
+        &self.spots[y * self.side + x]
     }
 
-    /// The index at a place between points, both from 0 to 1; none next to a point that has none.
-    pub fn between(&self, x: f64, y: f64) -> Option<f64> {
+    /// The largest of a result over all points, in its unit; none where no point has it.
+    pub fn largest(&self, quantity: Quantity) -> Option<f64> {
+        let values = self.spots.iter().filter_map(|spot| spot.value(quantity));
+        values.reduce(f64::max)
+    }
+
+    /// A result at a place between points, both from 0 to 1; none next to a point that has none.
+    pub fn between(&self, quantity: Quantity, x: f64, y: f64) -> Option<f64> {
         let last = (self.side - 1) as f64;
         let place = |share: f64| {
             let at = (share.clamp(0.0, 1.0) * last).min(last - 1e-9);
             (at.floor() as usize, at.fract())
         };
         let ((i, u), (j, v)) = (place(x), place(y));
-        let value = |i, j| self.at(i, j).damage();
+        let value = |i, j| self.at(i, j).value(quantity);
         let low = value(i, j)? * (1.0 - u) + value(i + 1, j)? * u;
         let high = value(i, j + 1)? * (1.0 - u) + value(i + 1, j + 1)? * u;
         Some(low * (1.0 - v) + high * v)
     }
 
     /// The nearest point to a place.
-    pub fn nearest(&self, x: f64, y: f64) -> Spot {
+    pub fn nearest(&self, x: f64, y: f64) -> &Spot {
         let last = (self.side - 1) as f64;
         let place = |share: f64| (share.clamp(0.0, 1.0) * last).round() as usize;
         self.at(place(x), place(y))
@@ -126,11 +138,8 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
         }
     };
     match single(&scenario, None, &mut watch) {
-        Ok(point) => Some(match point.values[Quantity::Damage] {
-            Some(value) if point.folded() => Spot::Folded(value),
-            Some(value) => Spot::Damage(value),
-            None => Spot::Refused,
-        }),
+        Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
+        Ok(point) => Some(Spot::Known(point.values)),
         Err(Refusal::Cancelled) => None,
         Err(_) => Some(Spot::Refused),
     }
@@ -155,7 +164,7 @@ pub fn fill(
         if let Some(grid) = known {
             let every = (side - 1) / (grid.side - 1);
             if i % every == 0 && j % every == 0 {
-                return Some(grid.at(i / every, j / every));
+                return Some(*grid.at(i / every, j / every));
             }
         }
         spot(&scenario_at(scenario, spans, (i, j), side), stop)
@@ -200,12 +209,16 @@ mod tests {
         let fine = fill(&scenario, spans, 5, Some(&coarse), &stop, &go).unwrap();
         assert_eq!(fine, fill(&scenario, spans, 5, None, &stop, &go).unwrap());
         assert_eq!(fine.at(2, 2), coarse.at(1, 1));
-        assert_eq!(fine.at(0, 4), Spot::Refused, "60 deg lies behind bone");
-        let row: Vec<f64> = (0..5).map(|i| fine.at(i, 0).damage().unwrap()).collect();
-        assert!(row.is_sorted());
-        let middle = fine.between(0.125, 0.0).unwrap();
-        assert!((middle - 0.5 * (row[0] + row[1])).abs() < 1e-9);
-        assert_eq!(fine.between(0.5, 0.9), None);
+        assert_eq!(*fine.at(0, 4), Spot::Refused, "60 deg lies behind bone");
+        for of in [Quantity::Damage, Quantity::ForceFront] {
+            let row: Vec<f64> = (0..5).map(|i| fine.at(i, 0).value(of).unwrap()).collect();
+            assert!(row.is_sorted());
+            let middle = fine.between(of, 0.125, 0.0).unwrap();
+            assert!((middle / (0.5 * (row[0] + row[1])) - 1.0).abs() < 1e-9);
+            assert_eq!(fine.between(of, 0.5, 0.9), None);
+            assert!(fine.largest(of).unwrap() >= row[4]);
+        }
+        assert_eq!(fine.largest(Quantity::Pressure), None);
         assert!(fill(&scenario, spans, 3, None, &AtomicBool::new(true), &go).is_err());
     }
 }

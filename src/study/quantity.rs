@@ -147,6 +147,8 @@ pub struct Row {
     pub family: Family,
     /// How far a finer mesh may be trusted with it.
     pub scatter: MeshScatter,
+    /// The whole of its scale on a map, in the unit; without one the largest value there.
+    pub whole: Option<f64>,
     /// How it is read.
     pub read: Read,
     /// How it is read at the eye of revolution.
@@ -165,6 +167,7 @@ impl Quantity {
         match self {
             Self::Damage => Row {
                 leads: Leads::Always,
+                whole: Some(1e2),
                 scatter: within(0.055, 0.3),
                 read: Read::Number(|e| Some(DamageIndex::of(e).damage())),
                 revolution: ReadRevolution::Number(|e| {
@@ -486,6 +489,7 @@ const fn number(
         leads: Leads::Never,
         family: Family::Motion,
         scatter: within(0.04, 0.3),
+        whole: None,
         read: Read::Number(|_| None),
         revolution: ReadRevolution::Nowhere,
         trace: None,
@@ -506,6 +510,7 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
 const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
     Row {
         factor: 1e2,
+        whole: Some(1e2),
         family: Family::Unstated,
         ..number(key, label, short, "%")
     }

@@ -346,12 +346,17 @@ pub fn grid(side: usize) -> Grid {
         let damage = 160.0 * x * (0.2 + 0.8 * y);
         match () {
             () if x < 0.2 && y > 0.8 => Spot::Refused,
-            () if damage > 90.0 => Spot::Folded(damage),
-            () => Spot::Damage(damage),
+            () if damage > 90.0 => Spot::Folded(damage_only(damage)),
+            () => Spot::Known(damage_only(damage)),
         }
     };
     Grid {
         side,
         spots: (0..side * side).map(spot).collect(),
     }
+}
+
+fn damage_only(damage: f64) -> contrecoup::study::Results {
+    let own = |q| (q == contrecoup::study::Quantity::Damage).then_some(damage);
+    contrecoup::study::PerQuantity::from_fn(own)
 }

@@ -36,7 +36,7 @@ pub struct Screens {
     pub accuracy: accuracy::measurement::Measurement,
     /// The result whose band is explained.
     pub doubt: usize,
-    /// Damage over two inputs.
+    /// A result over two inputs.
     pub map: map::state::Map,
     /// The injury curve that is explained.
     pub injury: usize,

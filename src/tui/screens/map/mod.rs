@@ -1,4 +1,4 @@
-//! The damage index over two inputs: computed grid by grid while it is on show.
+//! One result over two inputs: computed grid by grid while it is on show.
 
 pub mod state;
 mod view;
@@ -25,7 +25,7 @@ pub(crate) const SCREEN: Screen = Screen {
     },
     ..Screen::new(
         "Map",
-        "damage over two inputs",
+        "a result over two inputs",
         &[Pane {
             name: "map",
             keys: &[KEYS],
@@ -50,6 +50,7 @@ const KEYS: KeyTable = KeyTable::new("Map", &[
     bind(&[c('y')], |m| m.screens.map.turn(&m.work.scenario, false), "up", "the next input up"),
     bind(&[c('+'), c('=')], |m| m.screens.map.zoom(&m.work.scenario, true), "range", "wider ranges"),
     bind(&[c('-')], |m| m.screens.map.zoom(&m.work.scenario, false), "&", "narrower ranges"),
+    bind(&[c('v')], |m| m.screens.map.next_result(&m.work.scenario), "result", "the next result that the scene has"),
     bind(&[c('m')], |m| m.screens.map.task.complaint = None, "", "go on after Esc"),
 ]);
 
@@ -101,6 +102,7 @@ mod tests {
     use super::state::DrawMap;
     use super::*;
     use crate::study::map::{Grid, SIDES, Spot};
+    use crate::study::{PerQuantity, Quantity};
     use crate::tui::simulation::Simulate;
     use crate::tui::task::Report;
     use crate::tui::update::driven::{asked, begun, key, letter};
@@ -112,7 +114,8 @@ mod tests {
     }
 
     fn tell(model: &mut Model, (ticket, question): (u64, DrawMap)) -> Vec<Effect> {
-        let spots = vec![Spot::Damage(10.0); question.side * question.side];
+        let known = PerQuantity::from_fn(|q| (q != Quantity::Pressure).then_some(10.0));
+        let spots = vec![Spot::Known(known); question.side * question.side];
         let grid = Grid {
             side: question.side,
             spots,
@@ -135,6 +138,19 @@ mod tests {
             model.screens.map.grid(&model.work.scenario).unwrap().side,
             SIDES[2]
         );
+    }
+
+    #[test]
+    fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it() {
+        let mut model = begun();
+        let asked = drawn(&letter(&mut model, '7')).unwrap();
+        tell(&mut model, asked);
+        for quantity in Quantity::ALL.iter().cycle().take(Quantity::ALL.len() + 1) {
+            if *quantity != Quantity::Pressure {
+                assert_eq!(model.screens.map.chosen, *quantity);
+                assert!(letter(&mut model, 'v').is_empty());
+            }
+        }
     }
 
     #[test]

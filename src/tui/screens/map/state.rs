@@ -3,9 +3,9 @@
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
-use crate::study::map::{Grid, SIDES, Span, Spot, fill, scenario_at};
+use crate::study::map::{Grid, SIDES, Span, fill, scenario_at};
 use crate::study::sweep::spaced;
-use crate::study::{Refusal, Watch};
+use crate::study::{Quantity, Refusal, Watch};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 use crate::tui::worker::overseen;
@@ -57,6 +57,8 @@ pub struct Map {
     pub done: Option<(Scenario, (Span, Span), Grid)>,
     /// What is under way, or that it was stopped.
     pub task: Task<DrawMap>,
+    /// The result that was chosen; the scene may lack it.
+    pub chosen: Quantity,
     /// Where the cursor stands on the finest grid.
     pub cursor: (usize, usize),
     /// How far the ranges reach.
@@ -69,14 +71,26 @@ impl Default for Map {
             spans: None,
             done: None,
             task: Task::default(),
+            chosen: Quantity::Damage,
             cursor: (FINEST / 2, FINEST / 2),
             reach: REACH,
         }
     }
 }
 
+/// What is known at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// A result in its unit; none where the inputs are not allowed.
+    pub value: Option<f64>,
+    /// Whether the mesh folded.
+    pub folded: bool,
+    /// Whether it was simulated there, not interpolated.
+    pub exact: bool,
+}
+
 /// Three significant digits.
-fn rounded(value: f64) -> f64 {
+pub fn rounded(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
 
@@ -236,21 +250,41 @@ impl Map {
         (share(self.cursor.0), share(self.cursor.1))
     }
 
-    /// What is known under the cursor, and whether it was simulated there, not interpolated.
-    pub fn reading(&self, scenario: &Scenario) -> Option<(Spot, bool)> {
-        let grid = self.grid(scenario)?;
+    /// The result on show: the chosen one where the map has it, else damage.
+    pub fn quantity(&self, grid: &Grid) -> Quantity {
+        let there = grid.largest(self.chosen).is_some();
+        if there { self.chosen } else { Quantity::Damage }
+    }
+
+    /// Shows the next result that the map has.
+    pub fn next_result(&mut self, scenario: &Scenario) {
+        let Some(grid) = self.grid(scenario) else {
+            return;
+        };
+        let here = self.quantity(grid);
+        let all = Quantity::ALL.iter().copied();
+        let after = all.clone().skip_while(|q| *q != here).skip(1);
+        let next = after.chain(all).find(|q| grid.largest(*q).is_some());
+        self.chosen = next.unwrap_or(here);
+    }
+
+    /// What is known of a result under the cursor.
+    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Reading {
         let every = (FINEST - 1) / (grid.side - 1);
         let (x, y) = self.cursor;
-        if x % every == 0 && y % every == 0 {
-            return Some((grid.at(x / every, y / every), true));
-        }
-        let (x, y) = self.place();
-        let spot = match (grid.nearest(x, y), grid.between(x, y)) {
-            (Spot::Folded(_), Some(value)) => Spot::Folded(value),
-            (_, Some(value)) => Spot::Damage(value),
-            (_, None) => Spot::Refused,
+        let exact = x % every == 0 && y % every == 0;
+        let (px, py) = self.place();
+        let spot = grid.nearest(px, py);
+        let value = if exact {
+            spot.value(quantity)
+        } else {
+            grid.between(quantity, px, py)
         };
-        Some((spot, false))
+        Reading {
+            value,
+            folded: spot.folded(),
+            exact,
+        }
     }
 
     /// The scenario with the values under the cursor.
@@ -262,6 +296,8 @@ impl Map {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::PerQuantity;
+    use crate::study::map::Spot;
 
     #[test]
     fn inputs_follow_the_scenario_and_go_round_without_meeting() {
@@ -328,12 +364,15 @@ mod tests {
         map.settle(&scenario);
         let question = map.next(&scenario).unwrap();
         assert_eq!(question.side, SIDES[0]);
-        let spots = vec![Spot::Damage(1.0); 81];
+        let damage = |q| (q == Quantity::Damage).then_some(1.0);
+        let spots = vec![Spot::Known(PerQuantity::from_fn(damage)); 81];
         map.done = Some((question.scenario, question.spans, Grid { side: 9, spots }));
         map.cursor = (4, 8);
         let adopted = map.adopted(&scenario).unwrap();
         assert_ne!(adopted, scenario);
-        assert_eq!(map.reading(&adopted), Some((Spot::Damage(1.0), true)));
+        let grid = map.grid(&adopted).unwrap();
+        let reading = map.reading(grid, map.quantity(grid));
+        assert_eq!((reading.value, reading.exact), (Some(1.0), true));
         assert_eq!(map.next(&adopted).unwrap().side, SIDES[1]);
         scenario.window_ms = 2.0;
         assert!(map.grid(&scenario).is_none());

@@ -1,4 +1,5 @@
-//! The damage index over two inputs as a map of digits: tens of percent, with the lines of 50 and 100 %.
+//! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half and
+//! the whole of it. The scale is that of the table of results, or else reaches to the largest value.
 //!
 //! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
 //! folded its mesh the map is hatched, as no number holds there.
@@ -7,17 +8,19 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::report::text::significant;
+use crate::report::text::{capital, significant};
 use crate::scenario::doubt::number;
-use crate::study::map::{Grid, Span, Spot};
+use crate::study::Quantity;
+use crate::study::map::{Grid, Span};
 use crate::tui::model::Model;
+use crate::tui::screens::map::state::rounded;
 use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
 const LABELS: u16 = 8;
-/// Levels with a line and the sign of the line.
-const LINES: [(f64, &str); 2] = [(50.0, "+"), (100.0, "#")];
+/// Shares of the scale with a line and the sign of the line.
+const LINES: [(f64, &str); 2] = [(0.5, "+"), (1.0, "#")];
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
@@ -30,7 +33,12 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let (said, style) = status(model, theme);
-    let title = format!("Damage: {} across, {} up", x.field.label, y.field.label);
+    let grid = model.screens.map.grid(&model.work.scenario);
+    let quantity = grid.map_or(Quantity::Damage, |grid| model.screens.map.quantity(grid));
+    let result = quantity.row();
+    let whole = whole(grid, quantity);
+    let name = capital(result.label);
+    let title = format!("{name}: {} across, {} up", x.field.label, y.field.label);
     let room = usize::from(area.width.saturating_sub(width(&said) + 4));
     put(buffer, area, (1, 0), &fitted(&title, room), theme.heading());
     put_right(buffer, area, (area.width - 1, 0), &said, style);
@@ -51,10 +59,10 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     }
     axes((x, y), area, field, theme, buffer);
-    if let Some(grid) = model.screens.map.grid(&model.work.scenario) {
+    if let Some(grid) = grid {
         for row in 0..field.height {
             for column in 0..field.width {
-                let (sign, style) = cell(grid, (column, row), field, theme);
+                let (sign, style) = cell((grid, quantity, whole), (column, row), field, theme);
                 put(buffer, field, (column, row), sign, style);
             }
         }
@@ -77,12 +85,20 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     for (i, line) in wrapped(&reading, room).iter().take(2).enumerate() {
         put(buffer, area, (1, top + i as u16), line, theme.strong());
     }
-    let legend = "0-9: tens of %  +# 50, 100 %  * above  ▒ folded  o yours";
+    let unit = result.unit;
+    let part = |share: f64| rounded(share * whole).to_string();
+    let steps = if whole == 100.0 && unit == "%" {
+        "tens of %".to_owned()
+    } else {
+        format!("steps of {} {unit}", part(0.1))
+    };
+    let lines = format!("+# {}, {} {unit}", part(0.5), part(1.0));
+    let legend = format!("0-9: {steps}  {lines}  * above  ▒ folded  o yours");
     put(
         buffer,
         area,
         (1, area.height - 1),
-        &fitted(legend, room),
+        &fitted(&legend, room),
         theme.quiet(),
     );
 }
@@ -114,18 +130,38 @@ fn place((column, row): (u16, u16), field: Rect) -> (f64, f64) {
     )
 }
 
-fn cell(grid: &Grid, at: (u16, u16), field: Rect, theme: Theme) -> (&'static str, Style) {
+/// The whole of the scale: that of the result, or the first of 1, 2 and 5 times a power of ten that
+/// no value exceeds.
+fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
+    let round = |largest: f64| {
+        let power = 10_f64.powf(largest.log10().floor());
+        let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * power);
+        steps.into_iter().find(|step| *step >= largest)
+    };
+    let largest = grid.and_then(|grid| grid.largest(quantity));
+    let own = quantity.row().whole;
+    own.or_else(|| round(largest.filter(|v| *v > 0.0)?))
+        .unwrap_or(1.0)
+}
+
+fn cell(
+    (grid, quantity, whole): (&Grid, Quantity, f64),
+    at: (u16, u16),
+    field: Rect,
+    theme: Theme,
+) -> (&'static str, Style) {
     const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
     let (x, y) = place(at, field);
-    let Some(value) = grid.between(x, y) else {
+    let share = |x, y| Some(grid.between(quantity, x, y)? / whole);
+    let Some(value) = share(x, y) else {
         return ("·", theme.quiet());
     };
     let steps = theme.heat_steps() as f64;
-    // Cold below 5 %, hottest from 100 % on.
-    let step = if value < 5.0 {
+    // Cold below a twentieth of the scale, hottest from the whole of it on.
+    let step = if value < 0.05 {
         0
     } else {
-        1 + ((value / 100.0).min(1.0) * (steps - 1.0)) as usize
+        1 + (value.min(1.0) * (steps - 1.0)) as usize
     };
     let heat = theme.heat(step);
     let heat = if theme.is_mono() || step == 0 {
@@ -139,18 +175,18 @@ fn cell(grid: &Grid, at: (u16, u16), field: Rect, theme: Theme) -> (&'static str
             .filter(|(column, row)| *column < field.width && *row < field.height)
             .filter_map(|next| {
                 let (x, y) = place(*next, field);
-                grid.between(x, y)
+                share(x, y)
             })
             .any(|other| (other < level) != (value < level))
     };
     if let Some((_, sign)) = LINES.iter().find(|(level, _)| crosses(*level)) {
         return (sign, theme.strong());
     }
-    if matches!(grid.nearest(x, y), Spot::Folded(_)) {
+    if grid.nearest(x, y).folded() {
         return ("▒", heat);
     }
-    let tens = (value / 10.0).max(0.0) as usize;
-    (DIGITS.get(tens).copied().unwrap_or("*"), heat)
+    let tenths = (value * 10.0).max(0.0) as usize;
+    (DIGITS.get(tenths).copied().unwrap_or("*"), heat)
 }
 
 /// Marks where the scenario itself lies, if it is on the map.
@@ -237,17 +273,22 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         );
         text.trim_end().to_owned()
     };
-    let about = |exact: bool| if exact { "" } else { "about " };
-    let value = match model.screens.map.reading(&model.work.scenario) {
-        None => "not known yet".to_owned(),
-        Some((Spot::Refused, _)) => "not allowed".to_owned(),
-        Some((Spot::Damage(v), exact)) => {
-            format!("damage {}{} %", about(exact), significant(v))
-        }
-        Some((Spot::Folded(v), exact)) => {
-            let value = significant(v);
-            format!("damage {}{value} %, but the mesh folded", about(exact))
-        }
-    };
+    let value = model.screens.map.grid(&model.work.scenario).map(|grid| {
+        let quantity = model.screens.map.quantity(grid);
+        let reading = model.screens.map.reading(grid, quantity);
+        let Some(value) = reading.value else {
+            return "not allowed".to_owned();
+        };
+        let row = quantity.row();
+        let about = if reading.exact { "" } else { "about " };
+        let folded = if reading.folded {
+            ", but the mesh folded"
+        } else {
+            ""
+        };
+        let value = significant(value);
+        format!("{} {about}{value} {}{folded}", row.label, row.unit)
+    });
+    let value = value.unwrap_or_else(|| "not known yet".to_owned());
     format!("X {}, {}: {value}", part(x, a), part(y, b))
 }
