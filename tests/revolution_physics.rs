@@ -389,3 +389,51 @@ fn a_pulse_gives_the_eye_its_work_and_balances() {
     );
     assert!(e.rebound.is_none() && e.apex.value > 1e-4);
 }
+
+#[test]
+fn two_hundred_objects_by_a_seed_fold_nothing_and_balance() {
+    let eyes = [
+        eye(1, Some(Surround::orbit())),
+        eye(2, Some(Surround::gelatin())),
+        eye(1, None),
+    ];
+    // A low-discrepancy sequence: shares of the golden ratio's kin.
+    let share = |i: usize, k: usize| {
+        let step = [
+            0.819_172_5,
+            0.671_043_6,
+            0.549_700_5,
+            0.450_299_5,
+            0.368_875_3,
+        ][k];
+        (0.5 + step * (i as f64 + 1.0)).fract()
+    };
+    let (mut through, mut worst) = (0, 0.0_f64);
+    for i in 0..200 {
+        let between = |low: f64, high: f64, k| low * f64::powf(high / low, share(i, k));
+        let diameter = between(3.0, 240.0, 0);
+        let density = between(0.1, 8.0, 1);
+        let mass = density * std::f64::consts::PI / 6.0 * (0.1 * diameter).powi(3);
+        // As fast as gives it from 1 mJ to 20 J.
+        let energy = between(1e-3, 20.0, 2);
+        let speed = (2.0 * energy / (mass * 1e-3)).sqrt().min(150.0);
+        let mut object = ball(mass, diameter, speed);
+        if share(i, 3) > 0.5 {
+            object = soft(object, between(1e7, 1e10, 4));
+            object.surface = object.surface.losing(share(i, 1));
+        }
+        match try_hit(&eyes[i % 3], object, 1.0, STEP_SHARE) {
+            Ok(run) => {
+                let e = &run.extremes;
+                assert!(e.folded_at.is_none(), "{i} {object:?}");
+                worst = worst.max(e.energy_residual);
+            }
+            Err(Refusal::Through(_)) => {
+                through += 1;
+            }
+            Err(refusal) => panic!("{i} {object:?}: {refusal}"),
+        }
+    }
+    assert!(worst < 0.03, "{worst}");
+    assert!(through <= 2, "{through}");
+}

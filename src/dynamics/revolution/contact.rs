@@ -72,6 +72,29 @@ impl Target {
         target
     }
 
+    /// Where the front of an object is as it first touches the front pole at `pole` or the rim, m.
+    pub fn first_touch(&self, object: &Object, pole: f64) -> f64 {
+        /// Halvings that leave nothing of the way back.
+        const HALVINGS: usize = 60;
+        let overlaps = |front: f64| {
+            self.rim
+                .is_some_and(|(x, r, _)| object.gap(x - front + object.reach(), r).0 > 0.0)
+        };
+        if !overlaps(pole) {
+            return pole;
+        }
+        let (mut clear, mut touching) = (pole - 2.0 * object.outline.radius(), pole);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (clear + touching);
+            if overlaps(middle) {
+                touching = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        clear
+    }
+
     /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the flight's.
     pub fn forces(
         &self,

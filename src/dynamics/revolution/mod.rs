@@ -1,13 +1,16 @@
 //! Motion of the body of revolution: explicit, Lagrangian, as hydrocodes are.
 //!
-//! `cell` is the mechanics of one cell, `shell` that of cornea and sclera, `object` and `contact` what
-//! hits them, `run` the leapfrog through the window.
+//! `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them out, `nodes` moves what is between
+//! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them; `run` is
+//! the leapfrog through the window, `record` and `sensor` read off what `results` keeps.
 
 mod cell;
 mod contact;
+mod nodes;
 mod object;
 mod plain;
 mod quads;
+mod record;
 mod results;
 mod rows;
 mod run;

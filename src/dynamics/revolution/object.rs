@@ -234,7 +234,7 @@ impl Object {
                 )
             }
             Outline::Sphere(radius) => {
-                let distance = x.hypot(r);
+                let distance = (x * x + r * r).sqrt();
                 (radius - distance, x / distance, r / distance)
             }
             Outline::Cylinder(radius, edge) => {
@@ -244,7 +244,7 @@ impl Object {
                 } else if x <= 0.0 {
                     (edge - r, 0.0, 1.0)
                 } else {
-                    let distance = x.hypot(r);
+                    let distance = (x * x + r * r).sqrt();
                     (edge - distance, x / distance, r / distance)
                 }
             }

@@ -13,6 +13,7 @@
 
 use super::super::lanes::{V, load, splat, store};
 use super::cell::{FLAT, SQUEEZED};
+use super::nodes;
 use super::rows::{Group, LANES, Lane, Rows, Run, field};
 use super::state::{State, Sums};
 use fearless_simd::{Bytes, Simd, SimdBase, SimdFloat};
@@ -160,7 +161,7 @@ pub(super) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
                 }
             }
         }
-        gather(simd, rows, run, state);
+        nodes::gather(simd, rows, run, state);
     }
     let sum = |of: Lane| of.iter().sum::<f64>();
     Sums {
@@ -175,25 +176,6 @@ pub(super) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
             .copied()
             .fold(f64::INFINITY, f64::min),
     }
-}
-
-/// What the four cells around each node have left for it.
-#[inline(always)]
-fn gather<S: Simd>(simd: S, rows: &Rows, run: Run, state: &mut State) {
-    let [c0, c1, c2, c3] = &rows.corners;
-    for i in (0..run.node_places).step_by(V::<S>::LEN) {
-        let at = run.corners + i;
-        let fx = around(simd, [&c0.0, &c1.0, &c2.0, &c3.0], at, run.columns);
-        let fr = around(simd, [&c0.1, &c1.1, &c2.1, &c3.1], at, run.columns);
-        store::<S>(&mut state.fx, run.nodes + i, fx);
-        store::<S>(&mut state.fr, run.nodes + i, fr);
-    }
-}
-
-#[inline(always)]
-fn around<S: Simd>(simd: S, of: [&[f64]; 4], at: usize, columns: usize) -> V<S> {
-    let low = load(simd, of[0], at) + load(simd, of[1], at - 1);
-    low + (load(simd, of[3], at - columns) + load(simd, of[2], at - columns - 1))
 }
 
 /// Forces of some cells on their corners.
@@ -395,44 +377,4 @@ fn cells<S: Simd>(
         (on[2].0 - on_a.0, on[2].1 - on_a.1 - out),
         (on[3].0 - on_b.0, on[3].1 - on_b.1 - out),
     ]
-}
-
-/// Kicks velocities over `kick` s, then moves nodes over `drift` s.
-#[inline(always)]
-pub(super) fn advance<S: Simd>(simd: S, state: &mut State, kick: f64, drift: f64) {
-    let by = (kick, drift);
-    move_along(
-        simd,
-        &mut state.x,
-        &mut state.vx,
-        &state.fx,
-        &state.free_x,
-        by,
-    );
-    move_along(
-        simd,
-        &mut state.r,
-        &mut state.vr,
-        &state.fr,
-        &state.free_r,
-        by,
-    );
-}
-
-#[inline(always)]
-fn move_along<S: Simd>(
-    simd: S,
-    x: &mut [f64],
-    v: &mut [f64],
-    f: &[f64],
-    free: &[f64],
-    (kick, drift): (f64, f64),
-) {
-    for i in (0..x.len()).step_by(V::<S>::LEN) {
-        let force = load(simd, f, i) * load(simd, free, i);
-        let speed = load(simd, v, i) + splat(simd, kick) * force;
-        store::<S>(v, i, speed);
-        let to = load(simd, x, i) + splat(simd, drift) * speed;
-        store::<S>(x, i, to);
-    }
 }

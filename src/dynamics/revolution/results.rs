@@ -65,6 +65,34 @@ pub struct Extremes {
 }
 
 impl Extremes {
+    /// Of an eye that nothing has happened to.
+    pub(super) fn at_rest() -> Self {
+        let zero = Peak::default();
+        Self {
+            force: zero,
+            filtered_force: zero,
+            rim_force: zero,
+            pressure: zero,
+            back_pressure: zero,
+            scleral_stress: zero,
+            stress_angle: 0.0,
+            shortening: zero,
+            equator_growth: zero,
+            meridian_growth: zero,
+            intrusion: zero,
+            apex: zero,
+            lens: zero,
+            node_force: [zero; 4],
+            least_volume: 1.0,
+            most_volume: 1.0,
+            least_triangle: 1.0,
+            folded_at: None,
+            energy_imparted: 0.0,
+            rebound: None,
+            energy_residual: 0.0,
+        }
+    }
+
     /// When one of them last grew, s.
     pub(super) fn last_growth(&self) -> f64 {
         let node = self.node_force.iter().map(|p| p.time);

@@ -10,6 +10,7 @@
 
 use super::super::aligned::Aligned;
 use super::cell::{self, Rest};
+use super::nodes;
 use super::quads;
 use super::sensor;
 use super::state::{Cells, State, Sums};
@@ -304,7 +305,7 @@ impl Cells for Rows {
             state.fr[twin] = state.fr[place];
         }
         let level = self.level;
-        dispatch!(level, simd => quads::advance(simd, state, kick, drift));
+        dispatch!(level, simd => nodes::advance(simd, state, kick, drift));
     }
 
     fn pressures(&self) -> Vec<f64> {

@@ -6,7 +6,7 @@
 use super::contact::{Target, Touch};
 use super::object::{Flight, Object};
 use super::plain::Plain;
-use super::results::{Energy, Extremes, Frame, Keep, Peak, Run, Traces};
+use super::results::{Energy, Extremes, Frame, Keep, Run, Traces};
 use super::rows::Rows;
 use super::sensor::{Accelerometers, LowPass};
 use super::shell::{Shell, ShellState};
@@ -20,8 +20,6 @@ use std::ops::ControlFlow;
 pub const STEP_SHARE: f64 = 0.6;
 /// Most a step grows.
 const GROWTH: f64 = 1.05;
-/// Mass by which accelerations become the node forces of the paper, kg.
-const NODE_MASS: f64 = 75e-6;
 /// Balances of energy taken over a window.
 const BALANCES: f64 = 100.0;
 /// A run may end when nothing has grown since this share of its time, and for this long, in s, after its
@@ -35,7 +33,7 @@ const WATCH_EVERY: usize = 256;
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Blow {
-    /// It touches the front pole at the start.
+    /// It touches the front pole at the start, or the rim if that is nearer.
     Object(Object),
     /// A force against time, as a uniform traction along the axis on the area within a front angle (rad).
     Pulse(Pulse, f64),
@@ -108,7 +106,7 @@ pub fn run_as(
 }
 
 /// The load of a pulse on the shell's nodes.
-struct Load {
+pub(super) struct Load {
     pulse: Pulse,
     segments: Vec<Segment>,
     shares: Vec<f64>,
@@ -124,50 +122,52 @@ impl Load {
     }
 }
 
-struct Motion<'a, C> {
-    eye: &'a RevolutionEye,
-    cells: C,
+pub(super) struct Motion<'a, C> {
+    pub eye: &'a RevolutionEye,
+    pub cells: C,
     /// For the elastic energy.
-    balance: Plain,
-    mass: Vec<f64>,
-    state: State,
-    shell: Shell,
-    target: Target,
-    object: Option<(Object, Flight)>,
-    load: Option<Load>,
+    pub balance: Plain,
+    pub mass: Vec<f64>,
+    pub state: State,
+    pub shell: Shell,
+    pub target: Target,
+    pub object: Option<(Object, Flight)>,
+    pub load: Option<Load>,
     /// Node and share of the lens's mass.
-    lens: Vec<(usize, f64)>,
-    lens_rest: f64,
-    globe_volume: f64,
-    accelerometers: Accelerometers,
-    filters: [LowPass; 3],
-    window: f64,
-    keep: Keep,
-    energy_before: f64,
+    pub lens: Vec<(usize, f64)>,
+    pub lens_rest: f64,
+    pub globe_volume: f64,
+    pub accelerometers: Accelerometers,
+    pub filters: [LowPass; 3],
+    pub window: f64,
+    pub keep: Keep,
+    pub energy_before: f64,
     /// Most energy that has come in, and most that the balance was off, J.
-    came: f64,
-    missing: f64,
-    energy: Energy,
-    extremes: Extremes,
-    traces: Traces,
-    frames: Vec<Frame>,
+    pub came: f64,
+    pub missing: f64,
+    pub energy: Energy,
+    pub extremes: Extremes,
+    pub traces: Traces,
+    pub frames: Vec<Frame>,
 }
 
 /// What all parts say at some instant.
-struct Instant {
-    sums: Sums,
-    shell: ShellState,
-    touch: Option<Touch>,
-    force: f64,
-    loss_in_object: f64,
-    limit: f64,
+pub(super) struct Instant {
+    pub sums: Sums,
+    pub shell: ShellState,
+    pub touch: Option<Touch>,
+    pub force: f64,
+    pub loss_in_object: f64,
+    pub limit: f64,
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
     fn new(eye: &'a RevolutionEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
+        let target = Target::new(eye);
         let (object, load) = match blow {
             Blow::Object(object) => {
-                let flight = Flight::new(object, -eye.parameters.radius);
+                let front = target.first_touch(object, -eye.parameters.radius);
+                let flight = Flight::new(object, front);
                 (Some((*object, flight)), None)
             }
             Blow::Pulse(pulse, half_width) => {
@@ -199,7 +199,6 @@ impl<'a, C: Cells> Motion<'a, C> {
         for (node, m) in eye.mass.iter().enumerate() {
             mass[cells.place(node)] = *m;
         }
-        let zero = Peak::default();
         let mut balance = Plain::new(eye);
         let globe_volume = balance.forces(&mut balance.rest()).volume;
         Self {
@@ -209,7 +208,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             accelerometers: Accelerometers::new(eye, |n| cells.place(n)),
             balance,
             shell: Shell::new(eye),
-            target: Target::new(eye),
+            target,
             eye,
             cells,
             mass,
@@ -223,29 +222,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             came: 0.0,
             missing: 0.0,
             energy: Energy::default(),
-            extremes: Extremes {
-                force: zero,
-                filtered_force: zero,
-                rim_force: zero,
-                pressure: zero,
-                back_pressure: zero,
-                scleral_stress: zero,
-                stress_angle: 0.0,
-                shortening: zero,
-                equator_growth: zero,
-                meridian_growth: zero,
-                intrusion: zero,
-                apex: zero,
-                lens: zero,
-                node_force: [zero; 4],
-                least_volume: 1.0,
-                most_volume: 1.0,
-                least_triangle: 1.0,
-                folded_at: None,
-                energy_imparted: 0.0,
-                rebound: None,
-                energy_residual: 0.0,
-            },
+            extremes: Extremes::at_rest(),
             traces: Traces::default(),
             frames: Vec::new(),
         }
@@ -360,50 +337,6 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
-    fn look(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
-        let share = LowPass::share(step);
-        let e = &mut self.extremes;
-        e.force.raise(now.force, time);
-        e.filtered_force
-            .raise(self.filters[0].pass(now.force, share), time);
-        e.pressure
-            .raise(self.filters[1].pass(now.sums.pressure, share), time);
-        e.back_pressure
-            .raise(self.filters[2].pass(now.sums.sensor, share), time);
-        if now.shell.stress > e.scleral_stress.value {
-            e.scleral_stress.raise(now.shell.stress, time);
-            e.stress_angle = self.eye.segments[now.shell.at].front_angle;
-        }
-        if let Some(touch) = &now.touch {
-            e.rim_force.raise(-touch.rim, time);
-        }
-        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
-        e.shortening.raise(shape.shortening, time);
-        e.equator_growth.raise(shape.equator_growth, time);
-        e.meridian_growth
-            .raise(now.shell.length / self.shell.rest_length - 1.0, time);
-        e.apex.raise(shape.apex, time);
-        e.lens.raise(shape.lens, time);
-        if let Some((object, flight)) = &self.object {
-            let touched = -self.eye.parameters.radius - object.reach();
-            e.intrusion.raise(flight.x[0] - touched, time);
-        }
-        let volume = now.sums.volume / self.globe_volume;
-        e.least_volume = e.least_volume.min(volume);
-        e.most_volume = e.most_volume.max(volume);
-        e.least_triangle = e.least_triangle.min(now.sums.least_triangle);
-        if now.sums.least_triangle <= 0.0 && e.folded_at.is_none() {
-            e.folded_at = Some(time);
-        }
-        let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
-        let forces = accelerations.map(|a| NODE_MASS * a);
-        for (peak, force) in e.node_force.iter_mut().zip(forces) {
-            peak.raise(force, time);
-        }
-        forces
-    }
-
     /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
     fn settled(&self, time: f64) -> bool {
         if self.keep != Keep::default() {
@@ -442,70 +375,6 @@ impl<'a, C: Cells> Motion<'a, C> {
         Ok(())
     }
 
-    fn take_balance(&mut self, now: &Instant, kick: f64) {
-        let state = &self.state;
-        let stored = self.balance.energy(|node| {
-            let place = self.cells.place(node);
-            (state.x[place], state.r[place])
-        });
-        self.energy.elastic = stored + now.shell.energy;
-        self.energy.contact = now.touch.map_or(0.0, |t| t.energy);
-        self.energy.kinetic = (0..state.x.len())
-            .map(|i| {
-                let along = state.vx[i] * (state.vx[i] + kick * state.fx[i] * state.free_x[i]);
-                let across = state.vr[i] * (state.vr[i] + kick * state.fr[i] * state.free_r[i]);
-                0.5 * self.mass[i] * (along + across)
-            })
-            .sum();
-        let (mut object, mut given) = (0.0, self.energy.work);
-        if let Some((_, flight)) = &self.object {
-            object = flight.kinetic(kick) + flight.stored();
-            given = self.energy_before - object - self.energy.lost_in_object - self.energy.contact;
-        }
-        self.energy.object = object;
-        self.extremes.energy_imparted = given;
-        self.came = self.came.max(self.energy_before + self.energy.work.abs());
-        let missing = (self.energy.total() - self.energy_before).abs();
-        self.missing = self.missing.max(missing);
-    }
-
-    fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
-        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
-        let t = &mut self.traces;
-        t.time.push(time);
-        t.force.push(now.force);
-        t.pressure.push(self.filters[1].0);
-        t.back_pressure.push(self.filters[2].0);
-        t.scleral_stress.push(now.shell.stress);
-        t.shortening.push(shape.shortening);
-        t.equator_growth.push(shape.equator_growth);
-        t.meridian_growth
-            .push(now.shell.length / self.shell.rest_length - 1.0);
-        t.apex.push(shape.apex);
-        t.lens.push(shape.lens);
-        if let Some((object, flight)) = &self.object {
-            t.object.push(flight.x[0]);
-            t.intrusion
-                .push(flight.x[0] + self.eye.parameters.radius + object.reach());
-        }
-        for (trace, force) in t.node_force.iter_mut().zip(node_force) {
-            trace.push(force);
-        }
-        t.energy.push(self.energy);
-    }
-
-    fn take_frame(&mut self, time: f64) {
-        let nodes = 0..self.eye.mass.len();
-        let read = |of: &[f64]| nodes.clone().map(|n| of[self.cells.place(n)]).collect();
-        self.frames.push(Frame {
-            time,
-            x: read(&self.state.x),
-            r: read(&self.state.r),
-            pressure: self.cells.pressures(),
-            object: self.object.as_ref().map(|(_, f)| f.x[0]),
-        });
-    }
-
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> Run {
         let eye: f64 = self
             .mass
@@ -528,35 +397,6 @@ impl<'a, C: Cells> Motion<'a, C> {
             simulated: time,
             settled,
             cell_evaluations: (steps + 1) * self.eye.cells.len(),
-        }
-    }
-}
-
-/// How the eye has changed its shape.
-struct Shape {
-    shortening: f64,
-    equator_growth: f64,
-    apex: f64,
-    lens: f64,
-}
-
-impl Shape {
-    fn of(eye: &RevolutionEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
-        let shell = state.shell.clone();
-        let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
-        let radius = eye.parameters.radius;
-        let widest = |r: &[f64]| r.iter().copied().fold(0.0, f64::max);
-        let rest = eye
-            .mesh
-            .shell
-            .iter()
-            .map(|&n| eye.mesh.r[n])
-            .fold(0.0, f64::max);
-        Self {
-            shortening: 1.0 - (back - front) / (2.0 * radius),
-            equator_growth: widest(&state.r[shell]) / rest - 1.0,
-            apex: front + radius,
-            lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest,
         }
     }
 }

@@ -118,7 +118,7 @@ impl Shell {
         let mut before = (0.0, 0.0, 0.0);
         for (i, piece) in self.pieces.iter().enumerate() {
             let side = (x[i + 1] - x[i], r[i + 1] - r[i]);
-            let length = side.0.hypot(side.1);
+            let length = (side.0 * side.0 + side.1 * side.1).sqrt();
             let e1 = length / piece.length - 1.0;
             let e2 = 0.5 * (r[i] + r[i + 1]) / piece.radius - 1.0;
             let (s1, s2) = (e1 + self.poisson * e2, e2 + self.poisson * e1);

@@ -1,0 +1,149 @@
+//! What is read off the moving eye at each step, and what is kept of it.
+
+use super::results::Frame;
+use super::run::{Instant, Motion};
+use super::sensor::LowPass;
+use super::state::{Cells, State};
+use crate::eye::revolution::RevolutionEye;
+
+/// Mass by which accelerations become the node forces of the paper, kg.
+const NODE_MASS: f64 = 75e-6;
+
+impl<C: Cells> Motion<'_, C> {
+    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
+    pub fn look(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
+        let share = LowPass::share(step);
+        let e = &mut self.extremes;
+        e.force.raise(now.force, time);
+        e.filtered_force
+            .raise(self.filters[0].pass(now.force, share), time);
+        e.pressure
+            .raise(self.filters[1].pass(now.sums.pressure, share), time);
+        e.back_pressure
+            .raise(self.filters[2].pass(now.sums.sensor, share), time);
+        if now.shell.stress > e.scleral_stress.value {
+            e.scleral_stress.raise(now.shell.stress, time);
+            e.stress_angle = self.eye.segments[now.shell.at].front_angle;
+        }
+        if let Some(touch) = &now.touch {
+            e.rim_force.raise(-touch.rim, time);
+        }
+        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
+        e.shortening.raise(shape.shortening, time);
+        e.equator_growth.raise(shape.equator_growth, time);
+        e.meridian_growth
+            .raise(now.shell.length / self.shell.rest_length - 1.0, time);
+        e.apex.raise(shape.apex, time);
+        e.lens.raise(shape.lens, time);
+        if let Some((object, flight)) = &self.object {
+            let touched = -self.eye.parameters.radius - object.reach();
+            e.intrusion.raise(flight.x[0] - touched, time);
+        }
+        let volume = now.sums.volume / self.globe_volume;
+        e.least_volume = e.least_volume.min(volume);
+        e.most_volume = e.most_volume.max(volume);
+        e.least_triangle = e.least_triangle.min(now.sums.least_triangle);
+        if now.sums.least_triangle <= 0.0 && e.folded_at.is_none() {
+            e.folded_at = Some(time);
+        }
+        let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
+        let forces = accelerations.map(|a| NODE_MASS * a);
+        for (peak, force) in e.node_force.iter_mut().zip(forces) {
+            peak.raise(force, time);
+        }
+        forces
+    }
+
+    pub fn take_balance(&mut self, now: &Instant, kick: f64) {
+        let state = &self.state;
+        let stored = self.balance.energy(|node| {
+            let place = self.cells.place(node);
+            (state.x[place], state.r[place])
+        });
+        self.energy.elastic = stored + now.shell.energy;
+        self.energy.contact = now.touch.map_or(0.0, |t| t.energy);
+        self.energy.kinetic = (0..state.x.len())
+            .map(|i| {
+                let along = state.vx[i] * (state.vx[i] + kick * state.fx[i] * state.free_x[i]);
+                let across = state.vr[i] * (state.vr[i] + kick * state.fr[i] * state.free_r[i]);
+                0.5 * self.mass[i] * (along + across)
+            })
+            .sum();
+        let (mut object, mut given) = (0.0, self.energy.work);
+        if let Some((_, flight)) = &self.object {
+            object = flight.kinetic(kick) + flight.stored();
+            given = self.energy_before - object - self.energy.lost_in_object - self.energy.contact;
+        }
+        self.energy.object = object;
+        self.extremes.energy_imparted = given;
+        self.came = self.came.max(self.energy_before + self.energy.work.abs());
+        let missing = (self.energy.total() - self.energy_before).abs();
+        self.missing = self.missing.max(missing);
+    }
+
+    pub fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
+        let t = &mut self.traces;
+        t.time.push(time);
+        t.force.push(now.force);
+        t.pressure.push(self.filters[1].0);
+        t.back_pressure.push(self.filters[2].0);
+        t.scleral_stress.push(now.shell.stress);
+        t.shortening.push(shape.shortening);
+        t.equator_growth.push(shape.equator_growth);
+        t.meridian_growth
+            .push(now.shell.length / self.shell.rest_length - 1.0);
+        t.apex.push(shape.apex);
+        t.lens.push(shape.lens);
+        if let Some((object, flight)) = &self.object {
+            t.object.push(flight.x[0]);
+            t.intrusion
+                .push(flight.x[0] + self.eye.parameters.radius + object.reach());
+        }
+        for (trace, force) in t.node_force.iter_mut().zip(node_force) {
+            trace.push(force);
+        }
+        t.energy.push(self.energy);
+    }
+
+    pub fn take_frame(&mut self, time: f64) {
+        let nodes = 0..self.eye.mass.len();
+        let read = |of: &[f64]| nodes.clone().map(|n| of[self.cells.place(n)]).collect();
+        self.frames.push(Frame {
+            time,
+            x: read(&self.state.x),
+            r: read(&self.state.r),
+            pressure: self.cells.pressures(),
+            object: self.object.as_ref().map(|(_, f)| f.x[0]),
+        });
+    }
+}
+
+/// How the eye has changed its shape.
+struct Shape {
+    shortening: f64,
+    equator_growth: f64,
+    apex: f64,
+    lens: f64,
+}
+
+impl Shape {
+    fn of(eye: &RevolutionEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
+        let shell = state.shell.clone();
+        let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
+        let radius = eye.parameters.radius;
+        let widest = |r: &[f64]| r.iter().copied().fold(0.0, f64::max);
+        let rest = eye
+            .mesh
+            .shell
+            .iter()
+            .map(|&n| eye.mesh.r[n])
+            .fold(0.0, f64::max);
+        Self {
+            shortening: 1.0 - (back - front) / (2.0 * radius),
+            equator_growth: widest(&state.r[shell]) / rest - 1.0,
+            apex: front + radius,
+            lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest,
+        }
+    }
+}
