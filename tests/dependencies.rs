@@ -1,7 +1,6 @@
 //! What the program is made of: licences that let anybody use it, one source, no crate twice.
 //!
-//! This asks cargo itself. `cargo deny` asks the same of the same data, and takes longer to build
-//! than the program.
+//! This asks cargo itself. `cargo deny` asks the same of the same data, but has to be built first.
 
 use std::process::Command;
 
