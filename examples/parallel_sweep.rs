@@ -8,7 +8,11 @@ use contrecoup::scenario::{ForcePulse, Impact, Scenario};
 use contrecoup::study::{Quantity, solve, unwatched};
 use rayon::prelude::*;
 
-fn damage(force_n: f64, duration_ms: f64) -> Result<(f64, f64, bool), Error> {
+/// Damage index and its step error, both in % and `None` where a scene has no such result, and
+/// whether the mesh folded.
+type Row = (Option<f64>, Option<f64>, bool);
+
+fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
     let scenario = Scenario {
         impact: Impact::ForcePulse(ForcePulse {
             force_n,
@@ -18,12 +22,9 @@ fn damage(force_n: f64, duration_ms: f64) -> Result<(f64, f64, bool), Error> {
         ..Scenario::default()
     };
     let answer = solve(&scenario.check()?, Keep::default(), &mut unwatched)?;
-    // Every scene has this result, so neither it nor its error is ever absent.
-    let of_damage =
-        |results: &contrecoup::study::Results| results[Quantity::Damage].unwrap_or(f64::NAN);
     Ok((
-        of_damage(&answer.results()),
-        of_damage(&answer.errors.time_step),
+        answer.results()[Quantity::Damage],
+        answer.errors.time_step[Quantity::Damage],
         answer.recording.extremes.folded_at.is_some(),
     ))
 }
@@ -36,14 +37,16 @@ fn main() -> Result<(), Error> {
         .flat_map(|&force| durations.map(|duration| (force, duration)))
         .collect();
     // The order of the grid is kept, whichever run ends first; the first refusal ends the sweep.
-    let rows: Vec<(f64, f64, bool)> = grid
+    let rows: Vec<Row> = grid
         .par_iter()
         .map(|&(force, duration)| damage(force, duration))
         .collect::<Result<_, _>>()?;
 
     println!("force_n,duration_ms,damage_percent,step_error_percent,mesh_folded");
     for ((force, duration), (damage, error, folded)) in grid.iter().zip(rows) {
-        println!("{force},{duration},{damage:.3},{error:.2e},{folded}");
+        let damage = damage.map_or(String::new(), |value| format!("{value:.3}"));
+        let error = error.map_or(String::new(), |value| format!("{value:.2e}"));
+        println!("{force},{duration},{damage},{error},{folded}");
     }
     Ok(())
 }

@@ -7,7 +7,7 @@
 //! fn main() -> Result<(), Error> {
 //!     let blow = Scenario::default().check()?; // 300 N for 0.2 ms
 //!     let mut answer = solve(&blow, Keep::default(), &mut unwatched)?;
-//!     add_mesh_error(&blow, &mut answer, &mut unwatched)?; // solves the next finer mesh
+//!     add_mesh_error(&blow, &mut answer, &mut unwatched)?; // solves two finer meshes
 //!     let damage = answer.results()[Quantity::Damage]; // None where a scene has no such result
 //!     let step = answer.errors.time_step[Quantity::Damage];
 //!     let mesh = answer.errors.mesh.and_then(|errors| errors[Quantity::Damage]);

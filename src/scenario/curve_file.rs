@@ -67,13 +67,14 @@ fn load(name: &str, beside: &Beside) -> Result<Curve, String> {
         }
         Beside::Scenario(folder) => {
             let inside = |part: Component| matches!(part, Component::Normal(_));
-            if !Path::new(name).components().all(inside) {
+            let path = folder.join(name);
+            if !Path::new(name).components().all(inside) || links_out_of(folder, &path) {
                 return Err(format!(
                     "{} leaves the folder of the scenario: the file must stand beside it or below",
                     quoted(name)
                 ));
             }
-            folder.join(name)
+            path
         }
         Beside::Typed => PathBuf::from(name),
     };
@@ -82,6 +83,16 @@ fn load(name: &str, beside: &Beside) -> Result<Curve, String> {
         Some(line) => format!("{}:{line}: {why}", quoted(name)),
         None => format!("{}: {why}", quoted(name)),
     })
+}
+
+/// Whether a symbolic link on the way leads out of the folder. What does not exist leads nowhere.
+fn links_out_of(folder: &Path, path: &Path) -> bool {
+    // The folder of a bare file name is the empty path, which stands for the working directory.
+    let folder = Path::new(".").join(folder);
+    match (folder.canonicalize(), path.canonicalize()) {
+        (Ok(folder), Ok(path)) => !path.starts_with(folder),
+        _ => false,
+    }
 }
 
 /// Reads the text of a file; a complaint comes with its line.
@@ -270,6 +281,26 @@ mod tests {
         assert!(why.contains("none.csv: there is no such file"), "{why}");
         let why = load("in", &outer).unwrap_err();
         assert!(why.contains("in: is a directory"), "{why}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_out_of_the_folder_is_not_followed() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("in")).unwrap();
+        let knots = "0,0\n0.05,1\n0.2,-0.25\n";
+        std::fs::write(folder.path().join("out.csv"), "secret\n").unwrap();
+        std::fs::write(folder.path().join("in/a.csv"), knots).unwrap();
+        symlink("../out.csv", folder.path().join("in/out.csv")).unwrap();
+        symlink("a.csv", folder.path().join("in/b.csv")).unwrap();
+        let inner = Beside::Scenario(folder.path().join("in"));
+        assert_eq!(load("b.csv", &inner), Ok(curve()));
+        let why = load("out.csv", &inner).unwrap_err();
+        assert!(
+            why.contains("leaves the folder") && !why.contains("secret"),
+            "{why}"
+        );
     }
 
     #[cfg(unix)]
