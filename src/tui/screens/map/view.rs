@@ -37,7 +37,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let quantity = grid.map_or(Quantity::Damage, |grid| model.screens.map.quantity(grid));
     let result = quantity.row();
     let whole = whole(grid, quantity);
-    let name = capital(result.label);
+    let name = capital(result.short);
     let title = format!("{name}: {} across, {} up", x.field.label, y.field.label);
     let room = usize::from(area.width.saturating_sub(width(&said) + 4));
     put(buffer, area, (1, 0), &fitted(&title, room), theme.heading());
