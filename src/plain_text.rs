@@ -22,9 +22,9 @@ pub const LONGEST_QUOTE: usize = 60;
 /// The longest message, in characters: a list of every field fits.
 const LONGEST_MESSAGE: usize = 1200;
 /// The most lines of one complaint.
-const MOST_LINES: usize = 20;
+const MAX_LINES: usize = 20;
 /// Combining marks on one letter: Hebrew and Vietnamese need three.
-const MOST_MARKS: usize = 3;
+const MAX_MARKS: usize = 3;
 
 /// Whether a character would do something to a terminal rather than be seen: control characters,
 /// line separators, marks that reorder the text around them, and letters that take no room.
@@ -67,7 +67,7 @@ fn escaped(
     let mut marks = 0;
     for c in text.chars() {
         marks = if c.width() == Some(0) { marks + 1 } else { 0 };
-        if (is_unprintable(c) && !keeps(c)) || marks > MOST_MARKS {
+        if (is_unprintable(c) && !keeps(c)) || marks > MAX_MARKS {
             write_out(c, &mut shown);
         } else {
             shown.push(c);
@@ -102,8 +102,8 @@ fn cut(text: &str, most: usize) -> String {
 
 /// A complaint of several lines: the first ones, and how many more there are.
 pub fn lines(each: impl ExactSizeIterator<Item = String>) -> String {
-    let more = each.len().saturating_sub(MOST_LINES);
-    let mut text = each.take(MOST_LINES).collect::<Vec<_>>().join("\n");
+    let more = each.len().saturating_sub(MAX_LINES);
+    let mut text = each.take(MAX_LINES).collect::<Vec<_>>().join("\n");
     if more > 0 {
         let _ = write!(text, "\n... and {more} more like these");
     }
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn a_pile_of_marks_is_written_out() {
         let pile = format!("a{}b", "\u{301}".repeat(50));
-        assert_eq!(printable(&pile).matches('\u{301}').count(), MOST_MARKS);
+        assert_eq!(printable(&pile).matches('\u{301}').count(), MAX_MARKS);
     }
 
     #[test]
@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(said, format!("{}... (440 characters more)", "é".repeat(60)));
         assert_eq!(quoted("short"), "short");
         let said = lines((0..5000).map(|i| format!("{i} is wrong")));
-        assert_eq!(said.lines().count(), MOST_LINES + 1);
+        assert_eq!(said.lines().count(), MAX_LINES + 1);
         assert!(said.ends_with("... and 4980 more like these"), "{said}");
         assert_eq!(lines((1..3).map(|i| i.to_string())), "1\n2");
     }

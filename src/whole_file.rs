@@ -17,7 +17,7 @@ use tempfile::{NamedTempFile, PersistError};
 /// What the names of temporary files begin with.
 const PREFIX: &str = ".contrecoup-";
 /// Nobody has so many leftovers; a folder of more is not searched to its end.
-const MOST_LOOKED_AT: usize = 100_000;
+const MAX_LOOKED_AT: usize = 100_000;
 
 /// A temporary file in the folder of `path`, locked while it is written.
 ///
@@ -57,7 +57,7 @@ fn sweep_up(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
     };
-    for entry in entries.flatten().take(MOST_LOOKED_AT) {
+    for entry in entries.flatten().take(MAX_LOOKED_AT) {
         let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
         if !is_ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;

@@ -6,7 +6,7 @@
 
 #![cfg(feature = "app")]
 
-use contrecoup::study::coverage::{MOST_SCENES, check, coverage, misses};
+use contrecoup::study::coverage::{MAX_SCENES, check, coverage, misses};
 use contrecoup::study::{Quantity, Refusal};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -71,7 +71,7 @@ fn the_watch_hears_of_every_scene_and_may_stop() {
     let mut heard = heard.into_inner().unwrap();
     heard.sort_by(f64::total_cmp);
     assert_eq!(heard, [0.5, 1.0]);
-    let stopped = check(MOST_SCENES, SEED, &|_| ControlFlow::Break(()));
+    let stopped = check(MAX_SCENES, SEED, &|_| ControlFlow::Break(()));
     assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
 }
 

@@ -127,7 +127,7 @@ fn a_noisy_recording_keeps_its_stated_errors_and_costs_a_few_steps_a_knot() {
 
 #[test]
 fn the_most_knots_in_the_shortest_time_stay_affordable_and_are_honest() {
-    let knots = (0..Curve::MOST_KNOTS).zip(noise(2000));
+    let knots = (0..Curve::MAX_KNOTS).zip(noise(2000));
     let mut scenario = blow(table(
         knots.map(|(i, noise)| (i as f64 * 1e-6, 1.0 + noise)),
     ));
@@ -202,7 +202,7 @@ fn a_curve_in_a_file_is_part_of_the_scenario_once_it_is_read() {
 
 #[test]
 fn the_longest_curve_that_is_allowed_can_be_saved_and_read_back() {
-    let knots = (0..Curve::MOST_KNOTS).map(|i| {
+    let knots = (0..Curve::MAX_KNOTS).map(|i| {
         let time = 100.0 * (i + 1) as f64 / 2003.0;
         (time, 1e-29 * (1.0 + time.sin() / 3.0))
     });

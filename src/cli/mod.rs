@@ -34,8 +34,8 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::dynamics::kernel_name;
-use crate::study::coverage::MOST_SCENES;
-use crate::study::ensemble::{FEWEST_SAMPLES, MOST_SAMPLES};
+use crate::study::coverage::MAX_SCENES;
+use crate::study::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
 use crate::study::mesh_coverage::FINEST_CHECKED;
 use crate::study::sweep::Axis;
 use crate::tui;
@@ -195,7 +195,7 @@ pub struct StabilityArgs {
 pub struct CoverageArgs {
     /// How many scenes
     #[arg(long, value_name = "N", default_value_t = 200,
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SCENES)))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SCENES)))]
     pub scenes: u32,
     /// Which scenes: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -218,7 +218,7 @@ pub struct EnsembleArgs {
     pub scenario: ScenarioArgs,
     /// How many samples
     #[arg(long, value_name = "N", default_value_t = 1000,
-          value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MOST_SAMPLES)))]
+          value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MAX_SAMPLES)))]
     pub samples: u32,
     /// Which samples: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]

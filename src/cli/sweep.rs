@@ -25,7 +25,7 @@ use crate::study::sweep::{Axis, Sweep};
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;
 /// Rows that wait for a reader who does not read; then the work waits too.
-const MOST_UNREAD: usize = 1000;
+const MAX_UNREAD: usize = 1000;
 
 /// Which rows: number i of n, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,7 +132,7 @@ fn work(
     let stop = interrupt::flag()?;
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let (send, receive) = std::sync::mpsc::sync_channel(MOST_UNREAD);
+    let (send, receive) = std::sync::mpsc::sync_channel(MAX_UNREAD);
     let mut written = done;
     let mut failed = None;
     // The sink stays on this thread; rows come to it by channel, in their order.

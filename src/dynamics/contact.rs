@@ -36,7 +36,7 @@ pub const AIM: f64 = 0.007;
 /// force: three times the secant stiffness that Kennedy and Duma (2008) measured.
 const STIFF_EYE_N_M: f64 = 1e5;
 /// Rounds that the search for the shift of the surface takes at most.
-const MOST_ROUNDS: usize = 60;
+const MAX_ROUNDS: usize = 60;
 /// Change of the shift, as a share of the radius, at which it is found.
 const SETTLED: f64 = 1e-13;
 /// Halvings of an interval that leave nothing of it.
@@ -314,7 +314,7 @@ impl Contact {
         let mut shift = body.shift.dot(&self.direction);
         let mut lowest = f64::INFINITY;
         let mut step = 0.0;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..MAX_ROUNDS {
             let centre = body.position + self.direction * shift;
             let squeezed = spring.at(-shift);
             let mut potential = squeezed.energy;

@@ -95,7 +95,7 @@ impl Method {
 }
 
 impl Integrator {
-    /// Its row.
+    /// All that is known of it, from the one table.
     pub fn method(self) -> &'static Method {
         match self {
             Self::SemiImplicitEuler => &SEMI_IMPLICIT_EULER,

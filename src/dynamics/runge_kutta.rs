@@ -47,7 +47,7 @@ const SMALLEST_SHARE: f64 = 1e-9;
 /// makes small.
 const LEAST_ENERGY_J: f64 = 1e-14;
 /// Rates that a sum may be of: stages, and the end of the step.
-const MOST_RATES: usize = 8;
+const MAX_RATES: usize = 8;
 
 /// Positions and speeds of all nodes with the energies that came and went, or the rates of change of
 /// all these.
@@ -80,14 +80,14 @@ const PARTS: [Part; 4] = [|p| &p.x, |p| &p.y, |p| &p.vx, |p| &p.vy];
 
 /// One part of several rates, each with its weight.
 struct Terms<'a> {
-    each: [(f64, &'a [f64]); MOST_RATES],
+    each: [(f64, &'a [f64]); MAX_RATES],
     count: usize,
 }
 
 impl<'a> Terms<'a> {
     fn new(weights: &[f64], rates: &'a [Phase], part: Part, h: f64) -> Self {
         let mut terms = Self {
-            each: [(0.0, &[]); MOST_RATES],
+            each: [(0.0, &[]); MAX_RATES],
             count: 0,
         };
         for (weight, rates) in weights.iter().zip(rates) {

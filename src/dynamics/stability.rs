@@ -39,7 +39,7 @@ use std::f64::consts::TAU;
 /// Drag rate times step that closes the gaps.
 const CLOSING_DRAG: f64 = 0.005;
 /// Largest drag rate times step.
-const MOST_DRAG: f64 = 2.0;
+const MAX_DRAG: f64 = 2.0;
 
 /// Largest step in s for which `integrator` is stable on `system` whatever its shape.
 pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
@@ -62,7 +62,7 @@ pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
         _ => by_stiffness,
     };
     // Verlet's sub-steps are positive and never amplify, but a speed must not vanish within one.
-    stable.min(MOST_DRAG / most.max(f64::MIN_POSITIVE))
+    stable.min(MAX_DRAG / most.max(f64::MIN_POSITIVE))
 }
 
 /// Upper bound of every angular frequency of `eye` in any shape, in rad/s.

@@ -27,7 +27,7 @@ use super::system::{LANES, System};
 /// Share of its radius that a projectile may fly within a step.
 const FLIGHT: f64 = 0.1;
 /// Short steps in a long one at most.
-const MOST_SHORT: f64 = 1000.0;
+const MAX_SHORT: f64 = 1000.0;
 /// How many times the distance that could be closed within a long step must be left for one.
 const CAUTION: f64 = 2.0;
 
@@ -51,7 +51,7 @@ impl Coupled {
         let (omega, rate) = self.rates(false);
         let ratio = stable(omega.max(1.0), rate) / self.step_limit();
         // Rounding must not turn a ratio of one into none.
-        (ratio * (1.0 + 1e-9)).clamp(1.0, MOST_SHORT) as usize
+        (ratio * (1.0 + 1e-9)).clamp(1.0, MAX_SHORT) as usize
     }
 }
 

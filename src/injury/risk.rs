@@ -14,7 +14,7 @@ const ORBIT: (f64, f64) = (0.040, 0.035);
 /// Diameter of the eye across, in m.
 const EYE: f64 = 0.0242;
 /// Normalized energy of a BB at 122 m/s, the fastest object of the pooled tests, in J/m^2.
-const MOST: f64 = 161e3;
+const MAX_TESTED_ENERGY: f64 = 161e3;
 /// Two risks of one injury that differ by more than this disagree.
 #[cfg(feature = "app")]
 const DISAGREEMENT: f64 = 0.25;
@@ -171,7 +171,7 @@ pub fn assess(blow: Option<Blow>, pressure: Option<f64>) -> Vec<Risk> {
             Range::Speed(low, high) => {
                 !(low..=high).contains(&blow?.speed)
                     || curve.says_little(value)
-                    || value > MOST
+                    || value > MAX_TESTED_ENERGY
                     || caution == Some(Caution::LargerThanEye)
             }
             Range::Unknown => true,

@@ -114,15 +114,15 @@ impl Path {
 const GAIN_LEFT: f64 = 1e-7;
 
 /// Most intervals of a scan.
-pub const MOST_POINTS: usize = 24;
+pub const MAX_POINTS: usize = 24;
 
 /// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan of `points` intervals,
-/// at most [`MOST_POINTS`], then parabolas through the best three points, unless these stay at or
+/// at most [`MAX_POINTS`], then parabolas through the best three points, unless these stay at or
 /// below `floor`.
 pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
-    let points = points.min(MOST_POINTS);
+    let points = points.min(MAX_POINTS);
     let spacing = 1.0 / points as f64;
-    let mut samples = [f64::NEG_INFINITY; MOST_POINTS + 1];
+    let mut samples = [f64::NEG_INFINITY; MAX_POINTS + 1];
     let mut best = 0;
     for i in 0..=points {
         samples[i] = f(i as f64 * spacing);

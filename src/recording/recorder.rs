@@ -24,7 +24,7 @@ const FAR: f64 = 0.3;
 /// No quad of springs strained by less than this can turn inside out.
 const UNFOLDED_STRAIN: f64 = 0.1;
 /// Steps that traces keep at most; longer runs keep every second, third, ... step.
-const MOST_ROWS: usize = 100_000;
+const MAX_ROWS: usize = 100_000;
 
 /// Energies below this are rounding: lengths of millimetres are exact to 1e-19 m, springs of the
 /// stiffest tissue hold no more at that stretch.
@@ -124,7 +124,7 @@ impl Recorder {
             residual: 0.0,
             most_energy: 0.0,
             rows: keep.traces.then(Traces::default),
-            every_row: steps.div_ceil(MOST_ROWS).max(1),
+            every_row: steps.div_ceil(MAX_ROWS).max(1),
             steps: 0,
             frames: keep
                 .frames

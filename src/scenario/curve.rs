@@ -39,12 +39,12 @@ const LEAST_SIZE: f64 = 1e-30;
 impl Curve {
     /// The most knots. Each stretch between two takes a few steps at least, so many of them cost
     /// time and tell no more.
-    pub const MOST_KNOTS: usize = 2000;
+    pub const MAX_KNOTS: usize = 2000;
 
     /// A curve through knots of a time in ms and a share.
     ///
     /// # Errors
-    /// Where fewer than 2 knots are given or more than [`Self::MOST_KNOTS`], times do not rise, or a
+    /// Where fewer than 2 knots are given or more than [`Self::MAX_KNOTS`], times do not rise, or a
     /// number is out of range.
     pub fn new(knots: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, CurveError> {
         let mut growing = Growing::default();
@@ -81,10 +81,10 @@ impl Growing {
     pub fn push(&mut self, time: f64, share: f64) -> Result<(), CurveError> {
         let refused = |message: String| Err(CurveError(message));
         let said = |number: f64| plain(number);
-        if self.0.len() == Curve::MOST_KNOTS {
+        if self.0.len() == Curve::MAX_KNOTS {
             return refused(format!(
                 "more than {} knots; take every second or third of the recording",
-                Curve::MOST_KNOTS
+                Curve::MAX_KNOTS
             ));
         }
         for (what, number) in [("time", time), ("share", share)] {
@@ -225,8 +225,8 @@ mod tests {
     #[test]
     fn no_more_knots_are_taken_than_allowed() {
         let knots = |n: usize| (0..n).map(|i| (i as f64 * 1e-3, 1.0));
-        assert!(Curve::new(knots(Curve::MOST_KNOTS)).is_ok());
-        let error = Curve::new(knots(Curve::MOST_KNOTS + 1)).unwrap_err();
+        assert!(Curve::new(knots(Curve::MAX_KNOTS)).is_ok());
+        let error = Curve::new(knots(Curve::MAX_KNOTS + 1)).unwrap_err();
         assert!(error.to_string().starts_with("more than 2000 knots"));
     }
 }

@@ -21,7 +21,7 @@ const SHARES: [f64; 7] = [0.95, 0.8, 0.6, 0.4, 0.2, 0.1, 0.05];
 /// Local tolerances that an adaptive method is tried with.
 const TOLERANCES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
 /// Points that cost more evaluations than this, per level squared, are left out.
-const MOST_EVALUATIONS: f64 = 8e4;
+const MAX_EVALUATIONS: f64 = 8e4;
 /// Share of the limit that the reference takes, with the method of highest order: half of the least
 /// that is tried, so that no point is compared with itself.
 const REFERENCE_SHARE: f64 = 0.025;
@@ -111,7 +111,7 @@ fn plans(case: &Case) -> Vec<Plan> {
         if integrator.method().adaptive() {
             plans.extend(TOLERANCES.map(|t| plan(0.95, t)));
         } else {
-            let most = MOST_EVALUATIONS * case.window / 3e-3;
+            let most = MAX_EVALUATIONS * case.window / 3e-3;
             let mut tried: Vec<Plan> = SHARES
                 .map(|share| plan(share, LOCAL_TOLERANCE))
                 .into_iter()

@@ -14,7 +14,7 @@ use crate::scenario::{CheckedScenario, Impact, Model, Scenario};
 use std::ops::ControlFlow;
 
 /// More than this takes longer than half an hour.
-const MOST_SPRING_EVALUATIONS: f64 = 1e12;
+const MAX_SPRING_EVALUATIONS: f64 = 1e12;
 
 /// Why a scenario cannot be run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -272,10 +272,10 @@ impl Case {
         };
         let springs = self.system.springs_per_evaluation() as f64;
         let work = springs * integrator.method().evaluations() as f64 * (self.window / step + 1.0);
-        if work > MOST_SPRING_EVALUATIONS {
+        if work > MAX_SPRING_EVALUATIONS {
             return Err(Refusal::TooMuchWork {
                 steps: self.window / step,
-                least_us: step * 1e6 * work / MOST_SPRING_EVALUATIONS,
+                least_us: step * 1e6 * work / MAX_SPRING_EVALUATIONS,
             });
         }
         Ok(plan)

@@ -20,7 +20,7 @@ pub const FINEST_TRIED: u32 = 6;
 /// Below this tolerance, in %, Verlet cannot be the cheapest.
 const VERLET_FROM_PERCENT: f64 = 0.2;
 /// How often the step is shortened.
-const MOST_ATTEMPTS: usize = 8;
+const MAX_ATTEMPTS: usize = 8;
 
 /// An answer within a tolerance, and why it was computed that way.
 #[derive(Debug, Clone)]
@@ -134,7 +134,7 @@ fn meet(
     }
     let mut plan = plan(automatic);
     let mut error = f64::INFINITY;
-    for _ in 0..MOST_ATTEMPTS {
+    for _ in 0..MAX_ATTEMPTS {
         let answer = solve_by(case.clone(), plan, keep, watch)?;
         error = of_damage(&answer.errors.time_step);
         let share = plan.step / case.step_limit(plan.integrator);

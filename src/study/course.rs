@@ -136,7 +136,7 @@ pub static COURSES: LazyLock<Vec<Course>> = LazyLock::new(|| {
 });
 
 impl Course {
-    /// Its row.
+    /// Where it is drawn and how it is read, from the one table.
     ///
     /// # Panics
     /// For a result without a trace.

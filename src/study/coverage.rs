@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 /// How many times as many steps the reference takes.
 pub const REFERENCE_FINENESS: f64 = 100.0;
 /// Most scenes that the sequence has for one seed.
-pub const MOST_SCENES: u32 = 1 << 16;
+pub const MAX_SCENES: u32 = 1 << 16;
 
 /// A draw from 0 to 1: number `index`, dimension `dimension`.
 fn draw(index: u32, dimension: u32, seed: u32) -> f64 {
@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn every_scene_is_one_that_a_person_could_ask_for() {
         for seed in [0, 1, u32::MAX] {
-            for index in (0..2000).chain([MOST_SCENES - 1]) {
+            for index in (0..2000).chain([MAX_SCENES - 1]) {
                 let scene = scene(index, seed);
                 assert!(scene.check().is_ok(), "{scene:?}");
             }

@@ -30,7 +30,7 @@ use std::time::Instant;
 /// Fewest samples: a band of fewer says nothing.
 pub const FEWEST_SAMPLES: u32 = 8;
 /// Most samples that the sequence has for one seed.
-pub const MOST_SAMPLES: u32 = 1 << 16;
+pub const MAX_SAMPLES: u32 = 1 << 16;
 /// Samples that are checked before all others.
 pub const PILOT: u32 = 8;
 /// One in so many of the others is checked.
@@ -263,7 +263,7 @@ pub fn run(
         Err(Refusal::Cancelled) => None,
         other => Some(other?.values),
     };
-    let count = count.min(MOST_SAMPLES);
+    let count = count.min(MAX_SAMPLES);
     let pilot = count.min(PILOT);
     let mut gathered = Gathered::default();
     job.gather((0, pilot, count), watch, &mut gathered);

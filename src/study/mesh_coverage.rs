@@ -5,7 +5,7 @@
 //! itself: it may be off by what fine levels scatter by.
 
 use super::case::{Refusal, unwatched};
-use super::coverage::{Checked, MOST_SCENES, scene};
+use super::coverage::{Checked, MAX_SCENES, scene};
 use super::mesh_error::{FINEST_LEVEL, MeshError, at_level, witnesses};
 use super::results::Results;
 use crate::study::mesh_error::OnMesh;
@@ -34,7 +34,7 @@ pub fn check(
     let mut checked: Vec<Checked> = Vec::new();
     let mut left = count;
     let mut first = 0;
-    while left > 0 && first < MOST_SCENES {
+    while left > 0 && first < MAX_SCENES {
         let one = |index: u32| {
             let checked = check_one(index, seed, level)?;
             let found = u32::from(!checked.folded);

@@ -22,7 +22,7 @@ use crate::scenario::{CheckedScenario, Scenario};
 /// The step error that runs among many keep to, in %.
 pub const PROMISE_PERCENT: f64 = 0.1;
 /// How often a step is shortened, each time at most to a half.
-const MOST_ATTEMPTS: usize = 6;
+const MAX_ATTEMPTS: usize = 6;
 
 /// What a run among many gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,7 +108,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
     let tried = plan.step;
     let good_step = plan.step * shortening(&plan, first);
     if scenario.numerics.step_us.is_none() {
-        for _ in 0..MOST_ATTEMPTS {
+        for _ in 0..MAX_ATTEMPTS {
             let error = answer.errors.time_step_percent();
             if error <= PROMISE_PERCENT || answer.recording.extremes.folded_at.is_some() {
                 break;
@@ -155,7 +155,7 @@ pub fn compared(
         let done = error <= PROMISE_PERCENT
             || coarse.folded_at.is_some()
             || scenario.numerics.step_us.is_some()
-            || attempt == MOST_ATTEMPTS;
+            || attempt == MAX_ATTEMPTS;
         if done {
             let mut point = point(&case, &coarse);
             point.check = Some(Check {

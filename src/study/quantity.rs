@@ -161,7 +161,7 @@ impl Quantity {
     /// All of them.
     pub const ALL: &[Self] = Self::VARIANTS;
 
-    /// Its row.
+    /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
         match self {

@@ -17,9 +17,9 @@ use crate::scenario::set::set;
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// Most rows of a grid.
-pub const MOST_ROWS: usize = 10_000_000;
+pub const MAX_ROWS: usize = 10_000_000;
 /// Most values of one axis.
-pub const MOST_VALUES: usize = 100_000;
+pub const MAX_VALUES: usize = 100_000;
 
 /// One field and the values that it takes.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,8 +57,8 @@ impl Axis {
                 let (Some(from), Some(to)) = (number(from), number(to)) else {
                     return Err(wanted.to_owned());
                 };
-                let count = count.parse().ok().filter(|n| (1..=MOST_VALUES).contains(n));
-                let count = count.ok_or(format!("the count must be 1 to {MOST_VALUES}"))?;
+                let count = count.parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
+                let count = count.ok_or(format!("the count must be 1 to {MAX_VALUES}"))?;
                 if count == 1 && from != to {
                     return Err("a count of 1 leaves no room for two ends".to_owned());
                 }
@@ -71,8 +71,8 @@ impl Axis {
         if axis.path.is_empty() || axis.values.iter().any(String::is_empty) {
             return Err(wanted.to_owned());
         }
-        if axis.values.len() > MOST_VALUES {
-            return Err(format!("at most {MOST_VALUES} values"));
+        if axis.values.len() > MAX_VALUES {
+            return Err(format!("at most {MAX_VALUES} values"));
         }
         axis.values.shrink_to_fit();
         Ok(axis)
@@ -127,8 +127,8 @@ impl Sweep {
             }
             rows = rows.saturating_mul(axes[i].values.len());
         }
-        if rows > MOST_ROWS {
-            let message = format!("{rows} rows are too many: allowed up to {MOST_ROWS}");
+        if rows > MAX_ROWS {
+            let message = format!("{rows} rows are too many: allowed up to {MAX_ROWS}");
             return Err(Problem::new("", message).into());
         }
         Ok(Self { scenario, axes })

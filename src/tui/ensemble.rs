@@ -20,7 +20,7 @@ const SEED: u32 = 1;
 /// Asks for an ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunSamples {
-    /// The scenario.
+    /// What is sampled, with the doubt about its inputs.
     pub scenario: Scenario,
     /// How many samples.
     pub count: u32,

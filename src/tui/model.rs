@@ -21,7 +21,7 @@ use crate::study::Answer;
 /// What is being worked on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Work {
-    /// The scenario.
+    /// What the form shows, edits and all.
     pub scenario: Scenario,
     /// The preset or file that it began as.
     pub source: String,
@@ -61,7 +61,7 @@ impl Work {
 /// A preset, or a scenario that was given on the command line.
 #[derive(Debug, Clone)]
 pub struct Choice {
-    /// Its name.
+    /// What the list shows, and what opens it.
     pub name: String,
     /// What it holds, or why it cannot be used.
     pub scenario: Result<Scenario, String>,

@@ -23,8 +23,8 @@ use strum::VariantArray;
 type View = Vec<Vec<Course>>;
 
 /// Charts of one curve each that stand in one view, and curves that stand in one chart.
-const MOST_CHARTS: usize = 4;
-const MOST_CURVES: usize = 6;
+const MAX_CHARTS: usize = 4;
+const MAX_CURVES: usize = 6;
 
 /// Every course that is drawn as a curve; of the load and the force of contact that which drives.
 pub fn drawn() -> impl Iterator<Item = Course> {
@@ -45,11 +45,11 @@ fn views(traces: &Traces) -> Vec<View> {
         let own = recorded.iter().filter(|c| c.row().place.0 == *group);
         let own: Vec<Course> = own.copied().collect();
         if *group == Group::Energies {
-            views.extend(own.chunks(MOST_CURVES).map(|curves| vec![curves.to_vec()]));
+            views.extend(own.chunks(MAX_CURVES).map(|curves| vec![curves.to_vec()]));
             continue;
         }
         let alone = |courses: &[Course]| courses.iter().map(|c| vec![*c]).collect();
-        views.extend(own.chunks(MOST_CHARTS).map(alone));
+        views.extend(own.chunks(MAX_CHARTS).map(alone));
         if *group == Group::NodeForces {
             views.extend(own.chunks(1).map(alone));
         }

@@ -82,7 +82,7 @@ const TABLE_KEYS: KeyTable = KeyTable::new("Compare: table", &[
 pub struct SimulateMarked {
     /// Its name in the list.
     pub name: String,
-    /// The scenario.
+    /// What is simulated for its column.
     pub scenario: Scenario,
 }
 
