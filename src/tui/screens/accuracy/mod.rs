@@ -6,6 +6,7 @@ mod view;
 
 use super::{Mouse, Pane, Screen};
 use crate::dynamics::LOCAL_TOLERANCE;
+use crate::tui::form::words;
 use crate::tui::keys::shared::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
@@ -87,6 +88,10 @@ fn adopt(model: &mut Model) {
         return;
     }
     let scenario = adopted(&model.work.scenario, &point);
+    if let Err(error) = scenario.check() {
+        model.notice = Some(words(&error));
+        return;
+    }
     let step = scenario.numerics.step_us.unwrap_or_default();
     let name = point.plan.integrator.name();
     let work = model.work.with(scenario);
