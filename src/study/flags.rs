@@ -91,7 +91,7 @@ const NEARLY_FOLDED: f64 = 0.2;
 /// An energy residual above this share of the work in is an alarm.
 pub(super) const ENERGY_ALARM: f64 = 0.01;
 /// A step error above this many percent is called unconverged.
-pub(super) const UNCONVERGED_PERCENT: f64 = 10.0;
+const UNCONVERGED_PERCENT: f64 = 10.0;
 /// Two runs of a folded mesh that differ by more than this many percent predict nothing.
 const UNPREDICTABLE_PERCENT: f64 = 5.0;
 
@@ -170,25 +170,11 @@ pub(super) fn raise(evidence: &Evidence) -> Vec<Flag> {
         );
     }
     // Where two solutions part for good, no step is small enough.
-    let unconverged = evidence.step_error.map(|(error, _)| error).filter(|error| {
-        unpredictable.is_none() && (*error > UNCONVERGED_PERCENT || error.is_nan())
-    });
-    if let Some(error) = unconverged {
-        raise(
-            FlagKind::Unconverged,
-            format!("the largest step error of any result is {error:.1} %"),
-            None,
-        );
+    if let Some((error, _)) = evidence.step_error.filter(|_| unpredictable.is_none()) {
+        unconverged(error, &mut raise);
     }
     if window < pulse {
-        raise(
-            FlagKind::PulseCut,
-            format!(
-                "the window ends before the pulse, which lasts {} ms",
-                pulse * 1e3
-            ),
-            Some(window),
-        );
+        pulse_cut(window, pulse, &mut raise);
     } else if extremes.still_rising {
         raise(
             FlagKind::WindowShort,
@@ -207,6 +193,42 @@ pub(super) fn raise(evidence: &Evidence) -> Vec<Flag> {
         of_shot(shot, window, spacing, &mut raise);
     }
     flags
+}
+
+/// Where a step error, in %, is so large that the result has not converged.
+pub(super) fn unconverged(step_error: f64, raise: &mut impl FnMut(FlagKind, String, Option<f64>)) {
+    if step_error > UNCONVERGED_PERCENT || step_error.is_nan() {
+        raise(
+            FlagKind::Unconverged,
+            format!("the largest step error of any result is {step_error:.1} %"),
+            None,
+        );
+    }
+}
+
+/// A window that ends before the pulse; both in s.
+pub(super) fn pulse_cut(
+    window: f64,
+    pulse: f64,
+    raise: &mut impl FnMut(FlagKind, String, Option<f64>),
+) {
+    raise(
+        FlagKind::PulseCut,
+        format!(
+            "the window ends before the pulse, which lasts {} ms",
+            pulse * 1e3
+        ),
+        Some(window),
+    );
+}
+
+/// A window, in s, that ends while the projectile touches the eye or flies at it.
+pub(super) fn contact_cut(window: f64, raise: &mut impl FnMut(FlagKind, String, Option<f64>)) {
+    raise(
+        FlagKind::ContactCut,
+        "the window ended before the projectile had left the eye".to_owned(),
+        Some(window),
+    );
 }
 
 /// Flags of where a force acts.
@@ -309,11 +331,7 @@ fn of_shot(
             "the projectile never touched the eye".to_owned(),
             None,
         ),
-        (Some(_), _) if shot.touching || shot.going_on => raise(
-            FlagKind::ContactCut,
-            "the window ended before the projectile had left the eye".to_owned(),
-            Some(window),
-        ),
+        (Some(_), _) if shot.touching || shot.going_on => contact_cut(window, raise),
         _ => {}
     }
 }

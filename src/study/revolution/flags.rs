@@ -3,7 +3,7 @@
 use super::case::RevolutionCase;
 use crate::dynamics::revolution::Run;
 use crate::scenario::TRUSTED_ANGLE_DEG;
-use crate::study::flags::{ENERGY_ALARM, Flag, FlagKind, UNCONVERGED_PERCENT};
+use crate::study::flags::{ENERGY_ALARM, Flag, FlagKind, contact_cut, pulse_cut, unconverged};
 use crate::study::quantity::Quantity;
 
 /// A peak in the last share of the window may not have been the last word.
@@ -40,13 +40,7 @@ pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Fl
             None,
         );
     }
-    if step_error > UNCONVERGED_PERCENT || step_error.is_nan() {
-        raise(
-            FlagKind::Unconverged,
-            format!("the largest step error of any result is {step_error:.1} %"),
-            None,
-        );
-    }
+    unconverged(step_error, &mut raise);
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
         raise(
             FlagKind::AngleBeyondTrust,
@@ -77,22 +71,11 @@ pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Fl
 fn window(case: &RevolutionCase, run: &Run, raise: &mut impl FnMut(FlagKind, String, Option<f64>)) {
     let extremes = &run.extremes;
     if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
-        raise(
-            FlagKind::PulseCut,
-            format!(
-                "the window ends before the pulse, which lasts {} ms",
-                pulse * 1e3
-            ),
-            Some(case.window),
-        );
+        pulse_cut(case.window, pulse, raise);
         return;
     }
     if extremes.rebound.is_some_and(|speed| speed <= 0.0) || run.energy.contact > 0.0 {
-        raise(
-            FlagKind::ContactCut,
-            "the window ended before the projectile had left the eye".to_owned(),
-            Some(case.window),
-        );
+        contact_cut(case.window, raise);
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = of.peak_of_revolution(extremes);
