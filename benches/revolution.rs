@@ -2,8 +2,9 @@
 //!
 //! `cargo bench --bench revolution` prints the fastest of many interleaved rounds and their ratios.
 
+use contrecoup::dynamics::Keep;
 use contrecoup::dynamics::revolution::{
-    Blow, Form, Keep, Object, Outline, Run, STEP_SHARE, Surface, run_as,
+    Blow, Form, Object, Outline, Run, STEP_SHARE, Surface, run_as,
 };
 use contrecoup::dynamics::vector_sets;
 use contrecoup::eye::revolution::{Parameters, RevolutionEye};

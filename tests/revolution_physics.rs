@@ -1,8 +1,9 @@
 //! What must hold of the body of revolution whatever its parameters are.
 
 use contrecoup::dynamics::revolution::{
-    BallSpring, Blow, Form, Keep, Object, Outline, Refusal, Run, STEP_SHARE, Surface, run, run_as,
+    BallSpring, Blow, Form, Object, Outline, Refusal, Run, STEP_SHARE, Surface, run, run_as,
 };
+use contrecoup::dynamics::{Keep, Spacing};
 use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
 use contrecoup::scenario::ForcePulse;
 use std::ops::ControlFlow;
@@ -323,9 +324,9 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
     objects.push(("steel", ball(1.05, 6.35, 30.0)));
     let (mut count, objects_in_all) = (0, objects.len());
     for (what, object) in objects {
-        let runs = [None, Some(1e-3)].map(|frames| {
+        let runs = [None, Some(Spacing::even(1e-3))].map(|frames| {
             let keep = Keep {
-                traces: None,
+                traces: false,
                 frames,
             };
             let mut watch = |_| ControlFlow::Continue(());

@@ -1,8 +1,7 @@
 //! The body of revolution against published experiments, and against an independent prototype of it.
 
-use contrecoup::dynamics::revolution::{
-    Blow, Keep, Object, Outline, Run, STEP_SHARE, Surface, run,
-};
+use contrecoup::dynamics::Keep;
+use contrecoup::dynamics::revolution::{Blow, Object, Outline, Run, STEP_SHARE, Surface, run};
 use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
 use std::ops::ControlFlow;
 
@@ -41,7 +40,7 @@ fn eye(level: u32, pig: bool, surround: Option<Surround>) -> RevolutionEye {
 
 fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
     let keep = Keep {
-        traces: Some(1e-6),
+        traces: true,
         frames: None,
     };
     let blow = Blow::Object(object);
@@ -53,7 +52,7 @@ fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
 fn force_at(run: &Run, mm: f64) -> f64 {
     let t = run.traces.as_ref().expect("traces");
     let (mut force, mut last) = (0.0, 0.0);
-    for ((raw, way), time) in t.force.iter().zip(&t.intrusion).zip(&t.time) {
+    for ((raw, way), time) in t.load.iter().zip(&t.intrusion).zip(&t.time) {
         force -= (raw - force) * f64::exp_m1((last - time) / 50e-6);
         last = *time;
         if *way >= 1e-3 * mm {

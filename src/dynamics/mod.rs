@@ -30,6 +30,7 @@ mod contact;
 mod coupled;
 mod dashpots;
 mod fluid;
+mod kept;
 mod kernel;
 mod lanes;
 mod load;
@@ -52,6 +53,7 @@ mod system;
 mod verlet;
 
 pub use crate::scenario::Integrator;
+pub use kept::{Frame, Keep, Peak, Spacing, Traces};
 pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Plan};
 pub use method::{Drag, Method};
 

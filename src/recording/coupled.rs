@@ -5,8 +5,7 @@
 //! that depends on the penalty of the contact and on the lump's mass but not on the eye; its
 //! impulse is right, its height is not. Experiments filter their forces over such times too.
 
-use super::dense::Peak;
-use crate::dynamics::{Contact, Readings, State, System};
+use crate::dynamics::{Contact, Peak, Readings, State, System};
 use nalgebra::{Point2, Vector2};
 use std::collections::VecDeque;
 

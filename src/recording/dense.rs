@@ -6,35 +6,9 @@
 //!
 //! An interval never spans a break of the load, where the acceleration jumps.
 
-use crate::dynamics::{Piece, State, System};
+use crate::dynamics::{Peak, Piece, State, System};
 use crate::eye::{Eye, Spring};
 use nalgebra::{Point2, Vector2};
-
-/// The largest value of something and when it was reached.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Peak {
-    /// The value.
-    pub value: f64,
-    /// When, in s.
-    pub time: f64,
-}
-
-impl Peak {
-    /// A peak that anything at or above `floor` replaces.
-    pub fn floor(floor: f64) -> Self {
-        Self {
-            value: floor,
-            time: 0.0,
-        }
-    }
-
-    /// Takes `value` if it is larger.
-    pub fn offer(&mut self, value: f64, time: f64) {
-        if value > self.value {
-            *self = Self { value, time };
-        }
-    }
-}
 
 /// The path of one node through one step.
 #[derive(Debug, Clone, Copy)]

@@ -5,55 +5,8 @@
 
 use super::coupled;
 use super::dense::Path;
-use crate::dynamics::{Piece, State, System};
+use crate::dynamics::{Frame, Piece, Spacing, State, System};
 use crate::eye::Eye;
-use nalgebra::Point2;
-
-/// When frames are taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spacing {
-    /// So many intervals at first.
-    pub early: u32,
-    /// Each of this length, in s.
-    pub early_every: f64,
-    /// The length of all others, in s.
-    pub every: f64,
-}
-
-impl Spacing {
-    /// All intervals alike, in s.
-    pub fn even(every: f64) -> Self {
-        Self {
-            early: 0,
-            early_every: every,
-            every,
-        }
-    }
-
-    /// When the frame with this number is due, in s.
-    fn due(self, number: usize) -> f64 {
-        let early = number.min(self.early as usize);
-        self.early_every * early as f64 + self.every * (number - early) as f64
-    }
-}
-
-/// All nodes at one instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
-    /// Time, in s.
-    pub time: f64,
-    /// Position of each node of the eye, in m.
-    pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit.
-    pub forces: Vec<f64>,
-    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
-    /// and squeezed.
-    pub projectile: Option<Point2<f64>>,
-    /// How much it is squeezed along its flight, in m.
-    pub squeezed: f64,
-    /// Intraocular pressure, in Pa, where the scene has a fluid.
-    pub pressure: Option<f64>,
-}
 
 /// The place of the frame nearest to a time, in s.
 #[cfg(feature = "app")]
@@ -143,6 +96,7 @@ impl FrameTaker {
             forces: (0..self.nodes)
                 .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
                 .collect(),
+            cells: Vec::new(),
             projectile: system
                 .coupled()
                 .filter(|c| c.contact.is_some())

@@ -3,9 +3,9 @@
 //! Each is a function of positions whose rate of change is known at step ends, so a maximum inside
 //! a step shows as a rate that turns from positive to negative.
 
-use super::dense::{Path, Peak, maximum};
+use super::dense::{Path, maximum};
 use super::settling::Bend;
-use crate::dynamics::{State, System};
+use crate::dynamics::{Peak, State, System};
 use crate::eye::{Eye, Hat};
 use nalgebra::Vector2;
 

@@ -10,16 +10,14 @@ mod lengths;
 mod recorder;
 mod settling;
 
+pub use crate::dynamics::{Frame, Keep, Peak, Spacing, Traces};
 #[cfg(feature = "app")]
 pub(crate) use coupled::MEAN_S;
 pub use coupled::{FluidExtremes, ShotExtremes};
-pub use dense::Peak;
 pub use export::FrameWriter;
 pub(crate) use frames::FrameTaker;
 #[cfg(feature = "app")]
 pub(crate) use frames::nearest;
-pub use frames::{Frame, Spacing};
-pub use recorder::Keep;
 pub(crate) use recorder::Recorder;
 
 /// Largest values over every step.
@@ -76,41 +74,6 @@ impl Extremes {
         let missing = |shot: ShotExtremes| (shot.energy / shot.energy_before).abs();
         self.energy_residual = self.shot.map_or(0.0, missing);
     }
-}
-
-/// Values at step ends, each of the same length.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Traces {
-    /// Time, s.
-    pub time: Vec<f64>,
-    /// Total load, N.
-    pub load: Vec<f64>,
-    /// |sum w m a| over the hats of the monitored nodes, N.
-    pub force: [Vec<f64>; 4],
-    /// Corneal apex displacement, m.
-    pub apex: Vec<f64>,
-    /// Growth of the shell's length as a share of it.
-    pub shell_growth: Vec<f64>,
-    /// Growth of the vertical diameter as a share of it.
-    pub meridian_growth: Vec<f64>,
-    /// Kinetic energy, J.
-    pub kinetic: Vec<f64>,
-    /// Energy stored in springs, J.
-    pub elastic: Vec<f64>,
-    /// Energy lost to drag so far, J.
-    pub dissipated: Vec<f64>,
-    /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
-    pub work: Vec<f64>,
-    /// Intraocular pressure, Pa; empty without a fluid.
-    pub pressure: Vec<f64>,
-    /// Area of the globe over its area at rest; empty without a fluid.
-    pub area_ratio: Vec<f64>,
-    /// Force of contact, mean over 100 us, N; empty without a projectile.
-    pub contact_force: Vec<f64>,
-    /// Centre of the projectile, x and y, m; empty without one.
-    pub projectile: [Vec<f64>; 2],
-    /// Velocity of the projectile, x and y, m/s; empty without one.
-    pub projectile_velocity: [Vec<f64>; 2],
 }
 
 /// Everything kept of one march.

@@ -1,12 +1,12 @@
 //! The observer that turns a march into a recording.
 
 use super::coupled::CoupledWatch;
-use super::dense::{NodeForce, Peak};
-use super::frames::{FrameTaker, Spacing};
+use super::dense::NodeForce;
+use super::frames::FrameTaker;
 use super::lengths::{Growth, Kind, Point};
 use super::settling::{Bend, Bounds, ShellBound};
-use super::{Extremes, Recording, Traces};
-use crate::dynamics::{ArcLoad, Observer, Piece, State, Survey, System};
+use super::{Extremes, Recording};
+use crate::dynamics::{ArcLoad, Keep, Observer, Peak, Piece, State, Survey, System, Traces};
 use crate::eye::{Eye, Hat};
 use std::f64::consts::TAU;
 
@@ -29,15 +29,6 @@ const MAX_ROWS: usize = 100_000;
 /// Energies below this are rounding: lengths of millimetres are exact to 1e-19 m, springs of the
 /// stiffest tissue hold no more at that stretch.
 const ROUNDING_J: f64 = 1e-13;
-
-/// What to keep beside the extremes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Keep {
-    /// Traces of every step (thinned beyond 100,000 steps).
-    pub traces: bool,
-    /// Frames, so far apart.
-    pub frames: Option<Spacing>,
-}
 
 /// Watches a march and records it.
 #[derive(Debug)]

@@ -120,7 +120,7 @@ pub enum ReadRevolution {
     /// That eye has no such result.
     Nowhere,
     /// The largest value of something over time.
-    Peak(fn(&revolution::Extremes) -> Option<revolution::Peak>),
+    Peak(fn(&revolution::Extremes) -> Option<Peak>),
     /// A number without a time.
     Number(fn(&revolution::Extremes) -> Option<f64>),
 }
@@ -430,9 +430,7 @@ impl Quantity {
     /// The peak that it is at the eye of revolution, SI, with its time.
     pub fn peak_of_revolution(self, extremes: &revolution::Extremes) -> Option<Peak> {
         match self.row().revolution {
-            ReadRevolution::Peak(peak) => {
-                peak(extremes).map(|revolution::Peak { value, time }| Peak { value, time })
-            }
+            ReadRevolution::Peak(peak) => peak(extremes),
             ReadRevolution::Number(_) | ReadRevolution::Nowhere => None,
         }
     }

@@ -123,6 +123,7 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
             some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
             some(blow.is_some(), &|_| 0.0),
         ],
+        ..Traces::default()
     }
 }
 
@@ -162,6 +163,7 @@ fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame
             .collect(),
         projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
+        cells: Vec::new(),
         pressure: traces.pressure.get(row).copied(),
     }
 }

@@ -2,10 +2,11 @@
 //!
 //! `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them out, `nodes` moves what is between
 //! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them; `run` is
-//! the leapfrog through the window, `record` and `sensor` read off what `results` keeps.
+//! the leapfrog through the window, `record`, `frames` and `sensor` read off what `results` keeps.
 
 mod cell;
 mod contact;
+mod frames;
 mod nodes;
 mod object;
 mod plain;
@@ -21,5 +22,5 @@ mod state;
 mod tests;
 
 pub use object::{BallSpring, HARD, Object, Outline, Surface};
-pub use results::{Energy, Extremes, Frame, Keep, Peak, Run, Traces};
-pub use run::{Blow, Form, Refusal, STEP_SHARE, run, run_as};
+pub use results::{Energy, Extremes, Run};
+pub use run::{Blow, Form, Refusal, STEP_SHARE, run, run_as, run_through, step_limit};

@@ -321,6 +321,16 @@ impl Flight {
         self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
     }
 
+    /// How much the spring is squeezed, m.
+    pub fn squeezed(&self) -> f64 {
+        self.x[1] - self.x[0]
+    }
+
+    /// Centre of what is left of a squeezed ball, or the middle of a cylinder's face, m.
+    pub fn middle(&self) -> f64 {
+        self.x[0] + 0.5 * self.squeezed()
+    }
+
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
         self.spring

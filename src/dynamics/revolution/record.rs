@@ -1,43 +1,42 @@
 //! What is read off the moving eye at each step, and what is kept of it.
 
-use super::results::Frame;
 use super::run::{Instant, Motion};
 use super::sensor::LowPass;
 use super::state::{Cells, State};
 use crate::eye::revolution::RevolutionEye;
 
 /// Mass by which accelerations become the node forces of the paper, kg.
-const NODE_MASS: f64 = 75e-6;
+pub(super) const NODE_MASS: f64 = 75e-6;
 
 impl<C: Cells> Motion<'_, C> {
     /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
     pub fn look(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
         let e = &mut self.extremes;
-        e.force.raise(now.force, time);
+        e.force.offer(now.force, time);
         e.filtered_force
-            .raise(self.filters[0].pass(now.force, share), time);
+            .offer(self.filters[0].pass(now.force, share), time);
         e.pressure
-            .raise(self.filters[1].pass(now.sums.pressure, share), time);
+            .offer(self.filters[1].pass(now.sums.pressure, share), time);
         e.back_pressure
-            .raise(self.filters[2].pass(now.sums.sensor, share), time);
+            .offer(self.filters[2].pass(now.sums.sensor, share), time);
         if now.shell.stress > e.scleral_stress.value {
-            e.scleral_stress.raise(now.shell.stress, time);
+            e.scleral_stress.offer(now.shell.stress, time);
             e.stress_angle = self.eye.segments[now.shell.at].front_angle;
         }
         if let Some(touch) = &now.touch {
-            e.rim_force.raise(-touch.rim, time);
+            e.rim_force.offer(-touch.rim, time);
         }
         let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
-        e.shortening.raise(shape.shortening, time);
-        e.equator_growth.raise(shape.equator_growth, time);
+        e.shortening.offer(shape.shortening, time);
+        e.equator_growth.offer(shape.equator_growth, time);
         e.meridian_growth
-            .raise(now.shell.length / self.shell.rest_length - 1.0, time);
-        e.apex.raise(shape.apex, time);
-        e.lens.raise(shape.lens, time);
+            .offer(now.shell.length / self.shell.rest_length - 1.0, time);
+        e.apex.offer(shape.apex, time);
+        e.lens.offer(shape.lens, time);
         if let Some((object, flight)) = &self.object {
             let touched = -self.eye.parameters.radius - object.reach();
-            e.intrusion.raise(flight.x[0] - touched, time);
+            e.intrusion.offer(flight.x[0] - touched, time);
         }
         let volume = now.sums.volume / self.globe_volume;
         e.least_volume = e.least_volume.min(volume);
@@ -49,7 +48,7 @@ impl<C: Cells> Motion<'_, C> {
         let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
         let forces = accelerations.map(|a| NODE_MASS * a);
         for (peak, force) in e.node_force.iter_mut().zip(forces) {
-            peak.raise(force, time);
+            peak.offer(force, time);
         }
         forces
     }
@@ -76,6 +75,10 @@ impl<C: Cells> Motion<'_, C> {
         }
         self.energy.object = object;
         self.extremes.energy_imparted = given;
+    }
+
+    /// Compares the energies of the last balance. How often that is done must not depend on what is kept.
+    pub fn audit(&mut self) {
         self.came = self.came.max(self.energy_before + self.energy.work.abs());
         let missing = (self.energy.total() - self.energy_before).abs();
         self.missing = self.missing.max(missing);
@@ -85,37 +88,34 @@ impl<C: Cells> Motion<'_, C> {
         let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
         let t = &mut self.traces;
         t.time.push(time);
-        t.force.push(now.force);
+        t.load.push(now.force);
+        for (trace, force) in t.force.iter_mut().zip(node_force) {
+            trace.push(force);
+        }
+        t.apex.push(shape.apex);
+        t.shell_growth
+            .push(now.shell.length / self.shell.rest_length - 1.0);
+        t.meridian_growth.push(shape.equator_growth);
+        t.kinetic.push(self.energy.kinetic);
+        t.elastic.push(self.energy.elastic);
+        t.dissipated.push(self.energy.lost);
+        t.work.push(self.extremes.energy_imparted);
         t.pressure.push(self.filters[1].0);
         t.back_pressure.push(self.filters[2].0);
         t.scleral_stress.push(now.shell.stress);
         t.shortening.push(shape.shortening);
-        t.equator_growth.push(shape.equator_growth);
-        t.meridian_growth
-            .push(now.shell.length / self.shell.rest_length - 1.0);
-        t.apex.push(shape.apex);
         t.lens.push(shape.lens);
         if let Some((object, flight)) = &self.object {
-            t.object.push(flight.x[0]);
+            t.contact_force.push(self.filters[0].0);
             t.intrusion
                 .push(flight.x[0] + self.eye.parameters.radius + object.reach());
+            let ways = [flight.middle(), 0.0];
+            let speeds = [flight.velocity(), 0.0];
+            for axis in 0..2 {
+                t.projectile[axis].push(ways[axis]);
+                t.projectile_velocity[axis].push(speeds[axis]);
+            }
         }
-        for (trace, force) in t.node_force.iter_mut().zip(node_force) {
-            trace.push(force);
-        }
-        t.energy.push(self.energy);
-    }
-
-    pub fn take_frame(&mut self, time: f64) {
-        let nodes = 0..self.eye.mass.len();
-        let read = |of: &[f64]| nodes.clone().map(|n| of[self.cells.place(n)]).collect();
-        self.frames.push(Frame {
-            time,
-            x: read(&self.state.x),
-            r: read(&self.state.r),
-            pressure: self.cells.pressures(),
-            object: self.object.as_ref().map(|(_, f)| f.x[0]),
-        });
     }
 }
 

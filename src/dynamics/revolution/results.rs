@@ -1,21 +1,6 @@
-//! What a run leaves: extremes over every step, traces, frames, and its balance of energy.
+//! What a run leaves: extremes over every step, and its balance of energy.
 
-/// A largest value and when it was reached.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Peak {
-    /// In the unit of what it is the peak of.
-    pub value: f64,
-    /// s.
-    pub time: f64,
-}
-
-impl Peak {
-    pub(super) fn raise(&mut self, value: f64, time: f64) {
-        if value > self.value {
-            *self = Self { value, time };
-        }
-    }
-}
+use crate::dynamics::kept::{Frame, Peak, Traces};
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,63 +125,6 @@ impl Energy {
         self.kinetic + self.elastic + self.contact + self.object + self.lost + self.lost_in_object
             - self.work
     }
-}
-
-/// Values at some instants, each of the same length.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Traces {
-    /// s.
-    pub time: Vec<f64>,
-    /// N.
-    pub force: Vec<f64>,
-    /// Through a low pass of 20 us, Pa.
-    pub pressure: Vec<f64>,
-    /// Through a low pass of 20 us, Pa.
-    pub back_pressure: Vec<f64>,
-    /// Pa.
-    pub scleral_stress: Vec<f64>,
-    /// Shares of the lengths at rest.
-    pub shortening: Vec<f64>,
-    /// Shares of the lengths at rest.
-    pub equator_growth: Vec<f64>,
-    /// Shares of the lengths at rest.
-    pub meridian_growth: Vec<f64>,
-    /// m.
-    pub intrusion: Vec<f64>,
-    /// m.
-    pub apex: Vec<f64>,
-    /// m.
-    pub lens: Vec<f64>,
-    /// Centre or face of the object, m.
-    pub object: Vec<f64>,
-    /// N.
-    pub node_force: [Vec<f64>; 4],
-    /// J.
-    pub energy: Vec<Energy>,
-}
-
-/// The eye at some instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
-    /// s.
-    pub time: f64,
-    /// Nodes, m.
-    pub x: Vec<f64>,
-    /// Nodes, m.
-    pub r: Vec<f64>,
-    /// Pressure of each cell, Pa.
-    pub pressure: Vec<f64>,
-    /// Centre or face of the object, m.
-    pub object: Option<f64>,
-}
-
-/// What to keep beside the extremes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Keep {
-    /// Least time between values of the traces, s.
-    pub traces: Option<f64>,
-    /// Least time between frames, s.
-    pub frames: Option<f64>,
 }
 
 /// One run.

@@ -4,13 +4,15 @@
 //! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most.
 
 use super::contact::{Target, Touch};
+use super::frames::FrameTaker;
 use super::object::{Flight, Object};
 use super::plain::Plain;
-use super::results::{Energy, Extremes, Frame, Keep, Run, Traces};
+use super::results::{Energy, Extremes, Run};
 use super::rows::Rows;
 use super::sensor::{Accelerometers, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
+use crate::dynamics::kept::{Frame, Keep, Spacing, Traces};
 use crate::dynamics::load::{Piece, Pulse, Segment};
 use crate::eye::revolution::RevolutionEye;
 use fearless_simd::Level;
@@ -22,6 +24,8 @@ pub const STEP_SHARE: f64 = 0.6;
 const GROWTH: f64 = 1.05;
 /// Balances of energy taken over a window.
 const BALANCES: f64 = 100.0;
+/// Values of a trace that a window is divided into.
+const TRACE_POINTS: f64 = 2000.0;
 /// A run may end when nothing has grown since this share of its time, and for this long, in s, after its
 /// object has gone this far from the eye, in m, or its pulse is over.
 const QUIET_SHARE: f64 = 0.5;
@@ -67,6 +71,15 @@ pub enum Refusal {
 /// Told of the share of the window that is done, it may stop the run.
 pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
+/// Takes frames as they come, and may stop the run.
+pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
+
+/// The longest stable step of an eye that nothing has moved yet, in s.
+pub fn step_limit(eye: &RevolutionEye, blow: &Blow) -> f64 {
+    let mut motion = Motion::new(eye, Rows::new(eye), blow, Keep::default(), 1.0);
+    motion.forces(0.0).limit
+}
+
 /// Hits `eye` and follows it for `window` s, with steps of `step_share` of the stability bound.
 ///
 /// # Errors
@@ -95,14 +108,45 @@ pub fn run_as(
     keep: Keep,
     watch: Watch,
 ) -> Result<Run, Refusal> {
-    match form {
-        Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(step_share, watch),
-        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(step_share, watch),
+    let mut frames = Vec::new();
+    let take = &mut |frame| {
+        frames.push(frame);
+        ControlFlow::Continue(())
+    };
+    let run = match form {
+        Form::Plain => {
+            Motion::new(eye, Plain::new(eye), blow, keep, window).go(step_share, watch, take)
+        }
+        Form::Rows => {
+            Motion::new(eye, Rows::new(eye), blow, keep, window).go(step_share, watch, take)
+        }
         Form::Vectors(level) => {
             let rows = Rows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).go(step_share, watch)
+            Motion::new(eye, rows, blow, keep, window).go(step_share, watch, take)
         }
-    }
+    };
+    Ok(Run { frames, ..run? })
+}
+
+/// The same as [`run`], with each frame handed on when it is due and nothing kept.
+///
+/// # Errors
+/// See [`run`]; stopped by `take` too.
+pub fn run_through(
+    eye: &RevolutionEye,
+    blow: &Blow,
+    window: f64,
+    step_share: f64,
+    spacing: Spacing,
+    take: Take,
+) -> Result<(), Refusal> {
+    let keep = Keep {
+        traces: false,
+        frames: Some(spacing),
+    };
+    let watch = &mut |_| ControlFlow::Continue(());
+    let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
+    motion.go(step_share, watch, take).map(|_| ())
 }
 
 /// The load of a pulse on the shell's nodes.
@@ -148,7 +192,7 @@ pub(super) struct Motion<'a, C> {
     pub energy: Energy,
     pub extremes: Extremes,
     pub traces: Traces,
-    pub frames: Vec<Frame>,
+    pub frame_taker: Option<FrameTaker>,
 }
 
 /// What all parts say at some instant.
@@ -224,13 +268,14 @@ impl<'a, C: Cells> Motion<'a, C> {
             energy: Energy::default(),
             extremes: Extremes::at_rest(),
             traces: Traces::default(),
-            frames: Vec::new(),
+            frame_taker: keep.frames.map(FrameTaker::new),
         }
     }
 
-    fn go(mut self, step_share: f64, watch: Watch) -> Result<Run, Refusal> {
+    fn go(mut self, step_share: f64, watch: Watch, take: Take) -> Result<Run, Refusal> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
-        let (mut next_trace, mut next_frame, mut next_balance) = (0.0, 0.0, 0.0);
+        let (mut next_trace, mut next_balance) = (0.0, 0.0);
+        let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
         loop {
             if steps % WATCH_EVERY == 0 && watch(time / self.window).is_break() {
                 return Err(Refusal::Stopped(time));
@@ -249,23 +294,24 @@ impl<'a, C: Cells> Motion<'a, C> {
             let last = time >= self.window || settled;
             let due = |next: &mut f64, every: Option<f64>| match every {
                 Some(every) if time >= *next || last => {
-                    *next = time + every;
+                    *next = every * ((time / every).floor() + 1.0);
                     true
                 }
                 _ => false,
             };
-            let trace = due(&mut next_trace, self.keep.traces);
-            if due(&mut next_balance, Some(self.window / BALANCES)) || trace {
+            let trace = due(&mut next_trace, trace_every);
+            let balance = due(&mut next_balance, Some(self.window / BALANCES));
+            if balance || trace {
                 self.take_balance(&now, kick);
+                if balance {
+                    self.audit();
+                }
                 if !self.energy.total().is_finite() {
                     return Err(Refusal::NotFinite(time));
                 }
             }
             if trace {
                 self.take_trace(&now, time, forces);
-            }
-            if due(&mut next_frame, self.keep.frames) {
-                self.take_frame(time);
             }
             if !step.is_finite() || step <= 0.0 {
                 return Err(Refusal::NotFinite(time));
@@ -298,6 +344,11 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
             time += step;
             steps += 1;
+            for frame in self.take_frames(time, step) {
+                if take(frame).is_break() {
+                    return Err(Refusal::Stopped(time));
+                }
+            }
         }
     }
 
@@ -389,8 +440,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {
             extremes: self.extremes,
-            traces: self.keep.traces.map(|_| self.traces),
-            frames: self.frames,
+            traces: self.keep.traces.then_some(self.traces),
+            frames: Vec::new(),
             energy: self.energy,
             momentum: eye + object,
             steps,

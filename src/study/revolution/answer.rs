@@ -32,8 +32,6 @@ const SAFETY: f64 = 2.0;
 const FLOOR_PERCENT: f64 = 0.05;
 /// Share of the worst step error below which no other one is stated.
 const FAMILY_SHARE: f64 = 0.1;
-/// Values of a trace that a window is divided into.
-const TRACE_POINTS: f64 = 2000.0;
 
 /// The answer to a scenario with the axisymmetric model.
 #[derive(Debug, Clone)]
@@ -74,7 +72,7 @@ impl RevolutionAnswer {
         let finest = level == RevolutionEye::FINEST;
         let neighbour = if finest { level - 1 } else { level + 1 };
         let other = self.case.at_level(neighbour);
-        let run = march(&other, 1.0, engine::Keep::default(), watch)?;
+        let run = march(&other, 1.0, Keep::default(), watch)?;
         let factor = f64::from(neighbour + 1);
         let difference = results(&other, &run).difference_percent(&self.results());
         self.errors.mesh = Some(difference.map(|_, d| d.map(|d| factor * d)));
@@ -98,12 +96,7 @@ fn results(case: &RevolutionCase, run: &Run) -> Results {
 }
 
 /// One run with `share` of the usual step.
-fn march(
-    case: &RevolutionCase,
-    share: f64,
-    keep: engine::Keep,
-    watch: Watch,
-) -> Result<Run, Refusal> {
+fn march(case: &RevolutionCase, share: f64, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
     let share = share * STEP_SHARE;
     match run(&case.eye, &case.load, case.window, share, keep, watch) {
         Err(engine::Refusal::Stopped(_)) => Err(Refusal::Cancelled),
@@ -118,15 +111,11 @@ pub(super) fn solve(
     watch: Watch,
 ) -> Result<RevolutionAnswer, Refusal> {
     let started = Instant::now();
-    let keep = engine::Keep {
-        traces: keep.traces.then_some(case.window / TRACE_POINTS),
-        frames: keep.frames.map(|spacing| spacing.every),
-    };
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
     let (first, second, solve_time) = thread::scope(|scope| {
         let other = scope.spawn(|| {
-            march(&case, SECOND, engine::Keep::default(), &mut |_| {
+            march(&case, SECOND, Keep::default(), &mut |_| {
                 if abandoned.load(Ordering::Relaxed) {
                     ControlFlow::Break(())
                 } else {

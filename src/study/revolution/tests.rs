@@ -64,7 +64,7 @@ fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy(
 
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
-    use crate::dynamics::revolution::{Keep as KeepRun, run};
+    use crate::dynamics::revolution::run;
     for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
         let mut scenario = scene(Projectile { angle_deg, ..shot });
         scenario.window_ms = 0.5;
@@ -75,7 +75,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
             &case.load,
             case.window,
             0.06,
-            KeepRun::default(),
+            Keep::default(),
             &mut unwatched,
         )
         .unwrap();

@@ -1,0 +1,135 @@
+//! What is kept of a motion, whatever moves: peaks, courses over time, and the eye at chosen instants.
+
+use nalgebra::Point2;
+
+/// The largest value of something and when it was reached.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// When, in s.
+    pub time: f64,
+}
+
+impl Peak {
+    /// A peak that anything at or above `floor` replaces.
+    pub fn floor(floor: f64) -> Self {
+        Self {
+            value: floor,
+            time: 0.0,
+        }
+    }
+
+    /// Takes `value` if it is larger.
+    pub fn offer(&mut self, value: f64, time: f64) {
+        if value > self.value {
+            *self = Self { value, time };
+        }
+    }
+}
+
+/// When frames are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spacing {
+    /// So many intervals at first.
+    pub early: u32,
+    /// Each of this length, in s.
+    pub early_every: f64,
+    /// The length of all others, in s.
+    pub every: f64,
+}
+
+impl Spacing {
+    /// All intervals alike, in s.
+    pub fn even(every: f64) -> Self {
+        Self {
+            early: 0,
+            early_every: every,
+            every,
+        }
+    }
+
+    /// When the frame with this number is due, in s.
+    pub(crate) fn due(self, number: usize) -> f64 {
+        let early = number.min(self.early as usize);
+        self.early_every * early as f64 + self.every * (number - early) as f64
+    }
+}
+
+/// What to keep beside the extremes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Keep {
+    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the eye of revolution of
+    /// the first step after each two thousandth of the window.
+    pub traces: bool,
+    /// Frames, so far apart.
+    pub frames: Option<Spacing>,
+}
+
+/// All nodes at one instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Time, in s.
+    pub time: f64,
+    /// Position of each node of the eye, in m. At the eye of revolution those of one half of the section,
+    /// with x along the blow and y the distance from its line.
+    pub positions: Vec<Point2<f64>>,
+    /// |m a| of each node of the eye, in N; 0 for the orbit. At the eye of revolution m is 75 mg and a the
+    /// mean over 20 us.
+    pub forces: Vec<f64>,
+    /// Pressure of each cell, in Pa, where the eye is made of cells.
+    pub cells: Vec<f64>,
+    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
+    /// and squeezed.
+    pub projectile: Option<Point2<f64>>,
+    /// How much it is squeezed along its flight, in m.
+    pub squeezed: f64,
+    /// Intraocular pressure, in Pa, where the scene has a fluid or cells.
+    pub pressure: Option<f64>,
+}
+
+/// Values at step ends, each of the same length, or empty where a scene has no such thing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Traces {
+    /// Time, s.
+    pub time: Vec<f64>,
+    /// Total load, N; at the eye of revolution also the force of contact of an object as it is.
+    pub load: Vec<f64>,
+    /// |sum w m a| over the hats of the monitored nodes, N; at the eye of revolution 75 mg times the mean
+    /// of their acceleration over 20 us.
+    pub force: [Vec<f64>; 4],
+    /// Corneal apex displacement, m.
+    pub apex: Vec<f64>,
+    /// Growth of the shell's length as a share of it.
+    pub shell_growth: Vec<f64>,
+    /// Growth of the vertical diameter as a share of it.
+    pub meridian_growth: Vec<f64>,
+    /// Kinetic energy, J.
+    pub kinetic: Vec<f64>,
+    /// Energy stored in the tissues, J.
+    pub elastic: Vec<f64>,
+    /// Energy lost to drag and viscosity so far, J.
+    pub dissipated: Vec<f64>,
+    /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
+    pub work: Vec<f64>,
+    /// Intraocular pressure, Pa; at the eye of revolution the mean of the globe through a low pass of 20 us.
+    pub pressure: Vec<f64>,
+    /// Pressure at the back of the eye of revolution through the same, Pa.
+    pub back_pressure: Vec<f64>,
+    /// Largest tension of its sclera, Pa.
+    pub scleral_stress: Vec<f64>,
+    /// Loss of its length along the blow, as a share of it.
+    pub shortening: Vec<f64>,
+    /// Way of its lens along the blow, m.
+    pub lens: Vec<f64>,
+    /// Way of an object's surface into it, m.
+    pub intrusion: Vec<f64>,
+    /// Area of the globe over its area at rest.
+    pub area_ratio: Vec<f64>,
+    /// Force of contact, N: a mean over 100 us, at the eye of revolution through a low pass of 20 us.
+    pub contact_force: Vec<f64>,
+    /// Centre of the projectile, x and y, m.
+    pub projectile: [Vec<f64>; 2],
+    /// Velocity of the projectile, x and y, m/s.
+    pub projectile_velocity: [Vec<f64>; 2],
+}
