@@ -98,6 +98,26 @@ fn presets_are_listed_with_their_titles() {
 }
 
 #[test]
+fn the_settings_are_printed_and_a_file_that_is_refused_ends_with_2() {
+    let config = config_with(&[]);
+    let settings = || program(config.path()).arg("config").assert();
+    let printed = settings().success().stdout(contains("is not there"));
+    let printed = printed.get_output().stdout.clone();
+    let file = config.path().join("contrecoup/config.ron");
+    fs::write(&file, &printed).unwrap();
+    settings()
+        .success()
+        .stdout(contains("is read at every start"));
+    // What is sent into the file that it reads finds it empty.
+    fs::write(&file, "").unwrap();
+    settings().success().stdout(printed);
+    fs::write(&file, "(\n fps: 99,\n keys: (undo: \"s\"),\n)").unwrap();
+    settings().code(2).stdout(is_empty()).stderr(contains(
+        "config.ron:2:7: fps: 99 is out of range: allowed whole numbers 1 to 60",
+    ));
+}
+
+#[test]
 fn a_preset_is_shown_as_it_stands() {
     run(&["presets", "show", "paper-300n"])
         .success()

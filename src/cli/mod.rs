@@ -7,6 +7,7 @@
 
 mod accuracy;
 mod arguments;
+mod config;
 mod coverage;
 mod ensemble;
 mod error;
@@ -75,6 +76,8 @@ pub enum Command {
     Tui(tui::Options),
     /// Simulate one blow and print the results
     Run(RunArgs),
+    /// Print the settings of the app, with what each does and may be
+    Config,
     /// List the presets, or show one
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
@@ -333,6 +336,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Coverage(args)) => coverage::run(args, out),
         Some(Command::Validate(args)) => validate::run(args, out),
         Some(Command::Calibrate(args)) => validate::fit(args, out),
+        Some(Command::Config) => config::run(out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Stability(args)) => stability::run(args, out),

@@ -35,6 +35,7 @@ topics! {
     install = "install",
     app = "app",
     keys = "keys",
+    config = "config",
     ssh = "ssh",
     scenarios = "scenarios",
     model = "model",

@@ -226,13 +226,12 @@ pub fn is_plain(name: &str) -> bool {
 
 /// Where the presets of the person are kept, if there is a home for them.
 pub fn folder() -> Option<PathBuf> {
-    Some(
-        Xdg::new()
-            .ok()?
-            .config_dir()
-            .join("contrecoup")
-            .join("presets"),
-    )
+    Some(home()?.join("presets"))
+}
+
+/// Where everything of the person's own is kept, if there is a home for it.
+pub(crate) fn home() -> Option<PathBuf> {
+    Some(Xdg::new().ok()?.config_dir().join("contrecoup"))
 }
 
 fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {

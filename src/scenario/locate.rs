@@ -19,6 +19,12 @@ pub fn locate(text: &str, path: &str) -> (usize, usize) {
     line_and_column(text, offset_of(text, path))
 }
 
+/// Whether there is nothing but white space and comments.
+#[cfg(feature = "app")]
+pub(crate) fn is_blank(text: &str) -> bool {
+    Walk::new(text).here() == text.len()
+}
+
 /// Doubts are a map by paths in quotes: the value behind the path, or else the map.
 fn doubt_of(text: &str, path: &str) -> usize {
     let map = offset_of(text, "doubt");

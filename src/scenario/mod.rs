@@ -19,7 +19,7 @@ pub(crate) mod locate;
 mod physiological;
 pub(crate) mod problem;
 mod projectile;
-mod ron_text;
+pub(crate) mod ron_text;
 pub mod set;
 mod text_file;
 

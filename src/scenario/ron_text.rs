@@ -42,7 +42,7 @@ fn completed(text: &str) -> Option<String> {
 }
 
 /// Reads a value that stands at the dotted path `under` of a scenario (empty for a whole one).
-pub(super) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, ScenarioError> {
+pub(crate) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, ScenarioError> {
     let completed = if under.is_empty() {
         completed(text)
     } else {
@@ -217,7 +217,7 @@ pub(super) fn not_a(kind: &Kind) -> &'static str {
 }
 
 /// The text at a place, up to where a value would end.
-fn word_at(text: &str, place: (usize, usize)) -> &str {
+pub(crate) fn word_at(text: &str, place: (usize, usize)) -> &str {
     let rest = rest_of_line(text, place);
     let end = match rest.strip_prefix('"') {
         Some(inside) => inside.find('"').map_or(rest.len(), |at| at + 2),

@@ -76,6 +76,9 @@ fn key(scenario: &Scenario) -> Scenario {
 
 /// Runs a few samples of what is on show if nothing else is wanted, for the band beside the score.
 pub(super) fn run_when_idle(model: &mut Model) {
+    if !model.idle {
+        return;
+    }
     let scenario = &model.work.scenario;
     let answered = |shown: &super::model::Shown| shown.scenario == *scenario;
     let settled = model.run.job.is_none() && model.shown.as_ref().is_some_and(answered);

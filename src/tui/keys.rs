@@ -5,12 +5,14 @@
 //! uniqueness all read these tables. Letters that are typed into a field are not in them; see
 //! `update`.
 
+pub mod chosen;
 pub mod shared;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::model::Model;
 use super::screens::SCREENS;
+use chosen::Keys;
 
 /// One press of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,6 +108,8 @@ pub struct Binding {
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,
+    /// What a person calls it who wants other keys for it; empty where the keys stay.
+    pub name: &'static str,
 }
 
 /// A key that changes the model.
@@ -120,20 +124,27 @@ pub const fn bind(
         act: Act::Run(run),
         short,
         help,
+        name: "",
     }
+}
+
+/// The same, for which a person may choose other keys by this name.
+pub const fn named(name: &'static str, binding: Binding) -> Binding {
+    Binding { name, ..binding }
 }
 
 impl Binding {
     /// Its keys as they are written for a person; digits that all mean the same are one.
-    pub fn names(&self) -> Vec<String> {
+    pub fn names(&self, keys: &Keys) -> Vec<String> {
+        let presses = keys.of(self);
         let is_digit = |press: &&Press| matches!(press.0, KeyCode::Char('0'..='9'));
         let plain = |press: &&Press| is_digit(press) && press.1.is_empty();
-        let digits = self.presses.iter().filter(plain).count() == 10;
+        let digits = presses.iter().filter(plain).count() == 10;
         let mut names: Vec<String> = Vec::new();
         if digits {
             names.push("0-9".to_owned());
         }
-        let rest = self.presses.iter().filter(|p| !(digits && plain(p)));
+        let rest = presses.iter().filter(|p| !(digits && plain(p)));
         names.extend(rest.map(|press| press.name()));
         names
     }
@@ -160,8 +171,8 @@ impl KeyTable {
         }
     }
 
-    fn find(&self, event: KeyEvent) -> Option<&'static Binding> {
-        let means = |binding: &&Binding| binding.presses.iter().any(|press| press.is(event));
+    fn find(&self, keys: &Keys, event: KeyEvent) -> Option<&'static Binding> {
+        let means = |binding: &&Binding| keys.of(binding).iter().any(|press| press.is(event));
         self.bindings.iter().find(means)
     }
 
@@ -199,7 +210,7 @@ pub fn stack(model: &Model) -> Vec<&'static KeyTable> {
 /// What a key does now.
 pub fn find(model: &Model, event: KeyEvent) -> Option<Act> {
     let mut tables = stack(model).into_iter();
-    tables.find_map(|table| Some(table.find(event)?.act))
+    tables.find_map(|table| Some(table.find(&model.keys, event)?.act))
 }
 
 /// Whether what is pasted now begins a value.
@@ -219,18 +230,18 @@ pub fn tables() -> Vec<&'static KeyTable> {
 /// What the footer may show now: keys and their word, the most needed first.
 pub fn live(model: &Model) -> Vec<(String, &'static str)> {
     let mut live: Vec<(u8, String, &'static str)> = Vec::new();
-    let stack = stack(model);
+    let (stack, keys) = (stack(model), &model.keys);
     let late_time = model.focus().time == TimeKeys::Late;
     for (depth, table) in stack.iter().enumerate() {
         // What a nearer table has for itself is not on offer.
         let taken = |press: &Press| {
             let nearer = stack[..depth].iter().flat_map(|table| table.bindings);
-            nearer.flat_map(|b| b.presses).any(|p| p == press)
+            nearer.flat_map(|b| keys.of(b)).any(|p| p == press)
         };
         let is_time = table.title == shared::TIME.title;
         for (place, binding) in table.bindings.iter().enumerate() {
-            let free = binding.presses.iter().position(|press| !taken(press));
-            let Some(name) = free.and_then(|at| binding.names().into_iter().nth(at)) else {
+            let free = keys.of(binding).iter().position(|press| !taken(press));
+            let Some(name) = free.and_then(|at| binding.names(keys).into_iter().nth(at)) else {
                 continue;
             };
             match (binding.short, live.last_mut()) {
@@ -262,9 +273,10 @@ pub fn live(model: &Model) -> Vec<(String, &'static str)> {
 
 /// The table of keys for the guide: a heading and a block of text for each context.
 pub fn markdown() -> String {
+    let keys = Keys::default();
     let section = |table: &KeyTable| {
         let own = table.bindings.iter();
-        let rows = own.map(|b| format!("{:<15} {}\n", b.names().join(" "), b.help));
+        let rows = own.map(|b| format!("{:<15} {}\n", b.names(&keys).join(" "), b.help));
         let rows: String = rows.collect();
         format!("\n## {}\n\n```text\n{rows}```\n", table.title)
     };

@@ -9,6 +9,7 @@
 //! unless asked for: a dropped connection leaves it switched on.
 
 pub(crate) mod clock;
+pub mod config;
 pub mod ensemble;
 pub mod form;
 pub mod keys;

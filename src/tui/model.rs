@@ -8,6 +8,7 @@ use tui_input::Input;
 use super::clock::{Clock, Moment};
 use super::ensemble::Samples;
 use super::form::Form;
+use super::keys::chosen::Keys;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
@@ -127,6 +128,7 @@ pub struct Look {
 }
 
 /// Everything that the screens show.
+#[expect(clippy::struct_excessive_bools, reason = "each says one thing")]
 pub struct Model {
     /// What is being worked on.
     pub work: Work,
@@ -162,6 +164,10 @@ pub struct Model {
     pub look: Look,
     /// Whether the mouse is listened to.
     pub mouse: bool,
+    /// Whether mesh errors and bands are computed while nothing else is wanted.
+    pub idle: bool,
+    /// Keys of the person's own choice.
+    pub keys: Keys,
     /// Whether the screen wants to be told where the mouse is dragged.
     pub dragging: bool,
     /// Time since the start.
@@ -191,6 +197,8 @@ impl Model {
             slow_link: false,
             look,
             mouse: false,
+            idle: true,
+            keys: Keys::default(),
             dragging: false,
             now: Duration::ZERO,
             out: Outbox::default(),

@@ -5,10 +5,12 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::config::Config;
 use super::model::{Choice, Look, Model, Work};
 use super::screens::SCREENS;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
+use super::update;
 use crate::scenario::library::{self, Origin, resolve};
 use crate::scenario::problem::ScenarioError;
 
@@ -31,14 +33,14 @@ pub struct Options {
 #[command(next_help_heading = "Options of the app")]
 pub struct AppFlags {
     /// How many colours
-    #[arg(long, value_name = "WHICH", default_value = "auto")]
-    pub color: ColorFlag,
+    #[arg(long, value_name = "WHICH")]
+    pub color: Option<ColorFlag>,
     /// How the mesh and the curves are drawn
     #[arg(long, value_name = "WHICH")]
     pub symbols: Option<Symbols>,
     /// Most frames a second of a replay
-    #[arg(long, value_name = "N", default_value = "12", value_parser = clap::value_parser!(u8).range(1..=60))]
-    pub fps: u8,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=60))]
+    pub fps: Option<u8>,
     /// Listen to the mouse too; the terminal's own selection of text then needs Shift
     #[arg(long)]
     pub mouse: bool,
@@ -83,7 +85,8 @@ pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> 
         ));
     }
     let env = |name: &str| std::env::var(name).ok();
-    let Some(depth) = depth(flags.color, env) else {
+    let config = Config::load()?;
+    let Some(depth) = depth(flags.color.unwrap_or(config.color), env) else {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal that can move its cursor, and TERM says `dumb`.\n\
              `contrecoup run paper-300n` works without one.",
@@ -91,12 +94,18 @@ pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> 
     };
     let look = Look {
         depth,
-        symbols: symbols(flags.symbols, env),
+        symbols: symbols(flags.symbols.or(config.symbols), env),
     };
     let mut model = prepare(sources, look)?;
-    model.mouse = flags.mouse;
+    model.mouse = flags.mouse || config.mouse;
+    model.idle = config.idle;
+    model.keys = config.keys;
+    // Several that were given are compared.
+    if sources.len() < 2 {
+        update::show(&mut model, config.start);
+    }
     let settings = terminal::Settings {
-        fps: flags.fps,
+        fps: flags.fps.unwrap_or(config.fps),
         fail_on: flags.fail_on,
     };
     let code = terminal::run(model, &settings)?;

@@ -70,7 +70,7 @@ pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
 
 fn show(model: &mut Model, scenario: Scenario, answer: Answer) {
     // The finer mesh is for the time when nothing else is wanted.
-    if answer.errors.mesh.is_none() {
+    if answer.errors.mesh.is_none() && model.idle {
         let query = MeshQuery::of(&answer);
         let scenario = scenario.clone();
         let question = EstimateMesh { scenario, query };

@@ -145,7 +145,7 @@ fn key(model: &mut Model, event: KeyEvent) {
 }
 
 /// Shows the screen of a place in the list.
-fn show(model: &mut Model, place: usize) {
+pub(crate) fn show(model: &mut Model, place: usize) {
     model.form.complaint = None;
     model.screen = place;
     (SCREENS[place].opened)(model);

@@ -3,7 +3,7 @@
 
 use crossterm::event::KeyCode;
 
-use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, plain, shift};
+use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shift};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::SCREENS;
 use crate::tui::update::{self, PAGE, presets, scroll, time};
@@ -39,17 +39,17 @@ const LEAVE: Binding = bind(&[ctrl('c')], update::leave, "", "leave at once");
 /// On every screen, unless something is typed or asked.
 #[rustfmt::skip]
 pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
-    bind(&[TAB], |m| m.change_pane(true), "pane", "the next pane"),
-    bind(&[BACK_TAB], |m| m.change_pane(false), "", "the pane before"),
-    bind(&[c('?')], update::help, "keys", "show or hide the keys"),
-    bind(&[c('q')], update::quit, "quit", "quit; asks if work would be lost"),
-    bind(&[c('u')], |m| update::travel(m, true), "undo", "undo"),
-    bind(&[c('r'), ctrl('r')], |m| update::travel(m, false), "", "redo"),
-    bind(&[c('s')], presets::ask_for_name, "save", "save as a preset of your own"),
-    bind(&[c('p')], presets::open_picker, "presets", "open a preset"),
-    bind(&[ESC], update::cancel, "", "cancel a long run"),
-    bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer"),
-    bind(&[ctrl('l')], update::repaint, "", "draw everything afresh"),
+    named("next_pane", bind(&[TAB], |m| m.change_pane(true), "pane", "the next pane")),
+    named("pane_before", bind(&[BACK_TAB], |m| m.change_pane(false), "", "the pane before")),
+    named("help", bind(&[c('?')], update::help, "keys", "show or hide the keys")),
+    named("quit", bind(&[c('q')], update::quit, "quit", "quit; asks if work would be lost")),
+    named("undo", bind(&[c('u')], |m| update::travel(m, true), "undo", "undo")),
+    named("redo", bind(&[c('r'), ctrl('r')], |m| update::travel(m, false), "", "redo")),
+    named("save", bind(&[c('s')], presets::ask_for_name, "save", "save as a preset of your own")),
+    named("presets", bind(&[c('p')], presets::open_picker, "presets", "open a preset")),
+    named("cancel", bind(&[ESC], update::cancel, "", "cancel a long run")),
+    named("mouse", bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer")),
+    named("redraw", bind(&[ctrl('l')], update::repaint, "", "draw everything afresh")),
     #[cfg(unix)]
     STOP,
     LEAVE,
@@ -78,6 +78,7 @@ static SHOW_BINDINGS: [Binding; SCREENS.len()] = {
             act: Act::Show(i),
             short: "",
             help: SCREENS[i].purpose,
+            name: SCREENS[i].title,
         };
         i += 1;
     }
@@ -90,15 +91,15 @@ pub(crate) static SHOW: KeyTable = KeyTable::new("Screens", &SHOW_BINDINGS);
 /// Wherever time can be moved, unless the pane has the key for itself.
 #[rustfmt::skip]
 pub(crate) static TIME: KeyTable = KeyTable::new("Time", &[
-    bind(&[c(' ')], time::play, "play", "play or pause"),
-    bind(&[c('g')], |m| time::jump(m, true), "peak", "to the time of the next peak"),
-    bind(&[c('G')], |m| time::jump(m, false), "", "to the time of the peak before"),
-    bind(&[HOME], |m| time::stay_at(m, 0.0), "", "to the first frame"),
-    bind(&[END], |m| time::stay_at(m, m.window().unwrap_or(0.0)), "", "to the last frame"),
-    bind(&[c('+'), c('=')], |m| m.clock.change_speed(true), "speed", "twice as fast"),
-    bind(&[c('-'), c('_')], |m| m.clock.change_speed(false), "&", "half as fast"),
-    bind(&[c('z')], |m| m.clock.change_zoom(), "zoom", "exaggerate displacement: x 1, 2, 5, 10"),
-    bind(&[c('e')], |m| m.clock.change_detail(), "detail", "edges, nodes or outline"),
+    named("play", bind(&[c(' ')], time::play, "play", "play or pause")),
+    named("next_peak", bind(&[c('g')], |m| time::jump(m, true), "peak", "to the time of the next peak")),
+    named("peak_before", bind(&[c('G')], |m| time::jump(m, false), "", "to the time of the peak before")),
+    named("first_frame", bind(&[HOME], |m| time::stay_at(m, 0.0), "", "to the first frame")),
+    named("last_frame", bind(&[END], |m| time::stay_at(m, m.window().unwrap_or(0.0)), "", "to the last frame")),
+    named("faster", bind(&[c('+'), c('=')], |m| m.clock.change_speed(true), "speed", "twice as fast")),
+    named("slower", bind(&[c('-'), c('_')], |m| m.clock.change_speed(false), "&", "half as fast")),
+    named("exaggerate", bind(&[c('z')], |m| m.clock.change_zoom(), "zoom", "exaggerate displacement: x 1, 2, 5, 10")),
+    named("detail", bind(&[c('e')], |m| m.clock.change_detail(), "detail", "edges, nodes or outline")),
 ]);
 
 /// While a value or a name is typed.

@@ -89,7 +89,7 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
         lines.push((table.title.to_owned(), String::new()));
         for binding in table.bindings {
             lines.push((
-                format!("  {}", binding.names().join(" ")),
+                format!("  {}", binding.names(&model.keys).join(" ")),
                 binding.help.to_owned(),
             ));
         }

@@ -62,6 +62,7 @@ const NUMBER_KEYS: KeyTable = KeyTable {
         act: Act::Type,
         short: "type",
         help: "begin to type a value",
+        name: "",
     }],
     counts: |model| model.form.takes_numbers(),
 };

@@ -87,17 +87,18 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     for (y, (of, points)) in (2..).zip(parts.into_iter().zip(&points)) {
         part(of, (points, beside.max(8)), theme, line(y), buffer);
     }
-    errors(shown, theme, line(5), buffer);
+    errors(shown, model.idle, theme, line(5), buffer);
     flags(shown, theme, area, buffer);
 }
 
 /// The errors of the index that the gauge shows, and how far the apex moved where there is room.
-fn errors(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn errors(shown: &Shown, idle: bool, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let errors = &shown.answer.errors;
+    let waiting = if idle { "…" } else { "off" };
     let mesh = errors
         .mesh
         .as_ref()
-        .map_or_else(|| "…".to_owned(), of_damage);
+        .map_or_else(|| waiting.to_owned(), of_damage);
     let step = of_damage(&errors.time_step);
     let apex = shown.answer.recording.extremes.apex;
     let apex = format!("apex {} mm", significant(apex.value * 1e3));
