@@ -230,8 +230,25 @@ fn flags_are_refused_in_the_words_of_the_registry() {
         "--set eye=(level: 9): eye.level: 9 is out of range",
     );
     refused(
-        &["--set", "force_n=1"],
-        "--set force_n=1: there is no such field; did you mean impact.force_n?",
+        &["--set", "farce_n=1"],
+        "--set farce_n=1: there is no such field; did you mean impact.force_n?",
+    );
+    // Wherever only one field fits, its end is enough; a refusal has the whole path.
+    refused(
+        &["--set", "force=-1"],
+        "--set force=-1: impact.force_n: -1 is out of range: allowed 0 to",
+    );
+    refused(
+        &["--set", "speed=45"],
+        "--set speed=45: impact.speed_m_s: impact is ForcePulse, which has no speed_m_s",
+    );
+    refused(
+        &["--set", "fat=3"],
+        "--set fat=3: fits several fields: eye.fat_kpa, eye.fat_drag_ns_m\n",
+    );
+    refused(
+        &["--set", "doubt={\"window_ms\": 0.1, \"window_ms\": 0.2}"],
+        "--set doubt={\"window_ms\": 0.1, \"window_ms\": 0.2}: window_ms is given twice\n",
     );
     refused(
         &["--level", "9"],
@@ -241,6 +258,37 @@ fn flags_are_refused_in_the_words_of_the_registry() {
     refused(
         &["--integrator", "leapfrog"],
         "--integrator leapfrog: leapfrog is not known here: allowed Auto",
+    );
+    refused(
+        &["--integrator", "verlet"],
+        "--integrator verlet: verlet is not known here (did you mean VelocityVerlet?): allowed Auto",
+    );
+    // What nobody has set is not to blame: the step is as long as the stiffest spring lets it be.
+    refused(
+        &[
+            "--level",
+            "8",
+            "--set",
+            "window=1000",
+            "--set",
+            "eye.sclera_kpa=1e8",
+        ],
+        "window_ms: 1000 would take ",
+    );
+    refused(
+        &["--step-us", "1e-6"],
+        "numerics.step_us: 0.000001 would take 3.000e9 steps, too many for half an hour: allowed from ",
+    );
+    refused(
+        &[
+            "--set",
+            "eye.sclera_kpa=1e8",
+            "--step-us",
+            "1",
+            "--level",
+            "8",
+        ],
+        "numerics.step_us: 1 is above the stability limit of srkn6b on this mesh: allowed up to 0.00",
     );
     refused(
         &["--step-us", "0"],

@@ -214,7 +214,7 @@ fn bad_grids_are_refused_with_2() {
             &["--vary", "impact.force_n=1:2"][..],
             "expected FIELD=FROM:TO:COUNT",
         ),
-        (&["--vary", "impact.force=1:2:3"], "did you mean"),
+        (&["--vary", "impact.farce=1:2:3"], "did you mean"),
         (
             &["--vary", "impact.force_n=-5:2:3"],
             "allowed 0 to 100000 N",

@@ -16,7 +16,7 @@ use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::set;
+use crate::scenario::set::{full_path, set};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// What to simulate: a preset or a file, and changes to it.
@@ -88,7 +88,9 @@ impl ScenarioArgs {
     /// Says which file or argument is wrong, and what would be accepted.
     pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
         let mut scenario = resolve(&self.source)?;
+        let mut changes = Vec::new();
         for Assignment { path, text } in &self.assignments {
+            changes.push((full_path(&scenario, path), text.trim()));
             assign(&mut scenario, &format!("--set {path}={text}"), path, text)?;
         }
         let short = [
@@ -106,10 +108,10 @@ impl ScenarioArgs {
             .check()
             .map_err(|error| complaint("with these flags", "", &error))?;
         // The name tells of the values as they were, so what was changed stands beside it.
-        if self.assignments.iter().any(|a| a.path == "name") {
+        if changes.iter().any(|(path, _)| *path == "name") {
             return Ok(scenario);
         }
-        let name = with_changes(&scenario.name, &self.assignments);
+        let name = with_changes(&scenario.name, &changes);
         Ok(scenario.renamed(name))
     }
 }
@@ -118,8 +120,9 @@ impl ScenarioArgs {
     /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
     /// flag gives it, or nobody.
     pub fn place_of(&self, field: &str) -> Option<String> {
-        let by_flag =
-            self.step_us.is_some() || self.assignments.iter().any(|a| field.starts_with(&a.path));
+        let set = |a: &Assignment| field.contains(&a.path);
+        let by_flag = field == "numerics.step_us" && self.step_us.is_some()
+            || self.assignments.iter().any(set);
         let path = std::path::Path::new(&self.source);
         if by_flag || !path.is_file() {
             return None;
@@ -131,10 +134,10 @@ impl ScenarioArgs {
 }
 
 /// A name with what was set; only with how much, where that is too long for a name.
-fn with_changes(name: &str, changes: &[Assignment]) -> String {
+fn with_changes(name: &str, changes: &[(&str, &str)]) -> String {
     let each = changes
         .iter()
-        .map(|a| format!("; {}={}", a.path, a.text.trim()));
+        .map(|(path, text)| format!("; {path}={text}"));
     let all = name.to_owned() + &each.collect::<String>();
     if all.chars().count() <= LONGEST_NAME {
         return all;
@@ -181,7 +184,7 @@ pub(super) fn explain(error: &clap::Error) -> io::Result<()> {
 /// Reads a time that must be more than zero.
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(number) if number.is_finite() && number > 0.0 => Ok(number),
+        Ok(number) if number.is_normal() && number > 0.0 => Ok(number),
         _ => Err("expected a number of microseconds above 0".to_owned()),
     }
 }
@@ -189,7 +192,7 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 /// Reads a percentage that must be more than zero.
 pub(super) fn percent(text: &str) -> Result<f64, String> {
     match text.trim_end_matches('%').trim_end().parse::<f64>() {
-        Ok(number) if number.is_finite() && number > 0.0 && number <= 100.0 => Ok(number),
+        Ok(number) if number.is_normal() && number > 0.0 && number <= 100.0 => Ok(number),
         _ => Err("expected a percentage above 0, up to 100".to_owned()),
     }
 }

@@ -69,9 +69,10 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
 /// A refusal with the place in the file that asked for it.
 fn placed(args: &RunArgs, refusal: Refusal) -> CliError {
     let place = match refusal {
-        Refusal::StepAboveLimit { .. } | Refusal::TooMuchWork { .. } => {
+        Refusal::StepAboveLimit { .. } | Refusal::StepTooShort { .. } => {
             args.scenario.place_of("numerics.step_us")
         }
+        Refusal::WindowTooLong { .. } => args.scenario.place_of("window_ms"),
         _ => None,
     };
     match place {

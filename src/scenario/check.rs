@@ -32,8 +32,28 @@ impl Scenario {
             .chain(beyond_revolution(self))
             .chain(unknown_marks(self));
         outcome(ranges.chain(rules).chain(doubt::check(self)).collect())?;
-        Ok(CheckedScenario(self.clone()))
+        let mut sound = self.clone();
+        near_zero_is_zero(&mut sound);
+        Ok(CheckedScenario(sound))
     }
+}
+
+/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it. Nobody measures
+/// such a number, products of it have no digits at all, and it is slow to compute with.
+pub(super) fn near_zero_is_zero(scenario: &mut Scenario) {
+    let zeroed = |number: &mut f64| {
+        if number.is_finite() && !number.is_normal() {
+            *number = 0.0;
+        }
+    };
+    for field in FIELDS {
+        if let Kind::Number(_, place) = &field.kind
+            && let Some(number) = (place.get_mut)(scenario)
+        {
+            zeroed(number);
+        }
+    }
+    scenario.doubt.values_mut().for_each(zeroed);
 }
 
 impl Deref for CheckedScenario {

@@ -126,7 +126,8 @@ impl Growing {
                 ));
             }
         }
-        self.0.push((time, share));
+        // Of the two zeros, the one without a sign.
+        self.0.push((time + 0.0, share + 0.0));
         Ok(())
     }
 

@@ -7,9 +7,48 @@
 //!
 //! Left out: doubts that hang together. Every input is drawn by itself.
 
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::Deserializer;
+use serde::de::{Error, MapAccess, Visitor};
+
 use super::Scenario;
 use super::fields::{self, Bounds, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::plain_text::quoted;
+
+/// Reads the doubts of a file, where a second one of a field would silently take the place of the first.
+///
+/// # Errors
+/// Where a field is given twice, and as the reader.
+pub(super) fn once<'de, D: Deserializer<'de>>(
+    source: D,
+) -> Result<BTreeMap<String, f64>, D::Error> {
+    source.deserialize_map(Once)
+}
+
+struct Once;
+
+impl<'de> Visitor<'de> for Once {
+    type Value = BTreeMap<String, f64>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("fields with their doubts")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut source: A) -> Result<Self::Value, A::Error> {
+        let mut doubts = BTreeMap::new();
+        while let Some((path, doubt)) = source.next_entry::<String, f64>()? {
+            if doubts.contains_key(&path) {
+                let path = quoted(&path);
+                return Err(A::Error::custom(format!("{path} is given twice")));
+            }
+            doubts.insert(path, doubt);
+        }
+        Ok(doubts)
+    }
+}
 
 /// What may stand between a value and its doubt; the first is what the program writes.
 const SIGNS: [&str; 3] = ["±", "+-", "+/-"];

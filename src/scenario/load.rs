@@ -37,14 +37,14 @@ fn parse_beside(text: &str, origin: &str, beside: &Beside) -> Result<Scenario, S
     let text = without_mark(text);
     let scenario: Scenario =
         with_files(beside, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
-    scenario.check().map_err(|mut error| {
+    let checked = scenario.check().map_err(|mut error| {
         for problem in &mut error.problems {
             let (line, column) = locate(text, &problem.field);
             (problem.line, problem.column) = (Some(line), Some(column));
         }
         error.of(origin)
     })?;
-    Ok(scenario)
+    Ok(checked.into())
 }
 
 /// Reads a scenario from a file.

@@ -59,7 +59,11 @@ pub struct Scenario {
     pub numerics: NumericsInput,
     /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
     /// the field. No single run changes by them; an [ensemble](crate::study::ensemble) draws from them.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        deserialize_with = "doubt::once",
+        skip_serializing_if = "BTreeMap::is_empty"
+    )]
     pub doubt: BTreeMap<String, f64>,
 }
 

@@ -126,6 +126,9 @@ pub fn plain(number: f64) -> String {
     }
 }
 
+/// Characters from which on a part of a name can stand for it.
+const SHORTEST_PART: usize = 4;
+
 /// Up to three candidates that resemble a mistyped name, the nearest first.
 pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     // Long enough to be told apart, short enough that a pasted novel costs nothing.
@@ -139,8 +142,13 @@ pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Ve
     scored.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
-/// A path is recognised by its whole or by its last part: `force_n` means `impact.force_n`.
+/// A path is recognised by its whole or by its last part, a name by any part of it: `force_n` means
+/// `impact.force_n`, and `verlet` `VelocityVerlet`.
 fn likeness(typed: &str, candidate: &str) -> f64 {
+    let bare = |name: &str| name.to_lowercase();
+    if typed.chars().count() >= SHORTEST_PART && bare(candidate).contains(&bare(typed)) {
+        return 1.0;
+    }
     let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
     strsim::jaro_winkler(typed, candidate).max(strsim::jaro_winkler(&last(typed), &last(candidate)))
 }
@@ -151,6 +159,20 @@ pub fn suggestion<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) ->
         names if names.is_empty() => String::new(),
         names => format!("; did you mean {names}?"),
     }
+}
+
+/// The complaint about a name that is none of those allowed.
+pub fn unknown_name<'a>(
+    field: &str,
+    typed: &str,
+    names: impl Iterator<Item = &'a str>,
+    allowed: String,
+) -> Problem {
+    let meant = match nearest(typed, names).join(" or ") {
+        names if names.is_empty() => String::new(),
+        names => format!(" (did you mean {names}?)"),
+    };
+    Problem::refused(field, typed, &format!("is not known here{meant}"), allowed)
 }
 
 #[cfg(test)]

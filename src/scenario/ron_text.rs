@@ -16,7 +16,7 @@ use serde_path_to_error::{Path, Segment, Track};
 use super::Scenario;
 use super::fields::{self, Kind};
 use super::locate::locate;
-use super::problem::{Problem, ScenarioError, suggestion};
+use super::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::plain_text::quoted;
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
@@ -115,7 +115,10 @@ fn explain(text: &str, under: &str, path: &str, error: &SpannedError) -> Problem
         }
         Error::NoSuchEnumVariant {
             expected, found, ..
-        } => Problem::refused(path, found, "is not known here", expected.join(", ")).at(before),
+        } => {
+            let names = expected.iter().copied();
+            unknown_name(path, found, names, expected.join(", ")).at(before)
+        }
         Error::MissingStructField { field, .. } => {
             Problem::new(joined(path, field), "is missing").at(cursor)
         }

@@ -4,12 +4,15 @@
 //! which are written as in a file. What is typed here is read a little more kindly than a file:
 //! names in any case, with or without dashes, and text without quotes.
 
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::check::check_inside;
+use super::check::{check_inside, near_zero_is_zero};
 use super::curve_file::{Beside, with_files};
 use super::fields::{self, Choices, FIELDS, Field, Kind};
-use super::problem::{Problem, ScenarioError, suggestion};
+use super::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use super::ron_text::{not_a, read};
 use super::{PulseShape, Scenario, doubt};
 
@@ -75,9 +78,19 @@ static GROUPS: &[Group] = &[
     },
     Group {
         path: "doubt",
-        replace: |s, text| put(Some(&mut s.doubt), text, "doubt"),
+        replace: |s, text| {
+            let mut doubts = Doubts::default();
+            put(Some(&mut doubts), text, "doubt")?;
+            s.doubt = doubts.0;
+            Ok(())
+        },
     },
 ];
+
+/// Doubts by themselves.
+#[derive(Default, Deserialize)]
+#[serde(transparent)]
+struct Doubts(#[serde(deserialize_with = "doubt::once")] BTreeMap<String, f64>);
 
 fn put<T: DeserializeOwned>(
     place: Option<&mut T>,
@@ -90,8 +103,50 @@ fn put<T: DeserializeOwned>(
     Ok(())
 }
 
-/// Sets the field or group at a dotted path, as in `impact.force_n`, `450`. On an error the
-/// scenario is left as it was. The file of a curve is looked for from the working directory. Rules that
+/// The dotted path that is meant by its end, with or without the unit: `speed` where only
+/// `impact.speed_m_s` fits. A field that the scenario has goes before one that it has not. What fits
+/// nothing, or several, stays as it was typed.
+pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
+    let typed = typed.trim();
+    let is_known = |path: &str| fields::find(path).is_some() || is_group(path);
+    if is_known(typed) {
+        return typed;
+    }
+    match &fitting(scenario, typed)[..] {
+        [only] => only.path,
+        _ => typed,
+    }
+}
+
+fn is_group(path: &str) -> bool {
+    GROUPS.iter().any(|group| group.path == path)
+}
+
+/// The fields that end as typed; if there are none, those that do but for their unit. Of these, what
+/// the scenario has, if it has any.
+fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
+    let ends = |path: &str, with_unit: bool| {
+        let starts = path.match_indices('.').map(|(at, _)| at + 1).chain([0]);
+        let mut rests = starts.filter_map(|at| path[at..].strip_prefix(typed));
+        rests.any(|rest| rest.is_empty() || with_unit && rest.starts_with('_'))
+    };
+    let all = |with_unit| -> Vec<&'static Field> {
+        let fits = |field: &&Field| ends(field.path, with_unit);
+        FIELDS.iter().filter(fits).collect()
+    };
+    let mut fitting = all(false);
+    if fitting.is_empty() && !typed.is_empty() {
+        fitting = all(true);
+    }
+    let here = |field: &&Field| field.text(scenario).is_some();
+    if fitting.iter().any(here) {
+        fitting.retain(here);
+    }
+    fitting
+}
+
+/// Sets the field or group at a dotted path, as in `impact.force_n`, `450`; the path may be
+/// [shortened](full_path). On an error the scenario is left as it was. The file of a curve is looked for from the working directory. Rules that
 /// join two fields are not applied: see [`Scenario::check`].
 ///
 /// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older doubt:
@@ -100,7 +155,7 @@ fn put<T: DeserializeOwned>(
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
 pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), ScenarioError> {
-    let path = path.trim();
+    let path = full_path(scenario, path);
     let text = text.trim();
     let mut changed = scenario.clone();
     let field = fields::find(path);
@@ -118,10 +173,11 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
             doubt::put(&mut changed, field, doubted)?;
         }
         (Some(field), _) => set_field(&mut changed, field, text)?,
-        (None, _) => return Err(unknown(path).into()),
+        (None, _) => return Err(unknown(scenario, path).into()),
     }
     doubt::tidy(&mut changed, path);
     check_inside(&changed, path)?;
+    near_zero_is_zero(&mut changed);
     confirm(&mut changed, path);
     *scenario = changed;
     Ok(())
@@ -168,6 +224,10 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
             ..Problem::new(field.path, format!("nothing is there: allowed {allowed}"))
         };
         return Err(problem.into());
+    }
+    if let Kind::Choice(choices) = &field.kind {
+        let names = choices.names().into_iter();
+        return Err(unknown_name(field.path, text, names, field.allowed()).into());
     }
     let is_number = matches!(field.kind, Kind::Number(..) | Kind::OptionalNumber(..));
     let complaint = if is_number && text.contains(',') {
@@ -276,7 +336,12 @@ fn absent(field: &Field, scenario: &Scenario) -> Problem {
     Problem::new(field.path, "there is no such field in this scenario")
 }
 
-fn unknown(path: &str) -> Problem {
+fn unknown(scenario: &Scenario, path: &str) -> Problem {
+    if let several @ [_, _, ..] = &fitting(scenario, path)[..] {
+        let paths: Vec<_> = several.iter().map(|field| field.path).collect();
+        let message = format!("fits several fields: {}", paths.join(", "));
+        return Problem::new(path, message);
+    }
     let groups = GROUPS.iter().map(|group| group.path);
     let paths = FIELDS
         .iter()

@@ -9,7 +9,7 @@ use crate::dynamics::{
 use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
-use crate::scenario::problem::ScenarioError;
+use crate::scenario::problem::{ScenarioError, plain};
 use crate::scenario::{CheckedScenario, Impact, Model, Scenario};
 use std::ops::ControlFlow;
 
@@ -24,8 +24,8 @@ pub enum Refusal {
     Scenario(#[from] ScenarioError),
     /// The asked step could blow up.
     #[error(
-        "numerics.step_us: {step_us} is above the stability limit of {integrator} on this mesh: \
-         allowed up to {limit_us:.6}"
+        "numerics.step_us: {} is above the stability limit of {integrator} on this mesh: \
+         allowed up to {}", plain(*step_us), limit(*limit_us, f64::floor)
     )]
     StepAboveLimit {
         /// What was asked, in us.
@@ -49,16 +49,36 @@ pub enum Refusal {
     /// The motion left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Diverged),
-    /// The run would take hours.
+    /// With the step that was asked the run would take hours.
     #[error(
-        "numerics.step_us: the run would take {steps:.3e} steps: allowed from {least_us:.3e} for this \
-         window and mesh"
+        "numerics.step_us: {} would take {steps:.3e} steps, too many for half an hour: allowed from \
+         {} for this window and mesh", plain(*step_us), limit(*least_us, f64::ceil)
     )]
-    TooMuchWork {
+    StepTooShort {
+        /// What was asked, in us.
+        step_us: f64,
         /// How many steps.
         steps: f64,
         /// The smallest step allowed, in us.
         least_us: f64,
+    },
+    /// Even by the longest safe step the run would take hours.
+    #[error(
+        "window_ms: {} would take {steps:.3e} steps, too many for half an hour: stiff springs and small \
+         masses keep {integrator} on this mesh to steps of {} us: allowed up to {}, \
+         more on a coarser mesh or with softer tissue", plain(*window_ms), limit(*step_us, f64::floor), limit(*longest_ms, f64::floor)
+    )]
+    WindowTooLong {
+        /// What was asked, in ms.
+        window_ms: f64,
+        /// How many steps.
+        steps: f64,
+        /// Name of the integrator.
+        integrator: &'static str,
+        /// Its longest safe step, in us.
+        step_us: f64,
+        /// The longest window allowed, in ms.
+        longest_ms: f64,
     },
     /// The eye of revolution gave no result.
     #[error(transparent)]
@@ -88,7 +108,8 @@ impl Refusal {
         match self {
             Self::Scenario(_)
             | Self::StepAboveLimit { .. }
-            | Self::TooMuchWork { .. }
+            | Self::StepTooShort { .. }
+            | Self::WindowTooLong { .. }
             | Self::SectionOnly
             | Self::Revolution(revolution::Refusal::Through(_))
             | Self::IntegratorUnfit { .. } => true,
@@ -98,6 +119,13 @@ impl Refusal {
             | Self::Cancelled => false,
         }
     }
+}
+
+/// A limit with seven digits, rounded to the side where it may be typed.
+fn limit(exact: f64, round: fn(f64) -> f64) -> String {
+    let places = (6.0 - exact.log10().floor()).max(0.0);
+    let digit = 10_f64.powf(places);
+    format!("{:.*}", places as usize, round(exact * digit) / digit)
 }
 
 /// Is told the share of the window that has been simulated, now and then, and may stop the run.
@@ -273,9 +301,20 @@ impl Case {
         let springs = self.system.springs_per_evaluation() as f64;
         let work = springs * integrator.method().evaluations() as f64 * (self.window / step + 1.0);
         if work > MAX_SPRING_EVALUATIONS {
-            return Err(Refusal::TooMuchWork {
-                steps: self.window / step,
-                least_us: step * 1e6 * work / MAX_SPRING_EVALUATIONS,
+            let (steps, share) = (self.window / step, work / MAX_SPRING_EVALUATIONS);
+            return Err(match scenario.numerics.step_us {
+                Some(step_us) => Refusal::StepTooShort {
+                    step_us,
+                    steps,
+                    least_us: step_us * share,
+                },
+                None => Refusal::WindowTooLong {
+                    window_ms: scenario.window_ms,
+                    steps,
+                    integrator: integrator.name(),
+                    step_us: step * 1e6,
+                    longest_ms: scenario.window_ms / share,
+                },
             });
         }
         Ok(plan)

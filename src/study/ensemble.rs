@@ -118,7 +118,7 @@ fn name(refusal: &Refusal) -> String {
         Refusal::SectionOnly => "section_only",
         Refusal::Revolution(_) => "revolution",
         Refusal::Diverged(_) => "diverged",
-        Refusal::TooMuchWork { .. } => "too_much_work",
+        Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
         Refusal::Cancelled => "cancelled",
     }

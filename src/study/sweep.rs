@@ -13,7 +13,7 @@ use crate::injury::{Blow, Caution};
 use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::set;
+use crate::scenario::set::{full_path, set};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// Most rows of a grid.
@@ -108,7 +108,8 @@ impl Sweep {
     pub fn new(scenario: Scenario, mut axes: Vec<Axis>) -> Result<Self, ScenarioError> {
         let mut rows = 1_usize;
         for i in 0..axes.len() {
-            let path = axes[i].path.clone();
+            let path = full_path(&scenario, &axes[i].path).to_owned();
+            axes[i].path.clone_from(&path);
             if axes[..i].iter().any(|axis| axis.path == path) {
                 return Err(Problem::new(path, "is varied twice").into());
             }
@@ -128,8 +129,14 @@ impl Sweep {
             rows = rows.saturating_mul(axes[i].values.len());
         }
         if rows > MAX_ROWS {
-            let message = format!("{rows} rows are too many: allowed up to {MAX_ROWS}");
-            return Err(Problem::new("", message).into());
+            let paths: Vec<_> = axes.iter().map(|axis| axis.path.as_str()).collect();
+            let counts: Vec<_> = axes
+                .iter()
+                .map(|axis| axis.values.len().to_string())
+                .collect();
+            let (paths, counts) = (paths.join(" and "), counts.join(" x "));
+            let message = format!("{counts} = {rows} rows are too many: allowed up to {MAX_ROWS}");
+            return Err(Problem::new(paths, message).into());
         }
         Ok(Self { scenario, axes })
     }
@@ -268,10 +275,14 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_refused_at_once_and_what_only_clashes_is_a_row() {
         let refused = |axes: &[&str]| sweep(axes).unwrap_err().to_string();
-        assert!(refused(&["impact.force=1:2:2"]).contains("did you mean"));
+        assert!(refused(&["impact.farce=1:2:2"]).contains("did you mean"));
         assert!(refused(&["impact.force_n=0:1e9:2"]).contains("allowed 0 to 100000 N"));
-        assert!(refused(&["window_ms=1,2", "window_ms=3"]).contains("twice"));
-        assert!(refused(&["window_ms=1:2:9999", "impact.force_n=1:2:9999"]).contains("too many"));
+        assert!(refused(&["window_ms=1,2", "window=3"]).contains("twice"));
+        assert_eq!(
+            refused(&["window_ms=1:2:9999", "impact.force_n=1:2:9999"]),
+            "window_ms and impact.force_n: 9999 x 9999 = 99980001 rows are too many: allowed up to \
+             10000000"
+        );
         let clash = sweep(&["impact.angle_deg=0,60"]).unwrap();
         let row = clash.run(1, &mut unwatched).unwrap();
         assert!(row.outcome.unwrap_err().contains("bone shields"));
@@ -282,6 +293,7 @@ mod tests {
         let of = |axes: &[&str]| sweep(axes).unwrap().fingerprint();
         let one = of(&["impact.force_n=100:300:3"]);
         assert_eq!(one, of(&["impact.force_n=100, 200, 3e2"]));
+        assert_eq!(one, of(&["force=100:300:3"]));
         assert_ne!(one, of(&["impact.force_n=100:300:4"]));
         assert_ne!(one, of(&["window_ms=1:3:3"]));
     }

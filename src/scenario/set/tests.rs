@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::scenario::fields::tests::every_variant;
+use crate::scenario::load;
 use crate::scenario::{
     EyeInput, ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile,
     ProjectileStiffness, PulseShape,
@@ -201,7 +202,7 @@ fn refusals_name_the_value_and_what_is_allowed() {
 
 #[test]
 fn refusals_of_a_path_lead_to_the_right_one() {
-    assert!(refusal("force_n", "1").contains("did you mean impact.force_n?"));
+    assert!(refusal("farce_n", "1").contains("did you mean impact.force_n?"));
     assert!(refusal("", "1").contains("there is no such field"));
     let mut scenario = after("impact.shape", "Triangle");
     let error = set(&mut scenario, "impact.shape.edge_fraction", "0.1").unwrap_err();
@@ -230,4 +231,70 @@ fn a_number_that_is_put_is_no_longer_unverified() {
         (shot.speed_m_s, &shot.unverified[..]),
         (40.0, &["mass_g".to_owned()][..])
     );
+}
+
+#[test]
+fn the_end_of_a_path_is_enough_where_only_one_field_fits() {
+    let pulse = Scenario::default();
+    let mut shot = Scenario::default();
+    set(&mut shot, "impact", "Projectile").unwrap();
+    for (typed, path) in [
+        ("force_n", "impact.force_n"),
+        ("force", "impact.force_n"),
+        (" window ", "window_ms"),
+        ("level", "eye.level"),
+        ("lens", "eye.lens"),
+        ("edge", "impact.shape.edge_fraction"),
+        ("shape.edge", "impact.shape.edge_fraction"),
+        ("impact.angle", "impact.angle_deg"),
+        // Known, and refused by the kind of the impact.
+        ("speed", "impact.speed_m_s"),
+        // Several fit, or none.
+        ("fat", "fat"),
+        ("", ""),
+        ("_", "_"),
+        ("orce_n", "orce_n"),
+        ("impact.", "impact."),
+    ] {
+        assert_eq!(full_path(&pulse, typed), path, "{typed:?}");
+    }
+    assert_eq!(full_path(&shot, "speed"), "impact.speed_m_s");
+    let mut short = shot.clone();
+    set(&mut short, "speed", "45 +- 3").unwrap();
+    set(&mut shot, "impact.speed_m_s", "45 +- 3").unwrap();
+    assert_eq!(short, shot);
+}
+
+#[test]
+fn what_is_next_to_nothing_is_nothing() {
+    let mut scenario = Scenario::default();
+    for tiny in ["-0", "-0.0", "1e-310", "1e-400"] {
+        set(&mut scenario, "impact.force_n", tiny).unwrap();
+        let angle = format!("{tiny} +- {tiny}");
+        set(&mut scenario, "impact.angle_deg", &angle).unwrap();
+        let Impact::ForcePulse(pulse) = &scenario.impact else {
+            panic!()
+        };
+        let doubt = scenario.doubt["impact.angle_deg"];
+        for number in [pulse.force_n, pulse.angle_deg, doubt] {
+            assert_eq!(number.to_bits(), 0, "{tiny}: {number:?}");
+        }
+        // Put there without being typed, as by a library or a file.
+        let mut untyped = Scenario::default();
+        untyped.eye.globe_drag_ns_m = tiny.parse().unwrap();
+        let checked = untyped.check().unwrap();
+        assert_eq!(checked.eye.globe_drag_ns_m.to_bits(), 0, "{tiny}");
+        let text = format!("(name: \"x\", impact: ForcePulse(force_n: {tiny}))");
+        let read = load::parse(&text, "x").unwrap();
+        assert!(load::to_ron(&read).contains("force_n: 0.0,"), "{tiny}");
+    }
+    // What is below an end of a range is outside it, however little; what must not be 0 must not be
+    // that either.
+    for (path, tiny) in [
+        ("impact.force_n", "-4e-320"),
+        ("window_ms", "4e-320"),
+        ("numerics.step_us", "4e-320"),
+    ] {
+        assert!(set(&mut scenario, path, tiny).is_err(), "{path}={tiny}");
+    }
 }
