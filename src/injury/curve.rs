@@ -2,10 +2,11 @@
 //!
 //! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the slope
 //! in units of x50. The regressions publish x50 but not s, so s is assumed and carries a range,
-//! which is shown as a range of risk and drawn from by an ensemble.
-//! Normal, P = Phi((x - mean)/sd), where tests to failure publish both.
-//!
-//! Left out: confidence limits of the published points themselves, which no source at hand gives.
+//! which is shown as a range of risk and drawn from by an ensemble. No confidence limits of those x50 are
+//! at hand either: published points of one injury lie up to 20 % from their middle (rupture at 23.8 and
+//! 35.5 kJ/m2, at 0.90 and 1.01 `MPa`), so [`POINT`] to both sides counts as range.
+//! Normal, P = Phi((x - mean)/sd), where tests to failure publish both; its range is that of the mean,
+//! 1.96 sd / sqrt(n) to both sides.
 
 use crate::normal;
 
@@ -66,6 +67,8 @@ pub enum Measure {
     KineticEnergy,
     /// Peak pressure in the vitreous, Pa.
     Pressure,
+    /// Peak tension of the sclera, Pa.
+    Stress,
 }
 
 impl Measure {
@@ -75,6 +78,7 @@ impl Measure {
             Self::NormalizedEnergy => "normalized energy",
             Self::KineticEnergy => "kinetic energy",
             Self::Pressure => "peak pressure",
+            Self::Stress => "scleral stress",
         }
     }
 
@@ -84,6 +88,7 @@ impl Measure {
             Self::NormalizedEnergy => "normalized_energy",
             Self::KineticEnergy => "kinetic_energy",
             Self::Pressure => "peak_pressure",
+            Self::Stress => "scleral_stress",
         }
     }
 
@@ -92,7 +97,7 @@ impl Measure {
         match self {
             Self::NormalizedEnergy => ("kJ/m2", 1e3),
             Self::KineticEnergy => ("J", 1.0),
-            Self::Pressure => ("MPa", 1e6),
+            Self::Pressure | Self::Stress => ("MPa", 1e6),
         }
     }
 }
@@ -103,6 +108,9 @@ pub const ASSUMED_SLOPE: Slope = Slope {
     usual: 4.6,
     most: 7.0,
 };
+
+/// By this share the published point of 50 % of a curve of an assumed slope may be off.
+const POINT: f64 = 0.15;
 
 /// The slope of a logistic curve in units of 1/x50, with the range it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -131,7 +139,34 @@ pub enum Form {
         mean: f64,
         /// Standard deviation.
         sd: f64,
+        /// How many were tested.
+        tests: u32,
     },
+}
+
+/// Standard errors of a mean to each side of it that hold 95 % of what it may be.
+const STANDARD_ERRORS: f64 = 1.96;
+
+/// Whose eyes were tested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Eyes {
+    /// Donated human eyes.
+    Human,
+    /// Pigs' eyes, whose globes bear 1.8 times the pressure.
+    Pig,
+    /// Several species in one regression.
+    Pooled,
+}
+
+impl Eyes {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Human => "human",
+            Self::Pig => "pig",
+            Self::Pooled => "pooled, species not told apart",
+        }
+    }
 }
 
 /// How well founded a curve is.
@@ -182,7 +217,7 @@ pub struct Curve {
     /// Authors, year, journal.
     pub source: &'static str,
     /// The species whose eyes were hit.
-    pub species: &'static str,
+    pub species: Eyes,
     /// The data it rests on.
     pub range: Range,
     /// The range in words.
@@ -215,18 +250,39 @@ impl Curve {
     pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
         match self.form {
             Form::Logistic { half, .. } => 1.0 / (1.0 + (-slope * (value / half - 1.0)).exp()),
-            Form::Normal { mean, sd } => normal::below((value - mean) / sd),
+            Form::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
         }
     }
 
-    /// Least and greatest risk at `value` over the range of slopes.
+    /// What a risk would be if the slope were `slope`, in units of 1/x50; a normal curve has its own.
+    pub fn with_slope(&self, risk: f64, slope: f64) -> f64 {
+        match self.form {
+            Form::Logistic { slope: own, .. } => {
+                let steps = (risk / (1.0 - risk)).ln() * slope / own.usual;
+                1.0 / (1.0 + (-steps).exp())
+            }
+            Form::Normal { .. } => risk,
+        }
+    }
+
+    /// Least and greatest risk at `value` over the range of slopes, or of the mean.
     pub fn band(&self, value: f64) -> (f64, f64) {
         match self.form {
             Form::Logistic { slope, .. } => {
-                let ends = [slope.least, slope.most].map(|s| self.risk_with(value, s));
-                (ends[0].min(ends[1]), ends[0].max(ends[1]))
+                let point = match self.standing {
+                    Standing::SlopeAssumed | Standing::Unverified => POINT,
+                    Standing::Published | Standing::Reconstructed => 0.0,
+                };
+                let risks = |share: f64| {
+                    [slope.least, slope.most].map(|s| self.risk_with(value / share, s))
+                };
+                let (low, high) = (risks(1.0 + point), risks(1.0 - point));
+                (low[0].min(low[1]), high[0].max(high[1]))
             }
-            Form::Normal { .. } => (self.risk(value), self.risk(value)),
+            Form::Normal { sd, tests, .. } => {
+                let off = STANDARD_ERRORS * sd / f64::from(tests).sqrt();
+                (self.risk(value - off), self.risk(value + off))
+            }
         }
     }
 

@@ -9,10 +9,10 @@ mod published;
 mod risk;
 
 pub(crate) use curve::ASSUMED_SLOPE;
-pub use curve::{Curve, Form, Injury, Measure, Range, Slope, Standing};
+pub use curve::{Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing};
 pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
 #[cfg(feature = "app")]
 pub(crate) use risk::disagreement;
-pub use risk::{Blow, Caution, MARKS, Risk};
-pub(crate) use risk::{assess, curve_of, measured};
+pub use risk::{Blow, Caution, Computed, MARKS, Measures, Risk};
+pub(crate) use risk::{assess, curve_of};

@@ -70,19 +70,21 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "  {MARKS}")?;
     for (i, source) in sources.iter().enumerate() {
         writeln!(out, "  [{}] {source}", i + 1)?;
-        for risk in risks.iter().filter(|r| r.curve.source == *source) {
-            if !risk.curve.remark.is_empty() {
-                writeln!(
-                    out,
-                    "      {}: {}",
-                    risk.curve.injury.name(),
-                    risk.curve.remark
-                )?;
-            }
+        let mut notes: Vec<String> = Vec::new();
+        let of = || risks.iter().filter(|r| r.curve.source == *source);
+        for risk in of().filter(|r| !r.curve.remark.is_empty()) {
+            notes.push(format!(
+                "{}: {}",
+                risk.curve.injury.name(),
+                risk.curve.remark
+            ));
         }
-        if let Some(risk) = risks.iter().find(|r| r.curve.source == *source) {
-            writeln!(out, "      {}", risk.curve.species)?;
-            writeln!(out, "      {}", risk.curve.data)?;
+        if let Some(risk) = of().next() {
+            notes.push(risk.curve.species.name().to_owned());
+            notes.push(risk.curve.data.to_owned());
+        }
+        for line in notes.iter().flat_map(|note| wrapped(note, WIDTH - 6)) {
+            writeln!(out, "      {line}")?;
         }
     }
     let mut cautions: Vec<Caution> = risks.iter().filter_map(|r| r.caution).collect();
@@ -110,7 +112,7 @@ pub fn json(risks: &[Risk]) -> Value {
             "half_at": risk.curve.half() / scale,
             "standing": risk.curve.standing.name(),
             "source": risk.curve.source,
-            "species": risk.curve.species,
+            "species": risk.curve.species.name(),
             "data": risk.curve.data,
             "remark": risk.curve.remark,
             "extrapolated": risk.extrapolated,
@@ -133,11 +135,17 @@ pub fn json(risks: &[Risk]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::injury::{Blow, assess};
+    use crate::injury::{Blow, Computed, Measures, assess};
 
     fn printed(blow: Option<Blow>, pressure: Option<f64>) -> String {
         let mut out = Vec::new();
-        text(&assess(blow, pressure), &mut out).unwrap();
+        let pressure = pressure.map(|value| Computed { value, error: 0.1 });
+        let measures = Measures {
+            blow,
+            pressure,
+            stress: None,
+        };
+        text(&assess(&measures), &mut out).unwrap();
         String::from_utf8(out).unwrap()
     }
 
@@ -155,6 +163,7 @@ mod tests {
             "unverified",
             "normalized energy    34.01 kJ/m2",
             "peak pressure       0.3000 MPa",
+            "0-5 %",
             "the measures disagree",
             "Duma 2005",
             "extrapolated",

@@ -161,13 +161,19 @@ pub fn capital(label: &str) -> String {
 
 /// What a reader should know of a peak beside its value.
 fn remark(quantity: Quantity, extremes: &Extremes) -> String {
+    let contact = format!(", mean over the {:.0} us before", MEAN_S * 1e6);
     match (quantity, &extremes.fluid) {
         (Quantity::Pressure, Some(fluid)) => format!(
             " ({:.0} mmHg, {:.1} at rest)",
             fluid.pressure.value / PA_PER_MMHG,
             fluid.rest_pressure / PA_PER_MMHG
         ),
-        (Quantity::Contact, _) => format!(", mean over the {:.0} us before", MEAN_S * 1e6),
+        (Quantity::Contact, Some(_)) => contact,
+        // A mass point hit at speed answers with its own mass: tissue at 0.001 kPa gives the same force.
+        (Quantity::Contact, None) => {
+            contact
+                + ";\n  of a light fast object it is that of the two nodes it meets, not of tissue"
+        }
         _ => String::new(),
     }
 }

@@ -21,7 +21,6 @@ use super::quantity::Quantity;
 use super::results::Results;
 use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::median;
-use crate::injury::Blow;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -97,12 +96,12 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
 }
 
 /// Reads the risks that rest on an assumed slope again, with this one.
-fn put_slope(results: &mut Results, blow: Option<Blow>, slope: f64) {
+fn put_slope(results: &mut Results, slope: f64) {
     for &quantity in Quantity::ALL {
         // Of an eye that was missed it is 0 and stays so.
         if let Some(value) = &mut results[quantity]
             && *value > 0.0
-            && let Some(risk) = quantity.with_slope(blow, slope)
+            && let Some(risk) = quantity.with_slope(*value, slope)
         {
             *value = risk;
         }
@@ -172,7 +171,7 @@ impl Job<'_> {
         let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
         let outcome = outcome.map(|mut point| {
             if let Some(place) = slope {
-                put_slope(&mut point.values, Blow::of(&scenario), drawn[place]);
+                put_slope(&mut point.values, drawn[place]);
             }
             point
         });

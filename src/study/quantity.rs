@@ -10,7 +10,7 @@
 use super::course::{Group, Trace, trace};
 use crate::dynamics::revolution;
 use crate::eye::Monitor;
-use crate::injury::{Blow, DamageIndex, Injury, Measure, Standing, curve_of, measured};
+use crate::injury::{Blow, Computed, DamageIndex, Injury, Measure, Measures, Standing, curve_of};
 use crate::recording::{Extremes, Peak};
 use strum::{EnumCount, VariantArray};
 
@@ -42,7 +42,8 @@ pub enum Quantity {
     /// the mean of the globe through a low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits: a mean over 100 us in a section, through a low
-    /// pass of 20 us at the eye of revolution.
+    /// pass of 20 us at the eye of revolution. In the Paper model that of a light fast object is the force
+    /// of the two mass points it meets: with tissue at 0.001 kPa it is the same.
     Contact,
     /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals.
     BackPressure,
@@ -58,6 +59,8 @@ pub enum Quantity {
     Rebound,
     /// Risk of rupture of the globe by peak pressure, %.
     RuptureByPressure,
+    /// Risk of rupture of the globe by the stress of the sclera of the eye of revolution, %.
+    RuptureByStress,
     /// Risk of rupture of the globe by normalized energy, %.
     RuptureByEnergy,
     /// Risk of damage of the retina by normalized energy, %.
@@ -371,6 +374,10 @@ impl Quantity {
                 read: Read::Risk(Injury::GlobeRupture, Measure::Pressure),
                 ..risk("rupture_by_pressure_percent", "rupture, pressure", "p rupt")
             },
+            Self::RuptureByStress => Row {
+                read: Read::Risk(Injury::GlobeRupture, Measure::Stress),
+                ..risk("rupture_by_stress_percent", "rupture, stress", "s rupt")
+            },
             Self::RuptureByEnergy => Row {
                 read: Read::Risk(Injury::GlobeRupture, Measure::NormalizedEnergy),
                 ..risk("rupture_by_energy_percent", "rupture, energy", "E rupt")
@@ -404,8 +411,7 @@ impl Quantity {
             Read::Number(number) => number(extremes)?,
             Read::Risk(injury, measure) => {
                 let pressure = extremes.fluid.map(|fluid| fluid.pressure.value);
-                let value = measured(measure, blow, pressure)?;
-                let risk = curve_of(injury, measure)?.risk(value);
+                let risk = risk_of(injury, measure, blow, (pressure, None))?;
                 if extremes.missed() { 0.0 } else { risk }
             }
         };
@@ -419,8 +425,9 @@ impl Quantity {
             (ReadRevolution::Peak(peak), _) => peak(extremes)?.value,
             (ReadRevolution::Number(number), _) => number(extremes)?,
             (ReadRevolution::Nowhere, Read::Risk(injury, measure)) => {
-                let value = measured(measure, blow, Some(extremes.pressure.value))?;
-                curve_of(injury, measure)?.risk(value)
+                let pressure = Some(extremes.pressure.value);
+                let stress = Some(extremes.scleral_stress.value);
+                risk_of(injury, measure, blow, (pressure, stress))?
             }
             (ReadRevolution::Nowhere, _) => return None,
         };
@@ -443,15 +450,34 @@ impl Quantity {
         }
     }
 
-    /// The value in its unit again, for another slope of its curve; none where no slope was assumed.
-    pub fn with_slope(self, blow: Option<Blow>, slope: f64) -> Option<f64> {
+    /// What a risk of `value`, in its unit, would be with another slope of its curve; none where no slope
+    /// was assumed.
+    pub fn with_slope(self, value: f64, slope: f64) -> Option<f64> {
         let row = self.row();
         let Read::Risk(injury, measure) = row.read else {
             return None;
         };
         let curve = curve_of(injury, measure).filter(|c| c.standing == Standing::SlopeAssumed)?;
-        Some(curve.risk_with(measured(measure, blow, None)?, slope) * row.factor)
+        Some(curve.with_slope(value / row.factor, slope) * row.factor)
     }
+}
+
+/// The risk of `injury`, from 0 to 1, by the first curve against `measure`, of a blow that made this peak
+/// pressure and stress, in Pa.
+fn risk_of(
+    injury: Injury,
+    measure: Measure,
+    blow: Option<Blow>,
+    (pressure, stress): (Option<f64>, Option<f64>),
+) -> Option<f64> {
+    let sure = |value| Computed { value, error: 0.0 };
+    let measures = Measures {
+        blow,
+        pressure: pressure.map(sure),
+        stress: stress.map(sure),
+    };
+    let value = measures.get(measure)?.value;
+    Some(curve_of(injury, measure)?.risk(value))
 }
 
 const FORCE_ROUNDING: f64 = 3e-10;

@@ -10,7 +10,7 @@ use super::results::Results;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
 use crate::dynamics::{Cost, Plan};
-use crate::injury::{DamageIndex, Risk, assess};
+use crate::injury::{Computed, DamageIndex, Measures, Risk, assess};
 use crate::recording::{Keep, Recording};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -42,6 +42,12 @@ impl Errors {
     /// The same for the mesh, of those that have a limit.
     pub fn mesh_percent(&self) -> Option<f64> {
         Some(self.mesh.as_ref()?.worst()?.1)
+    }
+
+    /// The share of a result by which step and mesh may make it wrong, as far as they are known.
+    pub fn share(&self, of: Quantity) -> f64 {
+        let mesh = self.mesh.as_ref().and_then(|mesh| mesh[of]);
+        0.01 * (self.time_step[of].unwrap_or(0.0) + mesh.unwrap_or(0.0))
     }
 
     /// The results that have no limit as the mesh gets finer, or none that could be seen, once the mesh
@@ -101,7 +107,15 @@ impl Answer {
         if extremes.missed() {
             return Vec::new();
         }
-        assess(self.case.blow, extremes.fluid.map(|f| f.pressure.value))
+        let pressure = extremes.fluid.map(|fluid| Computed {
+            value: fluid.pressure.value,
+            error: self.errors.share(Quantity::Pressure),
+        });
+        assess(&Measures {
+            blow: self.case.blow,
+            pressure,
+            stress: None,
+        })
     }
 }
 

@@ -12,11 +12,11 @@ use super::case::RevolutionCase;
 use super::flags;
 use crate::dynamics::revolution::{self as engine, Run, STEP_SHARE, run};
 use crate::eye::revolution::RevolutionEye;
-use crate::injury::{DamageIndex, Risk, assess};
-use crate::recording::Keep;
+use crate::injury::{Computed, DamageIndex, Measures, Risk, assess};
+use crate::recording::{Keep, Peak};
 use crate::study::case::{Refusal, Watch};
 use crate::study::flags::{Flag, FlagKind};
-use crate::study::quantity::Family;
+use crate::study::quantity::{Family, Quantity};
 use crate::study::results::Results;
 use crate::study::solve::Errors;
 use std::ops::ControlFlow;
@@ -60,7 +60,16 @@ impl RevolutionAnswer {
 
     /// What the published injury curves say, beside the paper's index.
     pub fn risks(&self) -> Vec<Risk> {
-        assess(self.case.blow, Some(self.run.extremes.pressure.value))
+        let extremes = &self.run.extremes;
+        let computed = |peak: Peak, of| Computed {
+            value: peak.value,
+            error: self.errors.share(of),
+        };
+        assess(&Measures {
+            blow: self.case.blow,
+            pressure: Some(computed(extremes.pressure, Quantity::Pressure)),
+            stress: Some(computed(extremes.scleral_stress, Quantity::ScleralStress)),
+        })
     }
 
     /// Estimates the mesh error from a neighbouring level and adds it, with a flag if that one folds.

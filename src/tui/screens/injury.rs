@@ -210,7 +210,7 @@ fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut B
     let range = if high - low < 1.0 {
         String::new()
     } else {
-        format!(": {low:.0} to {high:.0} % over the range of its slope")
+        format!(": {low:.0} to {high:.0} % over the range of curve and measure")
     };
     let mut words = format!(
         "{} by {}{}. {}; {}; {}; {}.",
@@ -218,7 +218,7 @@ fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut B
         curve.measure.name(),
         range,
         curve.source,
-        curve.species,
+        curve.species.name(),
         curve.data,
         curve.standing.name(),
     );
