@@ -16,6 +16,8 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;
 
+mod outside;
+
 /// Rounds of evaluations at level 1, at the finer levels, of whole runs, and of batches.
 const ROUNDS: (usize, usize, usize, usize) = (200, 15, 30, 7);
 /// Share of the stability limit that both sides take where only evaluations are timed.
@@ -238,7 +240,16 @@ fn standard_case(targets: &mut Targets) {
     let scenario = Scenario::default();
     let plans = [quick.plan_alone(&scenario), quick.plan(&scenario)].map(|p| p.expect("runs"));
     let mut times = Fastest::<4>::new();
+    let mut in_c = outside::PlainC::new(&quick, step);
+    let mut fastest_in_c = f64::INFINITY;
     for _ in 0..ROUNDS.2 {
+        if let Some((seconds, sum)) = in_c.as_mut().and_then(outside::PlainC::solve) {
+            fastest_in_c = fastest_in_c.min(seconds);
+            let mut edges = plain(&quick);
+            edges.run(quick.window, step, |_, _| {});
+            let here: f64 = edges.x.iter().chain(&edges.y).sum();
+            assert!((sum - here).abs() < 1e-9, "C ends elsewhere: {sum} {here}");
+        }
         for (i, plan) in plans.iter().enumerate() {
             times.time(i, || {
                 black_box(run(plan));
@@ -277,13 +288,26 @@ fn standard_case(targets: &mut Targets) {
     );
     let what = format!("plain Verlet within 0.1 %: {:.3} us, the same", step * 1e6);
     row(&what, time[3], Some(within));
-    let what = "plain within 0.1 % against";
-    targets.least(format!("{what} one run alone"), time[3] / time[0], 12.0);
-    targets.least(
-        format!("{what} the run of an answer"),
-        time[3] / time[1],
-        12.0,
-    );
+    let mut within_error = |what: &str, time_of_it: f64| {
+        let ratio = |form: usize| time_of_it / time[form];
+        targets.least(format!("{what} against one run alone"), ratio(0), 12.0);
+        targets.least(
+            format!("{what} against the run of an answer"),
+            ratio(1),
+            12.0,
+        );
+    };
+    within_error("plain within 0.1 %", time[3]);
+    if fastest_in_c.is_finite() {
+        row(
+            "the same in C, cc -O3 -march=native",
+            fastest_in_c,
+            Some(within),
+        );
+        within_error("the same in C", fastest_in_c);
+    } else {
+        println!("no C compiler here: the plain loop in C is left out");
+    }
     let what = "plain at its limit against one run alone";
     targets.least(what, time[2] / time[0], 2.0);
 }
