@@ -9,7 +9,7 @@
 static int nodes, edges, loads, segments;
 static int *from, *to, *loaded, *steps;
 static double *stiffness, *rest, *load_x, *load_y;
-static double *inverse_mass, *decay, *x0, *y0;
+static double *inverse_mass, *decay, *rest_x, *rest_y;
 static double *x, *y, *vx, *vy, *fx, *fy, *reach, *keep;
 static double *length, **force;
 
@@ -28,9 +28,9 @@ static void scan_integer(int *into) {
 
 static void read_problem(void) {
     scan_integer(&nodes), scan_integer(&edges), scan_integer(&loads), scan_integer(&segments);
-    inverse_mass = numbers(nodes), decay = numbers(nodes), x0 = numbers(nodes), y0 = numbers(nodes);
+    inverse_mass = numbers(nodes), decay = numbers(nodes), rest_x = numbers(nodes), rest_y = numbers(nodes);
     for (int i = 0; i < nodes; i++)
-        scan(inverse_mass + i), scan(decay + i), scan(x0 + i), scan(y0 + i);
+        scan(inverse_mass + i), scan(decay + i), scan(rest_x + i), scan(rest_y + i);
     from = integers(edges), to = integers(edges), stiffness = numbers(edges), rest = numbers(edges);
     for (int e = 0; e < edges; e++)
         scan_integer(from + e), scan_integer(to + e), scan(stiffness + e), scan(rest + e);
@@ -70,7 +70,7 @@ static void kick(double h) {
 }
 
 static void solve(void) {
-    for (int i = 0; i < nodes; i++) x[i] = x0[i], y[i] = y0[i], vx[i] = vy[i] = 0.0;
+    for (int i = 0; i < nodes; i++) x[i] = rest_x[i], y[i] = rest_y[i], vx[i] = vy[i] = 0.0;
     for (int s = 0; s < segments; s++) {
         double h = length[s];
         for (int i = 0; i < nodes; i++) {
