@@ -46,6 +46,46 @@ fn a_termination_signal_leaves_a_clean_terminal() {
 }
 
 #[test]
+fn an_abort_leaves_a_clean_terminal_and_says_so() {
+    let mut term = Term::start(app(&["--mouse"]));
+    term.wait_for("26.42 %");
+    term.signal("ABRT");
+    term.exit_code();
+    term.assert_restored();
+    term.wait_for("contrecoup: aborted");
+}
+
+/// Memory of a process by its name in `/proc`, in bytes.
+#[cfg(target_os = "linux")]
+fn memory(pid: u32, name: &str) -> u64 {
+    let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
+    let line = status.lines().find_map(|line| line.strip_prefix(name));
+    let kilobytes = line.unwrap().trim_matches([':', ' ', '\t', 'k', 'B']);
+    1024 * kilobytes.parse::<u64>().unwrap()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_failed_allocation_leaves_a_clean_terminal_and_says_so() {
+    let mut term = started();
+    term.wait_for("5-95 %");
+    term.settle();
+    // As by `ulimit -d`, once everything has begun.
+    let limit = memory(term.pid(), "VmData");
+    let done = Command::new("prlimit")
+        .args([format!("--pid={}", term.pid()), format!("--data={limit}")])
+        .status()
+        .unwrap();
+    assert!(done.success());
+    // A screen of so many cells takes megabytes.
+    term.resize(500, 200);
+    let code = term.exit_code();
+    term.assert_restored();
+    term.wait_for("memory ran out");
+    assert_ne!(code, 0);
+}
+
+#[test]
 fn a_signal_ends_the_app_while_the_terminal_does_not_read() {
     for twice in [false, true] {
         let size = PtySize {

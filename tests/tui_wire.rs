@@ -39,8 +39,10 @@ fn no_color_means_no_colour() {
 }
 
 #[test]
-fn plain_ascii_is_enough() {
-    let term = Term::start(app(&["tui", "--symbols", "ascii"]));
+fn plain_ascii_is_enough_where_the_locale_has_nothing_else() {
+    let mut command = app(&["tui"]);
+    command.env("LC_ALL", "C");
+    let term = Term::start(command);
     term.wait_for("26.42 %");
     for screen in ["\x1b2", "3", "4", "?"] {
         term.keys(screen);
@@ -128,6 +130,27 @@ fn a_terminal_that_never_answers_is_served_all_the_same() {
     term.keys("r");
     term.wait_for("310 N");
     assert_eq!(term.most_open(), asked);
+}
+
+#[test]
+fn a_stopped_client_gets_one_old_frame_and_goes_on_with_its_first_reply() {
+    let term = started();
+    term.wait_for("5-95 %");
+    // So slowly that it plays all the while.
+    term.keys("\x1b2--- ");
+    term.wait_for("playing");
+    term.stop();
+    thread::sleep(Duration::from_millis(300));
+    let before = term.traffic();
+    thread::sleep(Duration::from_secs(5));
+    let stopped = term.traffic();
+    assert!(stopped.1 - before.1 <= 1, "{before:?} to {stopped:?}");
+    assert!(stopped.0 - before.0 < 5000, "{before:?} to {stopped:?}");
+    term.go_on();
+    thread::sleep(Duration::from_secs(1));
+    let frames = term.traffic().1 - stopped.1;
+    assert!(frames >= 4, "only {frames} frames after it went on");
+    assert!(!term.text().contains("slow link"));
 }
 
 #[test]

@@ -49,6 +49,9 @@ struct Seen {
     /// Questions without a reply yet, and the most there ever were at once.
     open: usize,
     most_open: usize,
+    /// Whether nobody answers for now, and what was asked meanwhile.
+    stopped: bool,
+    unanswered: Vec<String>,
 }
 
 /// A program in a terminal.
@@ -57,6 +60,19 @@ pub struct Term {
     master: Box<dyn MasterPty + Send>,
     writer: Arc<Mutex<Box<dyn Write + Send>>>,
     child: Box<dyn Child + Send + Sync>,
+    /// The modes of the terminal before the program came.
+    modes: String,
+}
+
+/// The modes of a terminal, such as whether it waits for whole lines.
+fn modes(master: &(dyn MasterPty + Send)) -> String {
+    let termios = master.get_termios().expect("a terminal has modes");
+    let flags = (
+        termios.input_flags,
+        termios.output_flags,
+        termios.local_flags,
+    );
+    format!("{flags:?}")
 }
 
 fn size(columns: u16, rows: u16) -> PtySize {
@@ -114,6 +130,7 @@ impl Term {
     /// Starts a command.
     pub fn open(command: CommandBuilder, (columns, rows): (u16, u16), replies: Replies) -> Self {
         let pair = native_pty_system().openpty(size(columns, rows)).unwrap();
+        let modes = modes(&*pair.master);
         let child = pair.slave.spawn_command(command).unwrap();
         drop(pair.slave);
         let reader = pair.master.try_clone_reader().unwrap();
@@ -123,6 +140,8 @@ impl Term {
             raw: Vec::new(),
             open: 0,
             most_open: 0,
+            stopped: false,
+            unanswered: Vec::new(),
         }));
         let (own_seen, own_writer) = (Arc::clone(&seen), Arc::clone(&writer));
         thread::spawn(move || listen(reader, &own_seen, &own_writer, replies));
@@ -131,7 +150,23 @@ impl Term {
             master: pair.master,
             writer,
             child,
+            modes,
         }
+    }
+
+    /// Stops answering, like a client that is stopped.
+    pub fn stop(&self) {
+        self.seen.lock().unwrap().stopped = true;
+    }
+
+    /// Answers everything that was asked since, and from now on at once.
+    pub fn go_on(&self) {
+        let mut seen = self.seen.lock().unwrap();
+        seen.stopped = false;
+        seen.open -= seen.unanswered.len();
+        let replies: String = seen.unanswered.drain(..).collect();
+        drop(seen);
+        self.keys(&replies);
     }
 
     /// The text on the screen.
@@ -247,6 +282,11 @@ impl Term {
         assert!(!pasting, "bracketed paste left on");
         drop(seen);
         self.assert_mouse(false);
+        assert_eq!(
+            modes(&*self.master),
+            self.modes,
+            "terminal left in other modes"
+        );
     }
 
     /// Fails unless the terminal reports the mouse, or does not.
@@ -273,6 +313,18 @@ pub fn signal(name: &str, pid: u32) {
     assert!(status.unwrap().success());
 }
 
+/// The replies to the questions that end after `from`: each question follows the place it asks for.
+fn replies_to(raw: &[u8], from: usize) -> Vec<String> {
+    let ends = (from + QUESTION.len()..=raw.len()).filter(|end| raw[..*end].ends_with(QUESTION));
+    ends.map(|end| {
+        let before = String::from_utf8_lossy(&raw[end.saturating_sub(16)..end - QUESTION.len()])
+            .into_owned();
+        let place = before.rsplit_once("\x1b[").map_or("", |(_, place)| place);
+        format!("\x1b[{}R", place.strip_suffix('H').unwrap_or("1;1"))
+    })
+    .collect()
+}
+
 fn listen(
     mut reader: Box<dyn Read + Send>,
     seen: &Arc<Mutex<Seen>>,
@@ -286,17 +338,21 @@ fn listen(
             seen.parser.process(&bytes[..got]);
             let from = seen.raw.len().saturating_sub(QUESTION.len() - 1);
             seen.raw.extend_from_slice(&bytes[..got]);
-            let asked = count(&seen.raw[from..], QUESTION);
-            seen.open += asked;
+            let asked = replies_to(&seen.raw, from);
+            seen.open += asked.len();
             seen.most_open = seen.most_open.max(seen.open);
+            if seen.stopped {
+                seen.unanswered.extend(asked);
+                continue;
+            }
             asked
         };
-        for _ in 0..asked {
+        for reply in asked {
             let (seen, writer) = (Arc::clone(seen), Arc::clone(writer));
             let reply = move || {
                 seen.lock().unwrap().open -= 1;
                 let mut writer = writer.lock().unwrap();
-                let _ = writer.write_all(b"\x1b[1;1R");
+                let _ = writer.write_all(reply.as_bytes());
                 let _ = writer.flush();
             };
             match replies {

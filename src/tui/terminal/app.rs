@@ -14,7 +14,7 @@ use super::event::Event;
 use super::input::{Input, Parser};
 use super::jobs::Jobs;
 use super::pacer::{Cause, Pacer};
-use super::paint::{BEGIN, END, Pen, QUESTION};
+use super::paint::{BEGIN, END, Pen, question};
 use super::session::Session;
 use super::system;
 use crate::scenario::library;
@@ -147,8 +147,12 @@ impl App {
         } else {
             Cause::Replay
         };
-        if !(self.dirty || animated) || !self.pacer.is_free(now, cause) {
+        if !(self.dirty || animated) {
             return Ok(());
+        }
+        if !self.pacer.is_free(now, cause) {
+            let probe = self.pacer.probe(now);
+            return probe.map_or(Ok(()), |column| self.session.write(&question(column)));
         }
         self.tick();
         self.model.slow_link = self.pacer.is_slow();
@@ -177,10 +181,9 @@ impl App {
             return Ok(());
         }
         frame.extend_from_slice(END);
-        if self.pacer.asks() {
-            frame.extend_from_slice(QUESTION);
+        if let Some(column) = self.pacer.sent(now, frame.len()) {
+            frame.extend(question(column));
         }
-        self.pacer.sent(now, frame.len());
         self.session.write(&frame)
     }
 
@@ -243,8 +246,8 @@ impl App {
             // From before it was switched off.
             Input::Mouse(_) => Ok(()),
             // The loop looks afresh at what may be sent.
-            Input::CursorReport => {
-                self.pacer.replied(Instant::now());
+            Input::CursorReport(column) => {
+                self.pacer.replied(Instant::now(), column);
                 Ok(())
             }
         }
@@ -277,8 +280,8 @@ impl App {
             match event {
                 Event::Bytes(bytes) => {
                     for input in self.parser.feed(&bytes) {
-                        if input == Input::CursorReport {
-                            self.pacer.replied(Instant::now());
+                        if let Input::CursorReport(column) = input {
+                            self.pacer.replied(Instant::now(), column);
                         } else {
                             news.push(Event::Input(input));
                         }

@@ -19,8 +19,8 @@ pub enum Input {
     Paste(String),
     /// The mouse did something.
     Mouse(MouseEvent),
-    /// The reply to a question for the cursor's place.
-    CursorReport,
+    /// The reply to a question for the cursor's place, with its column.
+    CursorReport(u8),
 }
 
 /// A paste beyond this is cut: no field takes so much.
@@ -235,7 +235,9 @@ fn csi(rest: &[u8]) -> Parsed {
     let modifiers = numbers.get(1).map_or(KeyModifiers::NONE, |&n| held_keys(n));
     let code = match (rest[end], numbers.first()) {
         // A report has a row and a column; F3 with modifiers looks the same and is given up.
-        (b'R', _) if numbers.len() == 2 => return Parsed::Found(used, Input::CursorReport),
+        (b'R', _) if numbers.len() == 2 => {
+            return Parsed::Found(used, Input::CursorReport(numbers[1]));
+        }
         (b'~', Some(200)) => return Parsed::PasteBegins(used),
         (b'~', Some(&number)) => tilde_key(number),
         (b'Z', _) => Some(KeyCode::BackTab),
@@ -345,7 +347,7 @@ mod tests {
 
     #[test]
     fn replies_are_never_taken_for_keys() {
-        assert_eq!(keys(b"\x1b[12;40R"), [Input::CursorReport]);
+        assert_eq!(keys(b"\x1b[12;40R"), [Input::CursorReport(40)]);
         for reply in [
             "\x1b[?2026;2$y",
             "\x1b[?62;4c",

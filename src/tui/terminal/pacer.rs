@@ -5,17 +5,22 @@
 //! two frames are under way however slow the link is. Without this, a secure shell buffers
 //! megabytes of frames and a key waits behind them all.
 //!
-//! Questions and replies are counted. A reply to a question that was given up must not free a later
-//! frame. A terminal that fails to answer twice in a row is never asked again; a budget of bytes a
-//! second takes over.
+//! Each reply names its question, so a late one frees no later frame and a lost one is not missed. A
+//! terminal that has ever answered and falls silent is stopped, or its link is: it gets no more frames,
+//! only a bare question now and then in case a reply was lost, and goes on with the first reply. A
+//! terminal that has never answered is asked twice; then a budget of bytes a second takes over.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 /// How long a reply is waited for.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// Unanswered questions in a row after which no more are asked.
+/// Unanswered questions of a terminal that never answers, after which no more are asked.
 const MAX_SILENCES: u32 = 2;
+/// The longest time between two bare questions.
+const LONGEST_SILENCE: Duration = Duration::from_secs(60);
+/// Questions that can be told apart, by a column each.
+const COLUMNS: u8 = 8;
 /// Seconds: a reply is thought to take at least the first, and none is waited for beyond the other.
 const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
@@ -28,14 +33,27 @@ const SAMPLES: usize = 16;
 const FEWEST: usize = 5;
 const LEAST_DEVIATION: f64 = 100.0;
 
+/// A question that has no reply yet.
+#[derive(Debug, Clone, Copy)]
+struct Question {
+    column: u8,
+    since: Instant,
+    /// Of the frame before it; a bare question has none.
+    bytes: Option<usize>,
+    /// Nobody waits for the reply any more.
+    given_up: bool,
+}
+
 /// Counts questions and replies and says when a frame may go out.
 #[derive(Debug, Default)]
 pub struct Pacer {
-    /// When frames without a reply went out, and how large they were.
-    open: VecDeque<(Instant, usize)>,
-    given_up: u32,
+    open: VecDeque<Question>,
+    /// Column of the last question.
+    last: u8,
     /// Whether whoever shows the frames takes them as they are written.
     local: bool,
+    /// Whether a reply ever came.
+    answers: bool,
     silences: u32,
     free_at: Option<Instant>,
     /// Bytes of the last frames and the seconds until their replies.
@@ -62,27 +80,61 @@ impl Pacer {
         }
     }
 
-    /// Whether a frame should end with a question.
-    pub fn asks(&self) -> bool {
-        !self.local && self.silences < MAX_SILENCES
+    /// Whether questions are asked.
+    fn asks(&self) -> bool {
+        !self.local && (self.answers || self.silences < MAX_SILENCES)
     }
 
-    /// A frame of so many bytes went out.
-    pub fn sent(&mut self, now: Instant, bytes: usize) {
+    /// A frame of so many bytes goes out; gives the column of the question to end it with.
+    pub fn sent(&mut self, now: Instant, bytes: usize) -> Option<u8> {
         if self.asks() {
-            self.open.push_back((now, bytes));
-        } else if !self.local {
+            return Some(self.ask(now, Some(bytes)));
+        }
+        if !self.local {
             self.free_at = Some(now + Duration::from_secs_f64(bytes as f64 / BUDGET));
         }
+        None
     }
 
-    /// A reply came.
-    pub fn replied(&mut self, now: Instant) {
-        if self.given_up > 0 {
-            self.given_up -= 1;
-        } else if let Some((since, bytes)) = self.open.pop_front() {
-            self.silences = 0;
-            let delay = now.saturating_duration_since(since).as_secs_f64();
+    fn ask(&mut self, since: Instant, bytes: Option<usize>) -> u8 {
+        self.last = self.last % COLUMNS + 1;
+        // The one that had this column before will hardly be answered.
+        self.open.retain(|question| question.column != self.last);
+        self.open.push_back(Question {
+            column: self.last,
+            since,
+            bytes,
+            given_up: false,
+        });
+        self.last
+    }
+
+    /// The column of a bare question that is due, for a terminal that used to answer.
+    pub fn probe(&mut self, now: Instant) -> Option<u8> {
+        let due = self.probe_at().is_some_and(|at| now >= at);
+        due.then(|| self.ask(now, None))
+    }
+
+    /// The longer the silence, the longer until the next bare question.
+    fn probe_at(&self) -> Option<Instant> {
+        let last = self.open.back().filter(|_| self.answers)?;
+        let bare = self.open.iter().filter(|q| q.bytes.is_none()).count();
+        Some(last.since + (PATIENCE * 2_u32.pow(bare as u32)).min(LONGEST_SILENCE))
+    }
+
+    /// A reply came, from this column. Older questions will not be answered any more. A terminal that
+    /// does not know its columns is taken to answer in turn.
+    pub fn replied(&mut self, now: Instant, column: u8) {
+        (self.answers, self.silences, self.free_at) = (true, 0, None);
+        let place = self.open.iter().position(|q| q.column == column);
+        self.open.drain(..place.unwrap_or(0));
+        let Some(question) = self.open.pop_front() else {
+            return;
+        };
+        // After a silence the delay says nothing of the link.
+        let is_late = question.given_up || self.open.iter().any(|q| q.bytes.is_none());
+        if let (Some(bytes), false) = (question.bytes, is_late) {
+            let delay = now.saturating_duration_since(question.since).as_secs_f64();
             if self.samples.len() == SAMPLES {
                 self.samples.pop_front();
             }
@@ -106,31 +158,38 @@ impl Pacer {
         }
     }
 
-    /// Whether a frame may go out; gives up on a reply that is overdue.
+    /// Whether a frame may go out; gives up on a reply that is overdue from who never answered.
     pub fn is_free(&mut self, now: Instant, cause: Cause) -> bool {
-        let overdue = |since: Instant| now.saturating_duration_since(since) >= PATIENCE;
-        if self.open.front().is_some_and(|(since, _)| overdue(*since)) {
+        if !self.answers
+            && self
+                .waiting()
+                .next()
+                .is_some_and(|q| now >= q.since + PATIENCE)
+        {
             // What came after it is no sooner answered.
-            self.given_up += self.open.len() as u32;
-            self.open.clear();
+            self.open.iter_mut().for_each(|q| q.given_up = true);
             self.silences += 1;
         }
         let most = match cause {
             Cause::Replay => 0,
             Cause::Event => 1,
         };
-        self.open.len() <= most && self.free_at.is_none_or(|at| now >= at)
+        self.waiting().count() <= most && self.free_at.is_none_or(|at| now >= at)
+    }
+
+    fn waiting(&self) -> impl Iterator<Item = &Question> {
+        self.open.iter().filter(|question| !question.given_up)
     }
 
     /// When [`Self::is_free`] is worth another look, if no reply comes before.
     pub fn wake_at(&self) -> Option<Instant> {
-        let overdue = self.open.front().map(|(since, _)| *since + PATIENCE);
-        overdue.or(self.free_at)
+        let overdue = || self.waiting().next().map(|q| q.since + PATIENCE);
+        self.probe_at().or_else(overdue).or(self.free_at)
     }
 
     /// Whether a reply is still to come.
     pub fn awaits(&self) -> bool {
-        !self.open.is_empty()
+        self.waiting().next().is_some()
     }
 
     /// How long the last replies are worth waiting for before the terminal is given back: longer
@@ -162,15 +221,15 @@ mod tests {
         let mut pacer = Pacer::default();
         let start = Instant::now();
         assert!(pacer.is_free(start, Replay));
-        pacer.sent(start, 1000);
+        let first = pacer.sent(start, 1000).unwrap();
         assert!(!pacer.is_free(start + SHORT, Replay));
         assert!(pacer.is_free(start + SHORT, Event));
-        pacer.sent(start + SHORT, 1000);
+        let second = pacer.sent(start + SHORT, 1000).unwrap();
         assert!(!pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT);
+        pacer.replied(start + SHORT, first);
         assert!(!pacer.is_free(start + SHORT, Replay));
         assert!(pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT);
+        pacer.replied(start + SHORT, second);
         assert!(pacer.is_free(start + SHORT, Replay));
         assert!(!pacer.is_slow());
     }
@@ -179,26 +238,85 @@ mod tests {
     fn a_reply_nobody_asked_for_frees_nothing() {
         let mut pacer = Pacer::default();
         let start = Instant::now();
-        pacer.replied(start);
+        pacer.replied(start, 1);
         pacer.sent(start, 1000);
         assert!(!pacer.is_free(start + SHORT, Replay));
     }
 
     #[test]
-    fn a_late_reply_does_not_free_the_frame_after_its_own() {
+    fn a_late_first_reply_does_not_free_the_frame_after_its_own() {
         let mut pacer = Pacer::default();
         let start = Instant::now();
-        pacer.sent(start, 1000);
+        let first = pacer.sent(start, 1000).unwrap();
         let later = start + PATIENCE;
         assert!(pacer.is_free(later, Replay));
-        pacer.sent(later, 1000);
-        pacer.replied(later + SHORT);
+        let second = pacer.sent(later, 1000).unwrap();
+        pacer.replied(later + SHORT, first);
         assert!(
             !pacer.is_free(later + SHORT, Replay),
             "that was the first one's"
         );
-        pacer.replied(later + 2 * SHORT);
+        pacer.replied(later + 2 * SHORT, second);
         assert!(pacer.is_free(later + 2 * SHORT, Replay));
+    }
+
+    /// A pacer whose terminal answered once and has another frame under way since `start`.
+    fn answering(start: Instant) -> (Pacer, u8) {
+        let mut pacer = Pacer::default();
+        let first = pacer.sent(start, 1000).unwrap();
+        pacer.replied(start, first);
+        let column = pacer.sent(start, 1000).unwrap();
+        (pacer, column)
+    }
+
+    #[test]
+    fn a_terminal_that_is_stopped_gets_one_frame_more_and_goes_on_with_its_first_reply() {
+        let start = Instant::now();
+        let (mut pacer, column) = answering(start);
+        let (mut frames, mut probes) = (0, Vec::new());
+        for tenth in 0..36_000 {
+            let now = start + Duration::from_millis(100 * tenth);
+            assert!(!pacer.is_free(now, Replay));
+            if pacer.is_free(now, Event) {
+                pacer.sent(now, 1000);
+                frames += 1;
+            }
+            probes.extend(pacer.probe(now));
+        }
+        assert_eq!(frames, 1);
+        // Nine bytes each, in an hour.
+        assert!((50..70).contains(&probes.len()), "{}", probes.len());
+        let now = start + Duration::from_secs(3600);
+        pacer.replied(now, *probes.last().unwrap());
+        assert!(pacer.is_free(now, Replay) && pacer.probe(now).is_none());
+        // Replies to what is no longer asked free nothing.
+        pacer.sent(now, 1000);
+        pacer.replied(now, column);
+        assert!(!pacer.is_slow());
+    }
+
+    #[test]
+    fn a_lost_reply_costs_one_bare_question() {
+        let start = Instant::now();
+        let (mut pacer, _) = answering(start);
+        let now = start + PATIENCE;
+        assert_eq!(pacer.wake_at(), Some(now));
+        assert!(pacer.probe(start + SHORT).is_none());
+        let probe = pacer.probe(now).unwrap();
+        assert!(pacer.probe(now + SHORT).is_none());
+        pacer.replied(now + SHORT, probe);
+        assert!(pacer.is_free(now + SHORT, Replay) && !pacer.awaits());
+    }
+
+    #[test]
+    fn a_terminal_without_columns_answers_in_turn() {
+        let mut pacer = Pacer::default();
+        let start = Instant::now();
+        for _ in 0..20 {
+            assert!(pacer.is_free(start, Replay));
+            pacer.sent(start, 1000);
+            pacer.replied(start, 77);
+        }
     }
 
     #[test]
@@ -211,10 +329,13 @@ mod tests {
             now += PATIENCE;
             assert!(pacer.is_free(now, Replay));
         }
-        assert!(!pacer.asks() && pacer.is_slow());
-        pacer.sent(now, 3000);
+        assert!(!pacer.asks() && pacer.is_slow() && pacer.probe(now).is_none());
+        assert_eq!(pacer.sent(now, 3000), None);
         assert!(!pacer.is_free(now + Duration::from_millis(499), Replay));
         assert!(pacer.is_free(now + Duration::from_millis(501), Replay));
+        // It was late, not mute.
+        pacer.replied(now, 1);
+        assert!(pacer.asks() && pacer.is_free(now, Replay));
     }
 
     #[test]
@@ -222,8 +343,8 @@ mod tests {
         let after = |delay: u64| {
             let mut pacer = Pacer::default();
             let start = Instant::now();
-            pacer.sent(start, 1000);
-            pacer.replied(start + Duration::from_millis(delay));
+            let column = pacer.sent(start, 1000).unwrap();
+            pacer.replied(start + Duration::from_millis(delay), column);
             pacer.farewell()
         };
         assert_eq!(after(1), Duration::from_millis(300));
@@ -240,7 +361,7 @@ mod tests {
     fn a_local_console_is_neither_asked_nor_waited_for() {
         let mut pacer = Pacer::local();
         let start = Instant::now();
-        pacer.sent(start, 1_000_000);
+        assert_eq!(pacer.sent(start, 1_000_000), None);
         assert!(!pacer.asks() && !pacer.awaits() && !pacer.is_slow());
         assert!(pacer.is_free(start, Replay));
     }
@@ -251,9 +372,9 @@ mod tests {
             let mut pacer = Pacer::default();
             let mut now = Instant::now();
             for bytes in [50, 3000, 500, 2000, 300] {
-                pacer.sent(now, bytes);
+                let column = pacer.sent(now, bytes).unwrap();
                 now += Duration::from_millis(200) + Duration::from_secs_f64(bytes as f64 / rate);
-                pacer.replied(now);
+                pacer.replied(now, column);
             }
             pacer.is_slow()
         };

@@ -16,8 +16,12 @@ use ratatui::style::{Color, Modifier};
 pub const BEGIN: &[u8] = b"\x1b[?2026h";
 /// Ends it: the terminal shows the whole frame at once.
 pub const END: &[u8] = b"\x1b[?2026l";
-/// Asks for the cursor's place.
-pub const QUESTION: &[u8] = b"\x1b[6n";
+
+/// Puts the cursor, which nobody sees, into a column of the first row and asks where it is: the reply
+/// says which question it answers.
+pub fn question(column: u8) -> Vec<u8> {
+    format!("\x1b[1;{column}H\x1b[6n").into_bytes()
+}
 
 /// The order in which attributes are switched on, with their codes.
 const ATTRIBUTES: [(Modifier, u8); 6] = [

@@ -12,7 +12,7 @@ use super::system;
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[2J\x1b[?2004h\x1b[?25l";
 /// The way back.
-const LEAVE: &[u8] = b"\x1b[?2026l\x1b[0m\x1b[?2004l\x1b[?25h\x1b[?1049l\x1b[?25h";
+pub(super) const LEAVE: &[u8] = b"\x1b[?2026l\x1b[0m\x1b[?2004l\x1b[?25h\x1b[?1049l\x1b[?25h";
 
 static ENTERED: AtomicBool = AtomicBool::new(false);
 /// Whether the terminal reports the mouse, or will once it is entered again.
@@ -37,6 +37,7 @@ impl Session {
             // A worker's panic must not leave an app behind that waits for it.
             std::process::exit(101);
         }));
+        system::restore_on_abort(is_entered)?;
         let mut session = Self { out };
         session.resume()?;
         Ok(session)
@@ -96,6 +97,11 @@ impl Drop for Session {
     fn drop(&mut self) {
         self.leave();
     }
+}
+
+/// Whether the terminal is in the app's hands.
+fn is_entered() -> bool {
+    ENTERED.load(Ordering::SeqCst)
 }
 
 /// Gives back what can be given back of a terminal that does not read, and ends the program.

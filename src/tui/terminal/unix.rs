@@ -7,11 +7,15 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
 use signal_hook::consts::signal::SIGXFSZ;
 use signal_hook::consts::{
-    SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2, SIGWINCH,
+    SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
+    SIGWINCH,
 };
 use signal_hook::iterator;
+use signal_hook::low_level::emulate_default_handler;
 
 use super::event::Event;
 use super::pacer::Pacer;
@@ -43,6 +47,45 @@ pub(super) fn pacer() -> Pacer {
 /// Where the terminal is gone.
 pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
     out.write_all(if listen { mouse::ON } else { mouse::OFF })
+}
+
+/// What is said once the terminal is given back; when memory runs out nothing else can be.
+const ABORTED: &[u8] = b"contrecoup: aborted; either memory ran out or somebody asked for it\r\n";
+/// How long a terminal is waited for which does not read.
+const LAST_WORDS: Timespec = Timespec {
+    tv_sec: 0,
+    tv_nsec: 200_000_000,
+};
+
+/// Gives the terminal back when the program aborts, as it does when memory runs out: by then no thread
+/// of it runs any more, and nothing can be allocated. `is_entered` says whether there is anything to
+/// give back, and must do no more than that.
+///
+/// # Errors
+/// Where there is no terminal or the system refuses a handler.
+#[expect(
+    unsafe_code,
+    reason = "no safe call gives a signal handler more to do than to set a flag"
+)]
+pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
+    let out = out()?;
+    let modes = tcgetattr(&out)?;
+    let handler = move || {
+        if is_entered() {
+            let mut ready = [PollFd::new(&out, PollFlags::OUT)];
+            if matches!(poll(&mut ready, Some(&LAST_WORDS)), Ok(1)) {
+                for bytes in [mouse::OFF, session::LEAVE, ABORTED] {
+                    let _ = rustix::io::write(&out, bytes);
+                }
+            }
+            let _ = tcsetattr(&out, OptionalActions::Now, &modes);
+        }
+        let _ = emulate_default_handler(SIGABRT);
+    };
+    // SAFETY: the handler reads an atomic, makes system calls that are allowed in one (poll, write and
+    // tcsetattr of POSIX) and neither allocates, locks nor panics.
+    unsafe { signal_hook::low_level::register(SIGABRT, handler)? };
+    Ok(())
 }
 
 /// The signals that are listened to, from now on.

@@ -45,6 +45,12 @@ pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
     }
 }
 
+/// Nothing runs there when a program aborts.
+#[expect(clippy::unnecessary_wraps, reason = "other systems may refuse")]
+pub(super) fn restore_on_abort(_is_entered: fn() -> bool) -> io::Result<()> {
+    Ok(())
+}
+
 /// There are none.
 pub(super) struct Signals;
 

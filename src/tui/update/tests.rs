@@ -29,7 +29,7 @@ fn press(model: &mut Model, keys: &str) -> Vec<Effect> {
         match input {
             Typed::Key(event) => effects.extend(update(model, Message::Key(event))),
             Typed::Paste(text) => effects.extend(update(model, Message::Paste(text))),
-            Typed::Mouse(_) | Typed::CursorReport => {}
+            Typed::Mouse(_) | Typed::CursorReport(_) => {}
         }
     }
     effects
