@@ -142,6 +142,25 @@ fn the_results_of_a_blow() {
 }
 
 #[test]
+fn thresholds() {
+    let until = ["--until", "apex_displacement_mm = 2"];
+    let of = [
+        "threshold",
+        "paper-300n",
+        "--set",
+        "window_ms=0.3",
+        "--vary",
+    ];
+    for (name, vary) in [
+        ("threshold", "impact.force_n=50:800"),
+        ("threshold_twice", "impact.angle_deg"),
+        ("threshold_never", "impact.force_n=50:200"),
+    ] {
+        says(name, &[&of[..], &[vary], &until].concat());
+    }
+}
+
+#[test]
 fn what_is_not_allowed_is_refused_in_words() {
     let refused: [(&str, &[&str]); 7] = [
         ("nothing", &[]),

@@ -118,6 +118,30 @@ fn the_settings_are_printed_and_a_file_that_is_refused_ends_with_2() {
 }
 
 #[test]
+fn a_threshold_is_found_and_a_question_without_sense_ends_with_2() {
+    let until = ["--until", "rupture_by_energy_percent = 50"];
+    let vary = ["threshold", "bb-56", "--vary", "impact.speed_m_s"];
+    let json = common::json(&[&vary[..], &until].concat());
+    let at = json["crossings"][0]["at"].as_f64().unwrap();
+    // Half of the pooled tests broke at this speed of a BB.
+    assert!((40.0..60.0).contains(&at), "{json}");
+    assert_eq!(json["crossings"].as_array().unwrap().len(), 1);
+    run(&[
+        "threshold",
+        "bb-56",
+        "--vary",
+        "impact.speed",
+        until[0],
+        until[1],
+    ])
+    .code(2)
+    .stderr(starts_with("--vary impact.speed: there is no such field").and(contains("speed_m_s")));
+    run(&[&vary[..], &["--until", "rupture=50"]].concat())
+        .code(2)
+        .stderr(starts_with("--until").and(contains("rupture_by_energy_percent")));
+}
+
+#[test]
 fn a_preset_is_shown_as_it_stands() {
     run(&["presets", "show", "paper-300n"])
         .success()

@@ -20,6 +20,7 @@ mod progress;
 mod run;
 mod stability;
 mod sweep;
+mod threshold;
 mod validate;
 
 pub use arguments::{Assignment, ScenarioArgs};
@@ -96,6 +97,8 @@ pub enum Command {
     Ensemble(EnsembleArgs),
     /// Run a grid over some fields, in shards for a cluster, and go on after a kill
     Sweep(SweepArgs),
+    /// Find the speed, force or other input at which a result reaches a value
+    Threshold(ThresholdArgs),
     /// Read the guide: keys, glossary, accuracy, evidence and more; lists its topics by itself
     Guide {
         /// The topic
@@ -268,6 +271,23 @@ Job arrays: each task takes its own shard and file; the shell fills in the numbe
                    --shard {}/8 --out part-{}.csv ::: $(seq 8)
 Together:        grep -hv '^[#r]' part-*.csv | sort -t, -k1,1n";
 
+/// Arguments of `threshold`.
+#[derive(Debug, Args)]
+pub struct ThresholdArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenario: ScenarioArgs,
+    /// The field to vary, over all that it may be or from one value to another
+    #[arg(long, value_name = "FIELD|FIELD=FROM:TO")]
+    pub vary: String,
+    /// The result and the value that it is to reach, as in `damage_percent = 50`
+    #[arg(long, value_name = "RESULT = VALUE")]
+    pub until: String,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `presets`.
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true)]
@@ -342,6 +362,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Ensemble(args)) => ensemble::run(args, out),
         Some(Command::Sweep(args)) => sweep::run(args, out),
+        Some(Command::Threshold(args)) => threshold::run(args, out),
         Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),
         Some(Command::Completions { shell }) => generate::completions(*shell, out),
         Some(Command::Man { command }) => generate::man(command.as_deref(), out),

@@ -10,4 +10,5 @@ pub mod revolution;
 pub mod stability;
 pub mod sweep;
 pub mod text;
+pub mod threshold;
 pub mod validate;

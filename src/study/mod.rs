@@ -25,12 +25,14 @@ pub mod point;
 pub mod quantity;
 mod results;
 mod revolution;
+mod root;
 mod rules;
 mod solve;
 pub(crate) mod spreads;
 mod statistics;
 mod step_error;
 pub mod sweep;
+pub mod threshold;
 #[doc(hidden)]
 pub mod validate;
 

@@ -14,6 +14,7 @@ pub use case::RevolutionCase;
 use super::case::{Refusal, Watch};
 use super::flags::Flag;
 use super::mesh_error::add_mesh_error;
+use super::results::Results;
 use super::solve::{Answer, Errors, solve};
 use crate::recording::Keep;
 use crate::scenario::CheckedScenario;
@@ -39,6 +40,14 @@ pub fn solve_any(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result
 }
 
 impl Solved {
+    /// Every result.
+    pub fn results(&self) -> Results {
+        match self {
+            Self::Section(answer) => answer.results(),
+            Self::Revolution(answer) => answer.results(),
+        }
+    }
+
     /// How far the results may be off.
     pub fn errors(&self) -> &Errors {
         match self {

@@ -1,0 +1,43 @@
+//! `contrecoup threshold`: at which value of one field a result reaches a value.
+
+use std::io::Write;
+use std::sync::{Mutex, PoisonError};
+
+use super::interrupt;
+use super::progress::Progress;
+use super::{CliError, ThresholdArgs};
+use crate::plain_text::write_json;
+use crate::report::threshold::{json, text};
+use crate::scenario::problem::ScenarioError;
+use crate::study::Refusal;
+use crate::study::threshold::{Question, wanted};
+
+/// Looks for every crossing and prints it with its errors.
+///
+/// # Errors
+/// Where scenario or question are refused, the output cannot be written, or the work was interrupted.
+pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let scenario = args.scenario.scenario()?;
+    let refused = |flag: &str| {
+        let flag = flag.to_owned();
+        move |error: ScenarioError| CliError::Input(format!("{flag} {error}"))
+    };
+    let until = wanted(&args.until).map_err(refused("--until"))?;
+    let question = Question::read((*scenario).clone(), &args.vary, until);
+    let question = question.map_err(refused("--vary"))?;
+    let stop = interrupt::flag()?;
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = question.answer(&stop, |share| lock().show("looking", share));
+    lock().clear();
+    let found = found.map_err(|refusal| match refusal {
+        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
+        other => other.into(),
+    })?;
+    if args.json {
+        write_json(out, &json(&scenario, &question, &found))?;
+    } else {
+        text(&scenario, &question, &found, out)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,181 @@
+//! A threshold as text of 80 columns and as one JSON object.
+
+use std::io::{self, Write};
+
+use serde_json::{Value, json};
+
+use super::json::flags;
+use super::text::{WIDTH, capital, digits, significant, wrapped};
+use crate::injury::Caution;
+use crate::plain_text::printable;
+use crate::scenario::Scenario;
+use crate::study::threshold::{Crossing, Question, Threshold};
+
+/// A number with no digit finer than a tenth of what it may be off by.
+fn within(value: f64, error: f64) -> String {
+    if error == 0.0 || !error.is_finite() {
+        return significant(value);
+    }
+    let decimals = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
+    let most = significant(value);
+    let plain = format!("{value:.decimals$}");
+    if plain.len() < most.len() {
+        plain
+    } else {
+        most
+    }
+}
+
+/// Prints where the result reaches the value.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(
+    scenario: &Scenario,
+    question: &Question,
+    threshold: &Threshold,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let row = question.quantity.row();
+    let (field, unit) = (question.field, question.field.unit);
+    let with_unit = |text: String| format!("{text} {unit}").trim_end().to_owned();
+    writeln!(out, "{}\n", printable(&scenario.name))?;
+    let target = format!("{} {}", question.target, row.unit);
+    let what = format!("{} {target}", capital(row.label));
+    for crossing in &threshold.crossings {
+        let largest = [crossing.step, crossing.mesh];
+        let largest = largest.into_iter().flatten().fold(0.0, f64::max);
+        let at = with_unit(within(crossing.at, largest));
+        let way = if crossing.rising { "rising" } else { "falling" };
+        writeln!(out, "{what} at {at} ({}), {way}", field.path)?;
+        let whole = question.range.1 - question.range.0;
+        for line in lines(crossing, whole, row.unit, &with_unit) {
+            writeln!(out, "  {line}")?;
+        }
+        for flag in &crossing.flags {
+            let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
+            indented(&line, "  ", out)?;
+        }
+        if let Some(caution) = crossing.caution {
+            writeln!(out, "  beware: {}", caution.text())?;
+        }
+    }
+    let values: Vec<(f64, f64)> = known(threshold).collect();
+    let (low, high) = (lowest(&values), highest(&values));
+    let end = |(at, value): (f64, f64)| {
+        let at = with_unit(significant(at));
+        format!("{} {} at {at}", significant(value), row.unit)
+    };
+    match threshold.crossings.len() {
+        0 => writeln!(out, "{what}: never")?,
+        1 => writeln!(out)?,
+        count => writeln!(out, "\n{count} crossings: it does not only rise or fall")?,
+    }
+    writeln!(
+        out,
+        "Looked at {} values from {} to {}:\n{} to {}",
+        threshold.seen.len(),
+        significant(question.range.0),
+        with_unit(significant(question.range.1)),
+        end(low),
+        end(high),
+    )?;
+    let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
+    if let Some((at, Err(why))) = refused.first() {
+        let at = with_unit(significant(*at));
+        let text = format!(
+            "No result at {} of them, the first {at}: {why}",
+            refused.len()
+        );
+        indented(&printable(&text), "", out)?;
+    }
+    writeln!(out, "\nResearch and education, not diagnosis.")
+}
+
+/// What each error does to the value, or that there is none to give.
+fn lines(
+    crossing: &Crossing,
+    whole: f64,
+    unit: &str,
+    with_unit: &dyn Fn(String) -> String,
+) -> Vec<String> {
+    if let Some((from, to)) = crossing.jump {
+        let (from, to) = (significant(from), significant(to));
+        return vec![format!("jumps there, from {from} to {to} {unit}")];
+    }
+    let off = |name: &str, error: Option<f64>| match error {
+        Some(0.0) => format!("{name:<5} no error: inputs alone decide it"),
+        Some(error) if error > whole => format!("{name:<5} ± more than the whole range"),
+        Some(error) => format!("{name:<5} ± {}", with_unit(digits(error, 2))),
+        None => format!("{name:<5} error not known"),
+    };
+    vec![off("step", crossing.step), off("mesh", crossing.mesh)]
+}
+
+/// A paragraph whose further lines are indented.
+fn indented(text: &str, lead: &str, out: &mut dyn Write) -> io::Result<()> {
+    for (i, part) in wrapped(text, WIDTH - 4).iter().enumerate() {
+        writeln!(out, "{}{part}", if i == 0 { lead } else { "    " })?;
+    }
+    Ok(())
+}
+
+fn known(threshold: &Threshold) -> impl Iterator<Item = (f64, f64)> {
+    let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
+    threshold.seen.iter().filter_map(result)
+}
+
+fn lowest(values: &[(f64, f64)]) -> (f64, f64) {
+    let least = values.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    least.copied().unwrap_or((f64::NAN, f64::NAN))
+}
+
+fn highest(values: &[(f64, f64)]) -> (f64, f64) {
+    // The first of equals, as for the lowest.
+    let most = values.iter().min_by(|a, b| b.1.total_cmp(&a.1));
+    most.copied().unwrap_or((f64::NAN, f64::NAN))
+}
+
+/// A threshold as one object.
+pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> Value {
+    let crossing = |c: &Crossing| {
+        json!({
+            "at": c.at,
+            "direction": if c.rising { "rising" } else { "falling" },
+            "error": { "time_step": c.step, "mesh": c.mesh },
+            "jump": c.jump.map(|(from, to)| json!({ "from": from, "to": to })),
+            "flags": flags(&c.flags),
+            "caution": c.caution.map(Caution::key),
+        })
+    };
+    let seen = |(at, result): &(f64, Result<f64, String>)| match result {
+        Ok(value) => json!({ "at": at, "value": value }),
+        Err(why) => json!({ "at": at, "refused": why }),
+    };
+    json!({
+        "scenario": scenario,
+        "vary": {
+            "field": question.field.path,
+            "unit": question.field.unit,
+            "from": question.range.0,
+            "to": question.range.1,
+        },
+        "until": { "result": question.quantity.key(), "value": question.target },
+        "crossings": threshold.crossings.iter().map(crossing).collect::<Vec<_>>(),
+        "looked_at": threshold.seen.iter().map(seen).collect::<Vec<_>>(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_digit_is_finer_than_the_error_allows() {
+        assert_eq!(within(61.2345, 18.0), "61");
+        assert_eq!(within(61.2345, 0.05), "61.23");
+        assert_eq!(within(61.2345, 1e-6), "61.23");
+        assert_eq!(within(61.2345, 0.0), "61.23");
+        assert_eq!(within(0.012_345, 0.004), "0.0123");
+    }
+}

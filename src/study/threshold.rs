@@ -1,0 +1,464 @@
+//! Where a result reaches a value as one number of the scenario goes through a range.
+//!
+//! The range is looked at on a grid, on all cores; wherever two neighbours lie on two sides of the value, the
+//! crossing between them is bracketed to [`WIDTH`] of itself (see [`super::root`]). With e the error of the
+//! result there, as answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off
+//! by e / s: one figure for the step, one for the mesh. A risk has no error of its own; one by pressure has that
+//! of the pressure.
+//!
+//! Left out: two crossings between neighbours of the grid, which leave no change of sign to be seen, and what
+//! the inputs that are not varied may be off by (see [`super::ensemble`]).
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::case::Refusal;
+use super::flags::Flag;
+use super::ordered;
+use super::quantity::{Quantity, Read};
+use super::results::Results;
+use super::revolution::{Solved, solve_any};
+use super::root::{Bracket, narrowed};
+use super::sweep::spaced;
+use crate::injury::{Blow, Caution, Measure};
+use crate::recording::Keep;
+use crate::scenario::Scenario;
+use crate::scenario::fields::{self, Bounds, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::scenario::set::set;
+
+/// How wide the bracket of a crossing is in the end, as a share of it.
+const WIDTH: f64 = 1e-4;
+/// Share of a crossing by which its slope is measured to each side.
+const STEP_ASIDE: f64 = 0.01;
+/// Intervals of the grid, at least, and the largest ratio of neighbours on it.
+const INTERVALS: usize = 24;
+const LARGEST_RATIO: f64 = 2.0;
+/// The grid goes down to this share of the present value, and then to the end of the range.
+const LEAST_SHARE: f64 = 1e-3;
+/// A result that changes within a bracket by more than this share of its range on the grid jumps there.
+const JUMP: f64 = 0.05;
+
+/// What is asked: at which value of `field` the result reaches `target`.
+#[derive(Clone)]
+pub struct Question {
+    scenario: Scenario,
+    /// What is varied.
+    pub field: &'static Field,
+    bounds: Bounds,
+    /// From where to where.
+    pub range: (f64, f64),
+    /// The result.
+    pub quantity: Quantity,
+    /// The value that it is to reach, in its unit.
+    pub target: f64,
+}
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub struct Threshold {
+    /// Values of the field on the grid, and the result there or why there is none.
+    pub seen: Vec<(f64, Result<f64, String>)>,
+    /// Every crossing, from below.
+    pub crossings: Vec<Crossing>,
+}
+
+/// A value of the field at which the result passes the target.
+#[derive(Debug, Clone)]
+pub struct Crossing {
+    /// The value.
+    pub at: f64,
+    /// Whether the result rises there.
+    pub rising: bool,
+    /// By how much it may be off for the time step; none where that is not known.
+    pub step: Option<f64>,
+    /// The same for the mesh.
+    pub mesh: Option<f64>,
+    /// From which value to which the result jumps there, if it does.
+    pub jump: Option<(f64, f64)>,
+    /// What limits the results there; nothing where inputs alone decide.
+    pub flags: Vec<Flag>,
+    /// What speaks against a risk by energy of this object.
+    pub caution: Option<Caution>,
+}
+
+impl Question {
+    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
+    ///
+    /// # Errors
+    /// Says why the field cannot be varied so, and what could.
+    pub fn read(
+        scenario: Scenario,
+        vary: &str,
+        (quantity, target): (Quantity, f64),
+    ) -> Result<Self, ScenarioError> {
+        let (path, ends) = match vary.split_once('=') {
+            Some((path, ends)) => (path.trim(), Some(ends)),
+            None => (vary.trim(), None),
+        };
+        let (field, bounds) = bounds(&scenario, path)?;
+        let range = match ends {
+            None => (bounds.min, bounds.max),
+            Some(ends) => self::range(field, &bounds, ends)?,
+        };
+        Ok(Self {
+            scenario,
+            field,
+            bounds,
+            range,
+            quantity,
+            target,
+        })
+    }
+
+    /// The scenario with another value of the field.
+    fn at(&self, value: f64) -> Result<Scenario, ScenarioError> {
+        let mut scenario = self.scenario.clone();
+        set(&mut scenario, self.field.path, &plain(value))?;
+        Ok(scenario)
+    }
+
+    fn absent(&self) -> Refusal {
+        let message = "this scenario has no such result";
+        ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
+    }
+
+    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Solved, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        solve_any(&scenario, Keep::default(), &mut |_| until(stop))
+    }
+
+    /// The values that are looked at first: evenly where the range has both signs or is narrow, else by
+    /// ratios from the present value on.
+    fn grid(&self) -> Vec<f64> {
+        let (from, to) = self.range;
+        if from < 0.0 || to <= 4.0 * from || from == to {
+            return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
+        }
+        let present = self.field.text(&self.scenario);
+        let present = present.and_then(|text| text.parse::<f64>().ok());
+        let middle = present.filter(|x| *x > 0.0).unwrap_or(LEAST_SHARE * to);
+        let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
+        let least = from.max(LEAST_SHARE * middle);
+        let ratio = (to / least).powf(1.0 / INTERVALS as f64).min(LARGEST_RATIO);
+        let three_digits = |x: f64| format!("{x:.2e}").parse().unwrap_or(x);
+        let ratios = |by: f64| (1..).map(move |k| three_digits(middle * by.powi(k)));
+        let mut grid = vec![from, middle, to];
+        grid.extend(ratios(ratio).take_while(|x| *x < to));
+        grid.extend(ratios(1.0 / ratio).take_while(|x| *x > least));
+        grid.sort_by(f64::total_cmp);
+        grid.dedup();
+        grid
+    }
+
+    /// Looks for every crossing. `heard` is told the share done.
+    ///
+    /// # Errors
+    /// Where the scenario has no such result or was stopped.
+    pub fn answer(
+        &self,
+        stop: &AtomicBool,
+        mut heard: impl FnMut(f64) + Send,
+    ) -> Result<Threshold, Refusal> {
+        let grid = self.grid();
+        let mut seen = Vec::new();
+        let look = |i: usize| match self.solved(grid[i], stop) {
+            Err(Refusal::Cancelled) => None,
+            Err(refusal) => Some(Err(refusal.to_string())),
+            Ok(solved) => Some(Ok(solved.results()[self.quantity])),
+        };
+        ordered::run((0, grid.len()), stop, look, |i, result| {
+            heard(0.6 * (i + 1) as f64 / grid.len() as f64);
+            seen.push((grid[i], result));
+            ControlFlow::Continue(())
+        });
+        if seen.len() < grid.len() {
+            return Err(Refusal::Cancelled);
+        }
+        if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
+            return Err(self.absent());
+        }
+        let none = || "no such result there".to_owned();
+        let seen: Vec<(f64, Result<f64, String>)> = seen
+            .into_iter()
+            .map(|(at, result)| (at, result.and_then(|value| value.ok_or_else(none))))
+            .collect();
+        let brackets = self.brackets(&seen);
+        let mut crossings = Vec::new();
+        let values = || seen.iter().filter_map(|(_, result)| result.as_ref().ok());
+        let spread =
+            values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
+        for (i, bracket) in brackets.iter().enumerate() {
+            crossings.push(self.crossing(*bracket, spread, stop)?);
+            heard(0.6 + 0.4 * (i + 1) as f64 / brackets.len() as f64);
+        }
+        Ok(Threshold { seen, crossings })
+    }
+
+    /// Neighbours on two sides of the target.
+    fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
+        let pairs = seen.windows(2).filter_map(|pair| {
+            let [(a, Ok(low)), (b, Ok(high))] = pair else {
+                return None;
+            };
+            let bracket = Bracket {
+                low: (*a, low - self.target),
+                high: (*b, high - self.target),
+            };
+            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
+        });
+        pairs.collect()
+    }
+
+    fn crossing(
+        &self,
+        bracket: Bracket,
+        spread: f64,
+        stop: &AtomicBool,
+    ) -> Result<Crossing, Refusal> {
+        let rising = bracket.low.1 < 0.0;
+        let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
+        let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
+            let result = self.solved(value, stop)?.results()[self.quantity];
+            Ok(result.ok_or_else(|| self.absent())? - self.target)
+        })?;
+        let at = bracket.secant();
+        let jump = ((bracket.high.1 - bracket.low.1).abs() > JUMP * spread)
+            .then_some((bracket.low.1 + self.target, bracket.high.1 + self.target));
+        let scenario = self.at(at)?.check()?;
+        let mut crossing = Crossing {
+            at,
+            rising,
+            step: None,
+            mesh: None,
+            jump,
+            flags: Vec::new(),
+            caution: None,
+        };
+        let Some(of) = rests_on(self.quantity) else {
+            // A risk by nothing but the inputs is as exact as they are.
+            (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
+            crossing.caution = Blow::of(&scenario).and_then(|blow| blow.caution());
+            return Ok(crossing);
+        };
+        let mut watch = |_| until(stop);
+        let mut answer = solve_any(&scenario, Keep::default(), &mut watch)?;
+        answer.add_mesh_error(&scenario, &mut watch)?;
+        crossing.flags = answer.flags().to_vec();
+        if jump.is_none() {
+            let slope = self.slope(of, at, stop)?;
+            let value = answer.results()[of];
+            let errors = answer.errors();
+            let off =
+                [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
+                    let off = errors?[of]? / 100.0 * value?.abs() / slope.abs();
+                    off.is_finite().then_some(off)
+                });
+            [crossing.step, crossing.mesh] = off;
+        }
+        Ok(crossing)
+    }
+
+    /// How steep a result is there, in its unit over that of the field.
+    fn slope(&self, of: Quantity, at: f64, stop: &AtomicBool) -> Result<f64, Refusal> {
+        let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
+        let ends = [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max));
+        let mut values = [f64::NAN; 2];
+        for (value, end) in values.iter_mut().zip(ends) {
+            *value = match self.solved(end, stop) {
+                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                // Beyond there is nothing: the slope is not known.
+                Err(_) => f64::NAN,
+                Ok(solved) => solved.results()[of].unwrap_or(f64::NAN),
+            };
+        }
+        Ok((values[1] - values[0]) / (ends[1] - ends[0]))
+    }
+}
+
+fn until(stop: &AtomicBool) -> ControlFlow<()> {
+    if stop.load(Ordering::Relaxed) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
+/// The result whose error is that of `quantity`; none where inputs alone decide it.
+fn rests_on(quantity: Quantity) -> Option<Quantity> {
+    match quantity.row().read {
+        Read::Risk(_, Measure::Pressure) => Some(Quantity::Pressure),
+        Read::Risk(_, Measure::NormalizedEnergy) => None,
+        _ => Some(quantity),
+    }
+}
+
+/// The field of a path and its bounds, where it holds a number.
+fn bounds(scenario: &Scenario, path: &str) -> Result<(&'static Field, Bounds), ScenarioError> {
+    let Some(field) = fields::find(path) else {
+        // The words for a field that is not there.
+        let Err(error) = set(&mut scenario.clone(), path, "0") else {
+            return Err(Problem::new(path, "holds several fields: name one of them").into());
+        };
+        return Err(error);
+    };
+    let Some(present) = field.text(scenario) else {
+        set(&mut scenario.clone(), path, "0")?;
+        return Err(Problem::new(path, "there is no such field in this scenario").into());
+    };
+    match &field.kind {
+        Kind::Number(bounds, _) | Kind::OptionalNumber(bounds, _) => Ok((field, *bounds)),
+        Kind::Integer(..) => {
+            let message =
+                format!("is a whole number, now {present}: `contrecoup sweep` lists its results");
+            Err(Problem::new(path, message).into())
+        }
+        _ => Err(Problem::new(path, format!("is no number but {present}")).into()),
+    }
+}
+
+fn range(field: &Field, bounds: &Bounds, ends: &str) -> Result<(f64, f64), ScenarioError> {
+    let allowed = || format!("FROM:TO within {}", field.allowed());
+    let refused = |complaint| Problem::refused(field.path, ends.trim(), complaint, allowed());
+    let (from, to) = ends.split_once(':').ok_or_else(|| refused("is no range"))?;
+    let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>()) else {
+        return Err(refused("is no range of numbers").into());
+    };
+    if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) {
+        return Err(refused("goes from no lower to no higher value").into());
+    }
+    if from < bounds.min || to > bounds.max {
+        return Err(refused("is out of range").into());
+    }
+    Ok((from, to))
+}
+
+/// Reads `RESULT = VALUE`; the unit may follow the value.
+///
+/// # Errors
+/// Says what makes no sense, and what would.
+pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
+    let refused = |value: &str, complaint: &str, allowed: &str| {
+        ScenarioError::from(Problem::refused("", value, complaint, allowed.to_owned()))
+    };
+    let example = "RESULT = VALUE, as in damage_percent = 50";
+    let Some((key, value)) = text.split_once('=') else {
+        return Err(refused(text, "has no =", example));
+    };
+    let (key, value) = (
+        key.trim().trim_end_matches('='),
+        value.trim_start_matches('=').trim(),
+    );
+    let keys = || Quantity::ALL.iter().map(|quantity| quantity.key());
+    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
+    let Some(quantity) = found else {
+        let near = suggestion(key, keys());
+        let all = keys().collect::<Vec<_>>().join(", ");
+        return Err(refused(key, &format!("is no result{near}"), &all));
+    };
+    let number = value.strip_suffix(quantity.row().unit).unwrap_or(value);
+    match number.trim().parse::<f64>() {
+        Ok(target) if target.is_finite() => Ok((*quantity, target)),
+        _ => Err(refused(value, "is no number", example)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
+        let question = Question::read(scenario, vary, wanted(until).unwrap()).unwrap();
+        question.answer(&AtomicBool::new(false), |_| {}).unwrap()
+    }
+
+    fn short() -> Scenario {
+        Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        }
+    }
+
+    #[test]
+    fn a_crossing_is_where_the_result_has_the_value_and_its_errors_follow_the_slope() {
+        let threshold = found(short(), "impact.force_n=50:800", "apex_displacement_mm = 2");
+        let [crossing] = &threshold.crossings[..] else {
+            panic!("{threshold:?}")
+        };
+        let mut there = short();
+        set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
+        let there = there.check().unwrap();
+        let answer = solve_any(&there, Keep::default(), &mut super::super::unwatched).unwrap();
+        let apex = answer.results()[Quantity::Apex].unwrap();
+        assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
+        // The apex is nearly proportional to the force, so their errors are of one share.
+        let error = answer.errors().time_step[Quantity::Apex].unwrap() / 100.0;
+        let share = crossing.step.unwrap() / crossing.at;
+        assert!((0.5..2.0).contains(&(share / error)), "{share} {error}");
+        assert!(crossing.mesh.unwrap() > crossing.step.unwrap());
+        assert!(crossing.rising && crossing.jump.is_none());
+    }
+
+    #[test]
+    fn one_that_falls_again_is_crossed_twice_and_one_beyond_reach_never() {
+        let angles = "impact.angle_deg=-40:40";
+        let below = found(short(), angles, "apex_displacement_mm = 1.5");
+        let ways: Vec<bool> = below.crossings.iter().map(|c| c.rising).collect();
+        assert_eq!(ways, [true, false], "{below:?}");
+        // The section is the same above and below.
+        let ends = below.crossings[0].at + below.crossings[1].at;
+        assert!(ends.abs() < 0.1, "{below:?}");
+        let never = found(short(), angles, "apex_displacement_mm = 50");
+        assert!(never.crossings.is_empty() && never.seen.len() > 20);
+    }
+
+    #[test]
+    fn a_risk_by_energy_alone_is_where_its_curve_says() {
+        let bb = crate::scenario::library::find("bb-56")
+            .unwrap()
+            .scenario()
+            .unwrap();
+        let until = "rupture_by_energy_percent=50 %";
+        let threshold = found(bb, "impact.speed_m_s=20:200", until);
+        let crossing = &threshold.crossings[0];
+        assert_eq!((crossing.step, crossing.mesh), (Some(0.0), Some(0.0)));
+        // 35.5 kJ/m^2 of a BB of 0.345 g and 4.5 mm; see the published curve.
+        assert!((40.0..80.0).contains(&crossing.at), "{}", crossing.at);
+    }
+
+    #[test]
+    fn what_is_refused_on_the_way_is_told_and_does_not_end_the_search() {
+        let threshold = found(short(), "impact.angle_deg", "apex_displacement_mm = 1.5");
+        let refused = threshold.seen.iter().filter(|(_, r)| r.is_err()).count();
+        assert!(refused > 0 && refused < threshold.seen.len());
+    }
+
+    #[test]
+    fn questions_that_make_no_sense_are_refused_in_words() {
+        let refused = |vary: &str| {
+            let question = Question::read(short(), vary, (Quantity::Damage, 50.0));
+            question.err().unwrap().to_string()
+        };
+        assert!(refused("impact.force").contains("did you mean"));
+        assert!(refused("impact.shape").contains("is no number"));
+        assert!(refused("eye.level").contains("whole number"));
+        assert!(refused("impact.speed_m_s").contains("which has no"));
+        assert!(refused("impact.force_n=9:1").contains("goes from"));
+        assert!(refused("impact.force_n=9").contains("is no range"));
+        assert!(refused("impact.force_n=0:1e9").contains("out of range"));
+        let unread = |until: &str| wanted(until).unwrap_err().to_string();
+        assert!(unread("damage=50").contains("did you mean damage_percent"));
+        assert!(unread("damage_percent>50").contains("has no ="));
+        assert!(unread("damage_percent=x").contains("is no number"));
+        assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);
+        let until = (Quantity::Pressure, 1.0);
+        let question = Question::read(short(), "impact.force_n=100:200", until).unwrap();
+        let answer = question.answer(&AtomicBool::new(false), |_| {});
+        assert!(
+            answer
+                .unwrap_err()
+                .to_string()
+                .contains("has no such result")
+        );
+    }
+}
