@@ -62,7 +62,7 @@ fn leading(run: &Run) -> [(&'static str, f64); 7] {
         ("equator", e.equator_growth.value),
         ("intrusion", e.intrusion.value),
         ("energy", e.energy_imparted),
-        ("force", e.filtered_force.value),
+        ("force", e.mean_force.value),
     ]
 }
 
@@ -270,7 +270,7 @@ fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
             let e = &run.extremes;
             println!(
                 "{level} {what}: F {:.0} N p {:.2} MPa stress {:.1} intrusion {:.1} mm rebound {:.1} given {:.2} J of {:.2} triangle {:.3} residual {:.1e} steps {}",
-                e.filtered_force.value,
+                e.mean_force.value,
                 e.pressure.value * 1e-6,
                 e.scleral_stress.value * 1e-6,
                 e.intrusion.value * 1e3,

@@ -41,9 +41,8 @@ pub enum Quantity {
     /// Peak intraocular pressure, in megapascals, where the eye holds a fluid; at the eye of revolution
     /// the mean of the globe through a low pass of 20 us.
     Pressure,
-    /// Peak force of contact, N, where a projectile hits: a mean over 100 us in a section, through a low
-    /// pass of 20 us at the eye of revolution. In the Paper model that of a light fast object is the force
-    /// of the two mass points it meets: with tissue at 0.001 kPa it is the same.
+    /// Peak force of contact, N, where a projectile hits, as a mean over 100 us. In the Paper model that of a
+    /// light fast object is the force of the two mass points it meets: with tissue at 0.001 kPa it is the same.
     Contact,
     /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals.
     BackPressure,
@@ -321,7 +320,7 @@ impl Quantity {
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
                 read: Read::Peak(|e| Some(e.shot?.force)),
-                revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.filtered_force)),
+                revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.mean_force)),
                 trace: Some(Trace {
                     spark: true,
                     ..trace(

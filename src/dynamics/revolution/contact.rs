@@ -16,8 +16,10 @@ const SHELL_AREAL: f64 = 0.44;
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
-/// Contact shortens the step when the surface comes this near, in m.
+/// Contact shortens the step when the surface comes this near, in m, or will be here within this time, in s, at
+/// the speed of arrival: a fast light object would else be deep below the surface at the first step of contact.
 const NEAR: f64 = 2e-5;
+const SOON: f64 = 1e-6;
 
 /// The shell as contact sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,7 +115,8 @@ impl Target {
             loss: 0.0,
         };
         let centre = flight.x[0];
-        let front = centre + object.reach() + NEAR;
+        let near = NEAR + SOON * object.speed;
+        let front = centre + object.reach() + near;
         for (i, areas) in self.area.iter().enumerate() {
             if x[i].min(x[i + 1]) > front {
                 continue;
@@ -123,7 +126,7 @@ impl Target {
                 let s = share(point);
                 let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
                 let (gap, nx, nr) = object.gap(px - centre, pr);
-                if gap <= -NEAR {
+                if gap <= -near {
                     continue;
                 }
                 let pressed = object.surface.at(gap.max(0.0));

@@ -100,7 +100,7 @@ impl<C: Cells> Motion<'_, C> {
             cells: self.cells.pressures(),
             projectile: flight.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
             squeezed: flight.map_or(0.0, super::object::Flight::squeezed),
-            pressure: Some(self.filters[1].0),
+            pressure: Some(self.filters[0].now),
         }
     }
 }

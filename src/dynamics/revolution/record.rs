@@ -14,12 +14,12 @@ impl<C: Cells> Motion<'_, C> {
         let share = LowPass::share(step);
         let e = &mut self.extremes;
         e.force.offer(now.force, time);
-        e.filtered_force
-            .offer(self.filters[0].pass(now.force, share), time);
+        let mean = self.force_mean.pass(now.force, time, step);
+        e.mean_force.offer(mean, time);
         e.pressure
-            .offer(self.filters[1].pass(now.sums.pressure, share), time);
+            .offer(self.filters[0].pass(now.sums.pressure, share), time);
         e.back_pressure
-            .offer(self.filters[2].pass(now.sums.sensor, share), time);
+            .offer(self.filters[1].pass(now.sums.sensor, share), time);
         if now.shell.stress > e.scleral_stress.value {
             e.scleral_stress.offer(now.shell.stress, time);
             e.stress_angle = self.eye.segments[now.shell.at].front_angle;
@@ -100,13 +100,13 @@ impl<C: Cells> Motion<'_, C> {
         t.elastic.push(self.energy.elastic);
         t.dissipated.push(self.energy.lost);
         t.work.push(self.extremes.energy_imparted);
-        t.pressure.push(self.filters[1].0);
-        t.back_pressure.push(self.filters[2].0);
+        t.pressure.push(self.filters[0].now);
+        t.back_pressure.push(self.filters[1].now);
         t.scleral_stress.push(now.shell.stress);
         t.shortening.push(shape.shortening);
         t.lens.push(shape.lens);
         if let Some((object, flight)) = &self.object {
-            t.contact_force.push(self.filters[0].0);
+            t.contact_force.push(self.force_mean.now);
             t.intrusion
                 .push(flight.x[0] + self.eye.parameters.radius + object.reach());
             let ways = [flight.middle(), 0.0];

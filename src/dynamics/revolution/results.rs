@@ -7,8 +7,8 @@ use crate::dynamics::kept::{Frame, Peak, Traces};
 pub struct Extremes {
     /// Force of contact or of the pulse on the eye, along the blow, N.
     pub force: Peak,
-    /// The same through a low pass of 20 us, N.
-    pub filtered_force: Peak,
+    /// Its mean over the 100 us before, N.
+    pub mean_force: Peak,
     /// Force of the orbit's front edge on the object, N.
     pub rim_force: Peak,
     /// Mean pressure of the globe through a low pass of 20 us, Pa.
@@ -55,7 +55,7 @@ impl Extremes {
         let zero = Peak::default();
         Self {
             force: zero,
-            filtered_force: zero,
+            mean_force: zero,
             rim_force: zero,
             pressure: zero,
             back_pressure: zero,

@@ -9,7 +9,7 @@ use super::object::{Flight, Object};
 use super::plain::Plain;
 use super::results::{Energy, Extremes, Run};
 use super::rows::Rows;
-use super::sensor::{Accelerometers, LowPass};
+use super::sensor::{Accelerometers, ForceMean, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
 use crate::dynamics::kept::{Frame, Keep, Spacing, Traces};
@@ -19,7 +19,7 @@ use fearless_simd::Level;
 use std::ops::ControlFlow;
 
 /// Share of the stability bound that steps take unless asked otherwise.
-pub const STEP_SHARE: f64 = 0.6;
+pub const STEP_SHARE: f64 = 0.75;
 /// Most a step grows.
 const GROWTH: f64 = 1.05;
 /// Balances of energy taken over a window.
@@ -182,7 +182,9 @@ pub(super) struct Motion<'a, C> {
     pub lens_rest: f64,
     pub globe_volume: f64,
     pub accelerometers: Accelerometers,
-    pub filters: [LowPass; 3],
+    pub force_mean: ForceMean,
+    /// Of the mean pressure and of that at the back.
+    pub filters: [LowPass; 2],
     pub window: f64,
     pub keep: Keep,
     pub energy_before: f64,
@@ -260,7 +262,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             energy_before: object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
             object,
             load,
-            filters: [LowPass::default(); 3],
+            force_mean: ForceMean::new(),
+            filters: [LowPass::default(); 2],
             window,
             keep,
             came: 0.0,

@@ -10,24 +10,42 @@ const SENSOR_X: f64 = 8e-3;
 const SENSOR_REACH: f64 = 3e-3;
 /// Time constant of the sensor, and time over which accelerations are averaged, in s.
 pub const SMOOTHING_S: f64 = 20e-6;
+/// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are those of the
+/// piece of shell that is hit first, so of the mesh.
+const FORCE_MEAN_S: f64 = 100e-6;
 
-/// Weight of each cell in the mean pressure of the globe, and in the sensor's: volume at rest.
+/// Points along each side of a cell that tell how much of it the sensor takes.
+const POINTS: usize = 8;
+
+/// Share of the section of a cell that lies within reach of the sensor.
+fn near(corners: &[(f64, f64); 4]) -> f64 {
+    let [a, b, c, d] = *corners;
+    let within = (0..POINTS * POINTS).filter(|i| {
+        let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+        let (s, t) = (part(i % POINTS), part(i / POINTS));
+        let at =
+            |a: f64, b: f64, c: f64, d: f64| (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d));
+        let (x, r) = (at(a.0, b.0, c.0, d.0), at(a.1, b.1, c.1, d.1));
+        (x - SENSOR_X).hypot(r) <= SENSOR_REACH
+    });
+    within.count() as f64 / (POINTS * POINTS) as f64
+}
+
+/// Weight of each cell in the mean pressure of the globe, and in the sensor's: volume at rest, the
+/// sensor's as far as it lies within its reach.
 pub(super) fn weights(eye: &RevolutionEye) -> Vec<(f64, f64)> {
     let mut weights: Vec<(f64, f64)> = eye
         .cells
         .iter()
         .map(|cell| {
             let p = cell.corners.map(|n| eye.at(n));
-            let x = 0.25 * p.iter().map(|p| p.0).sum::<f64>();
-            let r = 0.25 * p.iter().map(|p| p.1).sum::<f64>();
             let volume = volume(&p);
             let globe = if cell.region == Region::Globe {
                 volume
             } else {
                 0.0
             };
-            let near = (x - SENSOR_X).hypot(r) <= SENSOR_REACH;
-            (globe, if near { globe } else { 0.0 })
+            (globe, near(&p) * globe)
         })
         .collect();
     let total = weights
@@ -39,20 +57,65 @@ pub(super) fn weights(eye: &RevolutionEye) -> Vec<(f64, f64)> {
     weights
 }
 
-/// A first-order low pass.
+/// A first-order low pass of 20 us.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct LowPass(pub f64);
+pub(super) struct LowPass {
+    pub now: f64,
+    before: f64,
+}
 
 impl LowPass {
-    /// `share` is that of the way to `value` that is gone.
+    /// `share` is that of the way to the mean of `value` and the one before that is gone.
     pub fn pass(&mut self, value: f64, share: f64) -> f64 {
-        self.0 += (value - self.0) * share;
-        self.0
+        self.now += (0.5 * (self.before + value) - self.now) * share;
+        self.before = value;
+        self.now
     }
 
     /// The share of a step, in s.
     pub fn share(step: f64) -> f64 {
         -(-step / SMOOTHING_S).exp_m1()
+    }
+}
+
+/// The mean of a force over the last [`FORCE_MEAN_S`].
+#[derive(Debug, Clone)]
+pub(super) struct ForceMean {
+    pub now: f64,
+    impulse: f64,
+    before: f64,
+    /// Times and impulses up to them.
+    past: VecDeque<(f64, f64)>,
+}
+
+impl ForceMean {
+    pub fn new() -> Self {
+        Self {
+            now: 0.0,
+            impulse: 0.0,
+            before: 0.0,
+            past: VecDeque::from([(0.0, 0.0)]),
+        }
+    }
+
+    /// With `force` now, at `time`, `step` s after the one before.
+    pub fn pass(&mut self, force: f64, time: f64, step: f64) -> f64 {
+        self.impulse += 0.5 * (self.before + force) * step;
+        self.before = force;
+        self.past.push_back((time, self.impulse));
+        let start = time - FORCE_MEAN_S;
+        while self.past.len() > 2 && self.past[1].0 <= start {
+            self.past.pop_front();
+        }
+        let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
+        // Before the first step nothing acted.
+        let gone = if start <= t0 {
+            0.0
+        } else {
+            first + (second - first) * (start - t0) / (t1 - t0)
+        };
+        self.now = (self.impulse - gone) / FORCE_MEAN_S;
+        self.now
     }
 }
 

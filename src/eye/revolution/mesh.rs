@@ -53,7 +53,7 @@ pub struct Mesh {
     pub wall: Vec<usize>,
 }
 
-/// Angle from the back at place (u, v) of the core, graded.
+/// Angle from the back of place (u, v) of the core, graded.
 fn angle(u: i64, v: i64) -> f64 {
     let (uf, vf) = (u as f64, v as f64);
     let plain = if u.abs() >= v {
@@ -65,8 +65,58 @@ fn angle(u: i64, v: i64) -> f64 {
     plain + GRADING * plain.sin()
 }
 
-/// Builds the mesh of a core 2 `half` by `half` cells, with a wall beyond the front angle `opening`.
-pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> Mesh {
+/// Brings some of the graded angles onto others, and those between along with them.
+struct Rays {
+    /// From where to where, rising.
+    knots: Vec<(f64, f64)>,
+}
+
+impl Rays {
+    /// With one of `rays`, rising angles from 0 to pi, on each of `marks`, which rise too: those that
+    /// stretch the rest least.
+    fn through(marks: &[f64], rays: &[f64]) -> Self {
+        let mut best = (f64::INFINITY, vec![(0.0, 0.0), (PI, PI)]);
+        let mut chosen = vec![0; marks.len()];
+        // Every choice of rays, one for each mark, as the digits of a number.
+        for mut choice in 0..rays.len().pow(marks.len() as u32) {
+            for place in &mut chosen {
+                (*place, choice) = (choice % rays.len(), choice / rays.len());
+            }
+            let inner = chosen.iter().map(|&i| rays[i]).zip(marks.iter().copied());
+            let knots: Vec<_> = std::iter::once((0.0, 0.0))
+                .chain(inner)
+                .chain([(PI, PI)])
+                .collect();
+            let worst = knots.windows(2).fold(0.0, |worst: f64, k| {
+                let (from, to) = (k[1].0 - k[0].0, k[1].1 - k[0].1);
+                worst.max(if from > 0.0 {
+                    (to / from).ln().abs()
+                } else {
+                    f64::INFINITY
+                })
+            });
+            if worst < best.0 {
+                best = (worst, knots);
+            }
+        }
+        Self { knots: best.1 }
+    }
+
+    fn bring(&self, angle: f64) -> f64 {
+        let above = self.knots.iter().position(|k| k.0 >= angle);
+        let i = above.unwrap_or(self.knots.len() - 1).max(1);
+        let ((x0, y0), (x1, y1)) = (self.knots[i - 1], self.knots[i]);
+        // On a knot there is no rounding.
+        if angle == x1 {
+            y1
+        } else {
+            y0 + (angle - x0) * ((y1 - y0) / (x1 - x0))
+        }
+    }
+}
+
+/// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a wall beyond another.
+pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wall, f64)>) -> Mesh {
     let m = i64::try_from(half).expect("a mesh that fits in memory");
     let mut mesh = Mesh {
         x: Vec::new(),
@@ -75,10 +125,28 @@ pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> 
         shell: Vec::new(),
         wall: Vec::new(),
     };
+    // The border of the core from the front pole up, over the top, and down to the back pole.
+    let border: Vec<(i64, i64)> = (0..m)
+        .map(|v| (-m, v))
+        .chain((-m..m).map(|u| (u, m)))
+        .chain((0..=m).rev().map(|v| (m, v)))
+        .collect();
+    let plain: Vec<f64> = border.iter().map(|&(u, v)| angle(u, v)).collect();
+    let opening = surround.map(|(_, opening)| PI - opening);
+    let mut marks: Vec<f64> = opening.into_iter().chain([PI - limbus]).collect();
+    marks.retain(|mark| *mark > 0.0 && *mark < PI);
+    marks.sort_by(f64::total_cmp);
+    marks.dedup();
+    let rising: Vec<f64> = plain.iter().rev().copied().collect();
+    let rays = Rays::through(&marks, &rising);
     for v in 0..=m {
         for u in -m..=m {
             let q = u.abs().max(v) as f64;
-            let t = if q > 0.0 { angle(u, v) } else { 0.0 };
+            let t = if q > 0.0 {
+                rays.bring(angle(u, v))
+            } else {
+                0.0
+            };
             let scale = CORE * radius * q / m as f64;
             let over = if q > 0.0 { SQUARE / q } else { 0.0 };
             mesh.x.push(scale * (over * u as f64 + CIRCLE * t.cos()));
@@ -95,14 +163,8 @@ pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> 
         nodes: (0..mesh.x.len()).collect(),
     });
 
-    // The border from the front pole up, over the top, and down to the back pole.
     let place = |u: i64, v: i64| v as usize * columns + (u + m) as usize;
-    let border: Vec<(i64, i64)> = (0..m)
-        .map(|v| (-m, v))
-        .chain((-m..m).map(|u| (u, m)))
-        .chain((0..=m).rev().map(|v| (m, v)))
-        .collect();
-    let rays: Vec<f64> = border.iter().map(|&(u, v)| angle(u, v)).collect();
+    let rays: Vec<f64> = plain.iter().map(|&t| rays.bring(t)).collect();
     let border: Vec<usize> = border.iter().map(|&(u, v)| place(u, v)).collect();
     let on_shell: Vec<(f64, f64)> = rays
         .iter()
@@ -113,8 +175,7 @@ pub(super) fn build(half: usize, radius: f64, surround: Option<(Wall, f64)>) -> 
 
     if let Some((wall, opening)) = surround {
         // A cell is kept if all of it lies behind the opening.
-        let front = |i: usize| PI - rays[i];
-        let first = (0..rays.len() - 1).find(|&i| front(i) >= opening);
+        let first = (0..rays.len() - 1).find(|&i| rays[i] <= PI - opening);
         if let Some(first) = first {
             let on_wall: Vec<(f64, f64)> = rays[first..]
                 .iter()

@@ -5,8 +5,10 @@
 //! chain of segments carries cornea and sclera.
 //!
 //! A blow at an angle turns the eye within its own axis of revolution: the shell's thickness and
-//! stiffness, and the share of lens in a cell, are means over the azimuth. Left out: muscles, nerve,
-//! iris, zonules, the chambers' fluid as a body of its own, and the pressure of a living eye.
+//! stiffness, and the share of lens in a cell, are means over the azimuth. They are means over the
+//! segment and the cell as well, so that no border jumps from one to the next as the mesh changes.
+//! Left out: muscles, nerve, iris, zonules, the chambers' fluid as a body of its own, and the
+//! pressure of a living eye.
 
 mod mesh;
 mod parameters;
@@ -16,8 +18,11 @@ pub use parameters::{LensParameters, Material, Parameters, ShellParameters, Surr
 
 use std::f64::consts::{FRAC_PI_3, PI};
 
-/// Points around the axis that means over the azimuth take.
-const AZIMUTHS: usize = 64;
+/// Points around the axis that means over the azimuth take; those of one half, as the other mirrors it.
+const AZIMUTHS: usize = 32;
+/// Points along a segment, and along each side of a cell, that means over them take.
+const ALONG: usize = 16;
+const ACROSS: usize = 4;
 
 /// What a cell belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,41 +103,78 @@ fn middle(points: &[(f64, f64)]) -> (f64, f64) {
     (sum.0 / n, sum.1 / n)
 }
 
+/// Middle of the piece `i` of `count` of a whole.
+fn part(i: usize, count: usize) -> f64 {
+    (i as f64 + 0.5) / count as f64
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
+}
+
 /// Angle from the axis of the eye at `front` rad from the line of the blow, for all azimuths.
 fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
-    (0..AZIMUTHS).map(move |i| {
+    let azimuths = if axis == 0.0 { 1 } else { AZIMUTHS };
+    (0..azimuths).map(move |i| {
         if axis == 0.0 {
             return front;
         }
-        let azimuth = (i as f64 + 0.5) * 2.0 * PI / AZIMUTHS as f64;
+        let azimuth = part(i, AZIMUTHS) * PI;
         let cosine = front.cos() * axis.cos() + front.sin() * axis.sin() * azimuth.cos();
         cosine.clamp(-1.0, 1.0).acos()
     })
 }
 
 impl Parameters {
-    fn segment(&self, front_angle: f64) -> Segment {
-        let count = AZIMUTHS as f64;
+    /// The segment between two points of the shell.
+    fn segment(&self, [a, b]: [(f64, f64); 2]) -> Segment {
+        let front = |s: f64| (a.1 + s * (b.1 - a.1)).atan2(-(a.0 + s * (b.0 - a.0)));
         let shell = &self.shell;
-        let own = || own_angles(front_angle, self.axis_angle);
-        let thickness = own().map(|a| shell.at(a).0).sum::<f64>() / count;
-        let stiffness = own().map(|a| shell.at(a).0 * shell.at(a).1).sum::<f64>() / count;
+        let over = |of: &dyn Fn(f64) -> f64| {
+            mean(
+                (0..ALONG)
+                    .flat_map(|i| own_angles(front(part(i, ALONG)), self.axis_angle))
+                    .map(of),
+            )
+        };
+        let thickness = over(&|angle| shell.at(angle).0);
+        let stiffness = over(&|angle| shell.at(angle).0 * shell.at(angle).1);
+        let front_angle = front(0.5);
         Segment {
             thickness,
             modulus: stiffness / thickness,
-            sclera: own().filter(|&a| a >= shell.limbus).count() as f64 / count,
+            sclera: over(&|angle| f64::from(angle >= shell.limbus)),
             front_angle,
         }
     }
 
-    fn lens_share(&self, (x, r): (f64, f64)) -> f64 {
+    fn lens_share(&self, corners: [(f64, f64); 4]) -> f64 {
         let (along, across) = self.lens.half_axes;
-        let distance = x.hypot(r);
-        let inside = own_angles(r.atan2(-x), self.axis_angle).filter(|a| {
-            let (x, r) = (-distance * a.cos(), distance * a.sin());
-            ((x - self.lens.centre) / along).powi(2) + (r / across).powi(2) <= 1.0
-        });
-        inside.count() as f64 / AZIMUTHS as f64
+        // A cell all of which is farther away has none, whichever way the eye is turned.
+        let farthest = self.lens.centre.abs() + along.max(across);
+        let nearest = corners
+            .map(|(x, r)| x.hypot(r))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        let size = (corners[2].0 - corners[0].0).hypot(corners[2].1 - corners[0].1);
+        if nearest > farthest + size {
+            return 0.0;
+        }
+        mean((0..ACROSS * ACROSS).flat_map(|i| {
+            let (s, t) = (part(i % ACROSS, ACROSS), part(i / ACROSS, ACROSS));
+            let at = |of: fn(&(f64, f64)) -> f64| {
+                let [a, b, c, d] = corners.map(|p| of(&p));
+                (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d))
+            };
+            let (x, r) = (at(|p| p.0), at(|p| p.1));
+            let distance = x.hypot(r);
+            own_angles(r.atan2(-x), self.axis_angle).map(move |own| {
+                let (x, r) = (-distance * own.cos(), distance * own.sin());
+                let inside = ((x - self.lens.centre) / along).powi(2) + (r / across).powi(2) <= 1.0;
+                f64::from(inside)
+            })
+        }))
     }
 }
 
@@ -147,6 +189,7 @@ impl RevolutionEye {
         let mesh = mesh::build(
             half,
             parameters.radius,
+            parameters.shell.limbus,
             surround.map(|s| (s.wall, s.opening)),
         );
         let at = |node: usize| (mesh.x[node], mesh.r[node]);
@@ -154,7 +197,7 @@ impl RevolutionEye {
         let mut cells = Vec::new();
         for (i, block) in mesh.blocks.iter().enumerate() {
             for corners in block.cells() {
-                let lens = parameters.lens_share(middle(&corners.map(at)));
+                let lens = parameters.lens_share(corners.map(at));
                 let cell = match surround.filter(|_| i == 2) {
                     Some(around) => Cell {
                         corners,
@@ -177,10 +220,7 @@ impl RevolutionEye {
         let segments: Vec<Segment> = mesh
             .shell
             .windows(2)
-            .map(|ends| {
-                let (x, r) = middle(&[at(ends[0]), at(ends[1])]);
-                parameters.segment(r.atan2(-x))
-            })
+            .map(|ends| parameters.segment([at(ends[0]), at(ends[1])]))
             .collect();
         let mut fixed = vec![false; mesh.x.len()];
         for &node in &mesh.wall {
@@ -248,6 +288,57 @@ mod tests {
             ..Parameters::default()
         };
         RevolutionEye::new(&parameters, level)
+    }
+
+    #[test]
+    fn limbus_and_opening_lie_on_nodes_of_the_shell_at_every_level() {
+        for level in 1..=12 {
+            for surround in [Surround::orbit(), Surround::gelatin()] {
+                let eye = eye(level, Some(surround), 0.0);
+                let front = |node: &usize| eye.at(*node).1.atan2(-eye.at(*node).0);
+                for mark in [eye.parameters.shell.limbus, surround.opening] {
+                    let off = |node: &usize| (front(node) - mark).abs();
+                    let least = eye.mesh.shell.iter().map(off).fold(f64::INFINITY, f64::min);
+                    assert!(least < 1e-12, "{level} {mark} {least}");
+                }
+                let rim = eye.rim().unwrap();
+                assert!((rim.1.atan2(-rim.0) - surround.opening).abs() < 1e-12);
+                assert!(
+                    eye.segments
+                        .iter()
+                        .all(|s| s.sclera == 0.0 || s.sclera == 1.0)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_mass_of_shell_and_lens_hardly_depends_on_the_mesh() {
+        for axis in [0.0, 0.6] {
+            let measures = [1, 2, 4, 8].map(|level| {
+                let eye = eye(level, None, axis);
+                let lens: f64 = eye
+                    .cells
+                    .iter()
+                    .map(|cell| cell.lens * volume(&cell.corners.map(|node| eye.at(node))))
+                    .sum();
+                let shell: f64 = eye
+                    .segments
+                    .iter()
+                    .zip(eye.mesh.shell.windows(2))
+                    .map(|(s, ends)| {
+                        let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
+                        s.thickness * (b.0 - a.0).hypot(b.1 - a.1) * (a.1 + b.1)
+                    })
+                    .sum();
+                [lens, shell]
+            });
+            for coarse in measures {
+                for (coarse, fine) in coarse.into_iter().zip(measures[3]) {
+                    assert!((coarse / fine - 1.0).abs() < 0.04, "{axis} {measures:?}");
+                }
+            }
+        }
     }
 
     #[test]
