@@ -13,26 +13,26 @@ use crate::normal;
 /// An injury that a curve speaks of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Injury {
-    /// Loss of the cornea's outermost layer.
-    CornealAbrasion,
-    /// The lens torn off its zonule.
-    LensDislocation,
-    /// Blood in the anterior chamber.
-    Hyphema,
     /// The wall of the globe torn through.
     GlobeRupture,
     /// Any damage of the retina.
     RetinalDamage,
+    /// The lens torn off its zonule.
+    LensDislocation,
+    /// Blood in the anterior chamber.
+    Hyphema,
+    /// Loss of the cornea's outermost layer.
+    CornealAbrasion,
 }
 
 impl Injury {
-    /// All of them, from the front of the eye to its back.
+    /// All of them, the gravest first.
     pub const ALL: [Self; 5] = [
-        Self::CornealAbrasion,
-        Self::LensDislocation,
-        Self::Hyphema,
         Self::GlobeRupture,
         Self::RetinalDamage,
+        Self::LensDislocation,
+        Self::Hyphema,
+        Self::CornealAbrasion,
     ];
 
     /// Its name for people.
@@ -78,6 +78,15 @@ impl Measure {
             Self::NormalizedEnergy => "normalized energy",
             Self::KineticEnergy => "kinetic energy",
             Self::Pressure => "peak pressure",
+            Self::Stress => "scleral stress",
+        }
+    }
+
+    /// Its name within a sentence.
+    pub fn short(self) -> &'static str {
+        match self {
+            Self::NormalizedEnergy | Self::KineticEnergy => "energy",
+            Self::Pressure => "pressure",
             Self::Stress => "scleral stress",
         }
     }
@@ -228,16 +237,7 @@ pub struct Curve {
     pub remark: &'static str,
 }
 
-/// Below this share of its point of 50 % a curve of an assumed slope shows that slope only: its risk
-/// of nothing is 1 %.
-const LITTLE: f64 = 0.1;
-
 impl Curve {
-    /// Whether `value` lies where nothing but an assumed slope makes the risk.
-    pub fn says_little(&self, value: f64) -> bool {
-        matches!(self.form, Form::Logistic { half, .. } if value < LITTLE * half)
-    }
-
     /// Risk at `value`, 0 to 1.
     pub fn risk(&self, value: f64) -> f64 {
         match self.form {

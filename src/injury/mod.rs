@@ -7,12 +7,13 @@ mod curve;
 mod index;
 mod published;
 mod risk;
+mod verdict;
 
 pub(crate) use curve::ASSUMED_SLOPE;
 pub use curve::{Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing};
 pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
-#[cfg(feature = "app")]
-pub(crate) use risk::disagreement;
 pub use risk::{Blow, Caution, Computed, MARKS, Measures, Risk};
 pub(crate) use risk::{assess, curve_of};
+pub(crate) use verdict::verdicts;
+pub use verdict::{Part, Validity, Verdict, lines};

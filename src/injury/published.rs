@@ -58,28 +58,8 @@ const fn water_stream(injury: Injury, half: f64, slope: f64, remark: &'static st
     }
 }
 
-/// Every curve, by injury and measure.
+/// Every curve, the gravest injury first.
 pub static CURVES: &[Curve] = &[
-    pooled(Injury::CornealAbrasion, 1_503.0, ""),
-    Curve {
-        injury: Injury::CornealAbrasion,
-        measure: Measure::KineticEnergy,
-        form: logistic(0.183),
-        source: "Duma and Crandall 2000, J Trauma 48:786",
-        species: Eyes::Pig,
-        range: Range::Measure(0.0, 0.366),
-        data: "foam of airbag covers; range taken as up to twice the 50 % point",
-        standing: Standing::SlopeAssumed,
-        remark: "measured with light foam",
-    },
-    pooled(Injury::LensDislocation, 19_194.0, ""),
-    pooled(Injury::Hyphema, 20_188.0, ""),
-    water_stream(
-        Injury::Hyphema,
-        1.163e6,
-        4.82,
-        "4.4 % at 0.42 MPa, 27.8 % at 0.93 MPa",
-    ),
     pooled(Injury::GlobeRupture, 23_771.0, ""),
     Curve {
         source: "Kennedy 2006, Stapp Car Crash J 50",
@@ -130,6 +110,26 @@ pub static CURVES: &[Curve] = &[
         9.80,
         "0.1 % at 0.42 MPa, 3.3 % at 0.93 MPa",
     ),
+    pooled(Injury::LensDislocation, 19_194.0, ""),
+    pooled(Injury::Hyphema, 20_188.0, ""),
+    water_stream(
+        Injury::Hyphema,
+        1.163e6,
+        4.82,
+        "4.4 % at 0.42 MPa, 27.8 % at 0.93 MPa",
+    ),
+    pooled(Injury::CornealAbrasion, 1_503.0, ""),
+    Curve {
+        injury: Injury::CornealAbrasion,
+        measure: Measure::KineticEnergy,
+        form: logistic(0.183),
+        source: "Duma and Crandall 2000, J Trauma 48:786",
+        species: Eyes::Pig,
+        range: Range::Measure(0.0, 0.366),
+        data: "foam of airbag covers; range taken as up to twice the 50 % point",
+        standing: Standing::SlopeAssumed,
+        remark: "measured with light foam",
+    },
 ];
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! pressure and stress come from the simulation, each with its own error, which widens the range of the
 //! risk. Where measures disagree, the reader sees all, and [`super::verdict`] says which to believe.
 
-use super::curve::{Curve, Injury, Measure, Range, Standing};
+use super::curve::{Curve, Form, Injury, Measure, Range, Standing};
 use super::published::CURVES;
 use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
@@ -16,9 +16,10 @@ const ORBIT: (f64, f64) = (0.040, 0.035);
 const EYE: f64 = 0.0242;
 /// Normalized energy of a BB at 122 m/s, the fastest object of the pooled tests, in J/m^2.
 const MAX_TESTED_ENERGY: f64 = 161e3;
-/// Two risks of one injury that differ by more than this disagree.
-#[cfg(feature = "app")]
-const DISAGREEMENT: f64 = 0.25;
+
+/// Below this share of its point of 50 % a curve of an assumed slope shows that slope only: its risk
+/// of nothing is 1 %.
+const LITTLE: f64 = 0.1;
 
 /// An object on its way to the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +151,8 @@ pub struct Risk {
     pub error: f64,
     /// Probability of the injury, 0 to 1.
     pub risk: f64,
-    /// Least and greatest risk over the range of the curve and the error of the value, 0 to 1.
+    /// Least and greatest risk over the range of the curve and the error of the value, 0 to 1; beyond
+    /// the data everything that a rising curve allows.
     pub band: (f64, f64),
     /// Whether the blow lies outside the curve's data.
     pub extrapolated: bool,
@@ -188,6 +190,19 @@ pub fn curve_of(injury: Injury, measure: Measure) -> Option<&'static Curve> {
     CURVES.iter().find(of)
 }
 
+/// The least and the greatest value of its measure that a curve has data of.
+fn reach(curve: &Curve) -> (f64, f64) {
+    let (first, last) = match curve.range {
+        Range::Measure(first, last) => (first, last),
+        Range::Speed(..) => (0.0, MAX_TESTED_ENERGY),
+        Range::Unknown => (0.0, f64::INFINITY),
+    };
+    match curve.form {
+        Form::Logistic { half, .. } => (first.max(LITTLE * half), last),
+        Form::Normal { .. } => (first, last),
+    }
+}
+
 /// What every curve that applies says of the measures of a blow.
 pub fn assess(measures: &Measures) -> Vec<Risk> {
     let one = |curve: &'static Curve| {
@@ -196,39 +211,38 @@ pub fn assess(measures: &Measures) -> Vec<Risk> {
             Measure::Pressure | Measure::Stress => None,
             Measure::NormalizedEnergy | Measure::KineticEnergy => measures.blow?.caution(),
         };
-        let extrapolated = match curve.range {
-            Range::Measure(low, high) => !(low..=high).contains(&value),
+        let untested = match curve.range {
+            Range::Measure(..) => false,
             Range::Speed(low, high) => {
                 !(low..=high).contains(&measures.blow?.speed)
-                    || curve.says_little(value)
-                    || value > MAX_TESTED_ENERGY
                     || caution == Some(Caution::LargerThanEye)
             }
             Range::Unknown => true,
         };
+        let (first, last) = reach(curve);
+        let extrapolated = untested || !(first..=last).contains(&value);
         let least = curve.band(value * (1.0 - error)).0;
         let most = curve.band(value * (1.0 + error)).1;
+        // Beyond its data a curve tells only that the risk rises; and since nothing brings no risk and
+        // the curve is convex at first, below them the chord from there bounds it.
+        let band = if value > last {
+            (curve.band(last).0, 1.0)
+        } else if value < first {
+            (0.0, curve.band(first).1 * value / first)
+        } else {
+            (least, most)
+        };
         Some(Risk {
             curve,
             value,
             error,
             risk: curve.risk(value),
-            band: (least, most),
+            band,
             extrapolated,
             caution,
         })
     };
     CURVES.iter().filter_map(one).collect()
-}
-
-/// Least and greatest risk of one injury where its curves differ so much that a reader must know.
-#[cfg(feature = "app")]
-pub fn disagreement(risks: &[Risk], injury: Injury) -> Option<(f64, f64)> {
-    let of = risks.iter().filter(|r| r.curve.injury == injury);
-    let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| {
-        (low.min(r.risk), high.max(r.risk))
-    });
-    (high - low > DISAGREEMENT).then_some((low, high))
 }
 
 #[cfg(test)]
@@ -309,6 +323,26 @@ mod tests {
     }
 
     #[test]
+    fn beyond_its_data_a_curve_only_rises() {
+        let burst = |p| {
+            let risks = assess(&of(None, p));
+            risks
+                .into_iter()
+                .find(|r| r.curve.injury == Injury::Hyphema)
+        };
+        let (inside, above) = (burst(0.9e6).unwrap(), burst(1.4e6).unwrap());
+        assert!(inside.band.0 <= above.band.0 && above.band.0 < above.risk);
+        assert_eq!(above.band.1, 1.0);
+        let below = burst(0.2e6).unwrap();
+        assert!(
+            below.band.0 == 0.0 && below.band.1 < 0.06,
+            "{:?}",
+            below.band
+        );
+        assert!(burst(1e3).unwrap().band.1 < 1e-3);
+    }
+
+    #[test]
     fn an_object_that_cannot_enter_the_orbit_makes_normalized_energy_invalid() {
         let ball = Blow {
             mass: 0.43,
@@ -334,13 +368,5 @@ mod tests {
         };
         assert_eq!(cork.caution(), Some(Caution::LargerThanEye));
         assert_eq!(BB.caution(), None);
-    }
-
-    #[test]
-    fn measures_that_disagree_are_found_and_not_averaged() {
-        let risks = assess(&of(Some(BB), 0.3e6));
-        let (low, high) = disagreement(&risks, Injury::GlobeRupture).unwrap();
-        assert!(low < 0.05 && high > 0.8);
-        assert_eq!(disagreement(&risks, Injury::LensDislocation), None);
     }
 }

@@ -1,6 +1,6 @@
 //! What the published injury curves say, in text and as JSON.
 
-use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
+use crate::injury::{Caution, Injury, MARKS, Risk};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -18,7 +18,7 @@ fn share(risk: f64) -> String {
     }
 }
 
-/// Prints the risks by injury, the sources, and where measures disagree; nothing if there are none.
+/// Prints the risks by injury and the sources; nothing if there are none.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -56,15 +56,6 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
             );
             writeln!(out, "{}", line.trim_end())?;
             name = "";
-        }
-        if let Some((low, high)) = disagreement(risks, injury) {
-            writeln!(
-                out,
-                "  {:<17}the measures disagree: {} to {}",
-                "",
-                share(low),
-                share(high)
-            )?;
         }
     }
     writeln!(out, "  {MARKS}")?;
@@ -119,17 +110,7 @@ pub fn json(risks: &[Risk]) -> Value {
             "caution": risk.caution.map(Caution::key),
         })
     };
-    let split: Vec<Value> = Injury::ALL
-        .into_iter()
-        .filter_map(|injury| {
-            let (low, high) = disagreement(risks, injury)?;
-            Some(json!({
-                "injury": injury.key(),
-                "risk_percent": [100.0 * low, 100.0 * high],
-            }))
-        })
-        .collect();
-    json!({ "curves": risks.iter().map(one).collect::<Vec<_>>(), "disagreements": split })
+    json!({ "curves": risks.iter().map(one).collect::<Vec<_>>() })
 }
 
 #[cfg(test)]
@@ -164,7 +145,6 @@ mod tests {
             "normalized energy    34.01 kJ/m2",
             "peak pressure       0.3000 MPa",
             "0-5 %",
-            "the measures disagree",
             "Duma 2005",
             "extrapolated",
         ] {

@@ -103,6 +103,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "choice": reasons,
         },
         "flags": flags(&answer.flags),
+        "verdicts": super::verdict::json(&answer.verdicts()),
     });
     let results = &mut object["results"];
     results["peak_time_ms_by_result"] = peak_times(extremes);

@@ -12,3 +12,4 @@ pub mod sweep;
 pub mod text;
 pub mod threshold;
 pub mod validate;
+pub mod verdict;

@@ -44,6 +44,9 @@ pub fn results(
             eye.cells.len()
         )?;
     }
+    let mesh = answer.errors.mesh.is_some();
+    super::verdict::text(&answer.verdicts(), mesh, out)?;
+    writeln!(out)?;
     damage(&answer.index, out)?;
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     for &of in Quantity::ALL.iter().filter(|of| !above.contains(of)) {
@@ -142,6 +145,7 @@ pub fn json(scenario: &Scenario, answer: &RevolutionAnswer) -> Value {
             "total_ms": answer.total_time.as_secs_f64() * 1e3,
         },
         "flags": flags(&answer.flags),
+        "verdicts": super::verdict::json(&answer.verdicts()),
     });
     let times = Quantity::ALL.iter().filter_map(|of| {
         let peak = of.peak_of_revolution(extremes)?;

@@ -86,6 +86,9 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         eye.nodes.len(),
         eye.springs.len()
     )?;
+    let mesh = answer.errors.mesh.is_some();
+    super::verdict::text(&answer.verdicts(), mesh, out)?;
+    writeln!(out)?;
     damage(&answer.index, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];

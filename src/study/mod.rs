@@ -35,6 +35,7 @@ pub mod sweep;
 pub mod threshold;
 #[doc(hidden)]
 pub mod validate;
+mod validity;
 
 pub use bands::{Band, Checks};
 #[doc(hidden)]

@@ -9,8 +9,9 @@ use super::quantity::Quantity;
 use super::results::Results;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
+use super::validity::validity;
 use crate::dynamics::{Cost, Plan};
-use crate::injury::{Computed, DamageIndex, Measures, Risk, assess};
+use crate::injury::{Computed, DamageIndex, Measures, Risk, Verdict, assess, verdicts};
 use crate::recording::{Keep, Recording};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -20,6 +21,9 @@ use std::time::{Duration, Instant};
 
 /// A shorter step helped if it brought the error below this share of the one before.
 const HELPED: f64 = 0.8;
+/// A peak in the last share of a run may not have been the last word.
+const END: f64 = 0.999;
+
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
@@ -116,6 +120,13 @@ impl Answer {
             pressure,
             stress: None,
         })
+    }
+
+    /// What to believe of them: one verdict an injury.
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        let fluid = self.recording.extremes.fluid;
+        let late = fluid.map(|f| f.pressure.time > END * self.simulated);
+        verdicts(&self.risks(), &validity(&self.flags, late, false))
     }
 }
 

@@ -159,7 +159,7 @@ fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
         for mark in ["s slope assumed", "x extrapolated", "! invalid here"] {
             assert!(text.contains(mark), "{text}");
         }
-        let curves = text.lines().filter(|line| line.contains("··")).count();
+        let curves = text.lines().filter(|line| line.contains('◆')).count();
         assert_eq!(
             text.contains(&format!("1 to {curves} of ")),
             text.contains('▾')

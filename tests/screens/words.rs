@@ -253,7 +253,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&[], "\x1b8"),
-        &["Paper's index", "No published curve applies here"],
+        &["Paper's index", "no measure is usable"],
     );
     said(
         &after(&["fist"], "jjjjj.3\r\x1b2"),

@@ -12,13 +12,14 @@ use super::case::RevolutionCase;
 use super::flags;
 use crate::dynamics::revolution::{self as engine, Run, STEP_SHARE, run};
 use crate::eye::revolution::RevolutionEye;
-use crate::injury::{Computed, DamageIndex, Measures, Risk, assess};
+use crate::injury::{Computed, DamageIndex, Measures, Risk, Verdict, assess, verdicts};
 use crate::recording::{Keep, Peak};
 use crate::study::case::{Refusal, Watch};
 use crate::study::flags::{Flag, FlagKind};
 use crate::study::quantity::{Family, Quantity};
 use crate::study::results::Results;
 use crate::study::solve::Errors;
+use crate::study::validity::validity;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -70,6 +71,15 @@ impl RevolutionAnswer {
             pressure: Some(computed(extremes.pressure, Quantity::Pressure)),
             stress: Some(computed(extremes.scleral_stress, Quantity::ScleralStress)),
         })
+    }
+
+    /// What to believe of them: one verdict an injury.
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        let extremes = &self.run.extremes;
+        let last = extremes.pressure.time.max(extremes.scleral_stress.time);
+        let late = last > flags::END * self.run.simulated;
+        let validity = validity(&self.flags, Some(late), self.case.pig);
+        verdicts(&self.risks(), &validity)
     }
 
     /// Estimates the mesh error from a neighbouring level and adds it, with a flag if that one folds.

@@ -22,6 +22,8 @@ pub struct RevolutionCase {
     pub window: f64,
     /// Front angle of the blow, in degrees.
     pub angle_deg: f64,
+    /// Whether the eye is a pig's.
+    pub pig: bool,
 }
 
 impl RevolutionCase {
@@ -46,6 +48,7 @@ impl RevolutionCase {
             blow: Blow::of(scenario),
             window: scenario.window_ms * 1e-3,
             angle_deg,
+            pig: model.species == Species::Pig,
         })
     }
 

@@ -7,7 +7,7 @@ use crate::study::flags::{ENERGY_ALARM, Flag, FlagKind, contact_cut, pulse_cut, 
 use crate::study::quantity::Quantity;
 
 /// A peak in the last share of the window may not have been the last word.
-const END: f64 = 0.999;
+pub(super) const END: f64 = 0.999;
 
 /// Flags of a run whose largest step error of a leading result is `step_error` %.
 pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Flag> {

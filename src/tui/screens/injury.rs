@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
-use crate::injury::{Caution, Injury, MARKS, Risk, disagreement};
+use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines};
 use crate::report::text::significant;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -74,12 +74,16 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: area.height.saturating_sub(flags.len() as u16),
         ..area
     };
+    let verdicts = shown.answer.verdicts();
+    let rows = answers(&verdicts, theme, area, buffer);
     if risks.is_empty() {
-        let why = "No published curve applies here: a force pulse has no kinetic energy and the Paper \
-                   model has no pressure. Take the impact Projectile, the model Physiological, or both.";
-        paragraph(why, 2, theme, area, buffer);
         return;
     }
+    let area = Rect {
+        y: area.y + rows,
+        height: area.height.saturating_sub(rows),
+        ..area
+    };
     let bar = Rect::new(
         area.x + NAME,
         area.y,
@@ -119,7 +123,29 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: below(area),
         ..area
     };
-    explain(&risks[chosen], &risks, theme, foot, buffer);
+    let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
+    let part = parts.find(|(risk, _)| risk.curve == risks[chosen].curve);
+    explain(&risks[chosen], part.map(|p| &p.1), theme, foot, buffer);
+}
+
+/// The verdicts, a line for each injury; returns the rows taken. The words of a single one are wrapped.
+fn answers(verdicts: &[Verdict], theme: Theme, area: Rect, buffer: &mut Buffer) -> u16 {
+    let lines = lines(verdicts);
+    let room = usize::from(area.width.saturating_sub(NAME + 1));
+    let mut y = 1;
+    for (name, words) in &lines {
+        put(buffer, area, (1, y), name, theme.text());
+        let words = if lines.len() == 1 {
+            wrapped(words, room)
+        } else {
+            vec![fitted(words, room)]
+        };
+        for line in &words {
+            put(buffer, area, (NAME, y), line, theme.strong());
+            y += 1;
+        }
+    }
+    y - 1
 }
 
 /// The names of the flags of the answer, which the curves rest on, in two lines at most.
@@ -200,8 +226,8 @@ fn line(
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
-/// What stands behind one curve, and whether others of the same injury disagree.
-fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut Buffer) {
+/// What stands behind one curve, and its part in the verdict.
+fn explain(risk: &Risk, part: Option<&Part>, theme: Theme, area: Rect, buffer: &mut Buffer) {
     for x in 0..area.width {
         put(buffer, area, (x, 0), "─", theme.line());
     }
@@ -222,20 +248,18 @@ fn explain(risk: &Risk, risks: &[Risk], theme: Theme, area: Rect, buffer: &mut B
         curve.data,
         curve.standing.name(),
     );
+    match part {
+        Some(Part::Believed) => words += " Believed.",
+        Some(Part::Agrees) => words += " Agrees with what is believed.",
+        Some(Part::Disagrees(why)) => words.extend([" Counts less: ", why, "."]),
+        Some(Part::NotValid(why)) => words.extend([" NOT VALID HERE: ", why, "."]),
+        None => {}
+    }
     if risk.extrapolated {
         words += " EXTRAPOLATED beyond its data.";
     }
-    if let Some(caution) = risk.caution {
-        words += match caution {
-            Caution::LargerThanOrbit => " INVALID: ",
-            Caution::LargerThanEye => " CAUTION: ",
-        };
-        words += caution.text();
-        words += ".";
-    }
-    if let Some((low, high)) = disagreement(risks, curve.injury) {
-        let (low, high) = (100.0 * low, 100.0 * high);
-        words.extend([format!(" The measures disagree: {low:.0} to {high:.0} %.")]);
+    if risk.caution == Some(Caution::LargerThanEye) {
+        words.extend([" CAUTION: ", Caution::LargerThanEye.text(), "."]);
     }
     if !curve.remark.is_empty() {
         words.extend([" (", curve.remark, ".)"]);

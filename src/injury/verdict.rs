@@ -1,0 +1,496 @@
+//! One answer for each injury: what to believe of the curves that speak of it, in a word and a range.
+//!
+//! The rule, which the guide states for readers (`contrecoup guide injury`):
+//!
+//! 1. A measure is not used if it means nothing here: energy where the object is larger than the
+//!    orbit's opening, pressure and stress of a run that left the model's validity, and a curve whose
+//!    figure comes from memory.
+//! 2. The others are ordered: first those without a reservation (eyes of another species, an object
+//!    larger than the eye), then what the eye felt before what the object carried, then the nearer to
+//!    what tears: stress of the wall before pressure, which is a mean over the globe.
+//! 3. The first is believed, and with it those of the same rank whose risk is within a factor of
+//!    [`FACTOR`] of its own. The range spans all that are believed: slope, point and error of the measure.
+//! 4. What is farther off is named with the reason why it counts less. Nothing is averaged.
+//!
+//! Two risks that are both below [`UNLIKELY`] agree: a factor means nothing there.
+//!
+//! Left out: weights, and any guess where no measure is left; the verdict then says so.
+
+use super::curve::{Eyes, Injury, Measure, Standing};
+use super::risk::{Caution, Risk};
+
+/// Two risks that differ by more than this factor disagree.
+pub const FACTOR: f64 = 3.0;
+/// Below this risk an injury is unlikely.
+const UNLIKELY: f64 = 0.05;
+/// The scale: below so many percent the word holds.
+const SCALE: [(f64, &str); 4] = [
+    (5.0, "unlikely"),
+    (50.0, "possible"),
+    (95.5, "likely"),
+    (f64::INFINITY, "almost certain"),
+];
+
+/// What the run says of its own results.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Validity {
+    /// Whether the model has a pressure or a stress.
+    pub computes: bool,
+    /// Why neither pressure nor stress may be used, if so.
+    pub spoiled: Option<String>,
+    /// Whether the run ended before they had to reach their peaks: they are then at least so large.
+    pub cut: bool,
+    /// Whether the eye is a pig's.
+    pub pig: bool,
+    /// Said in place of a verdict where no curve speaks at all: why, and what to do.
+    pub silence: &'static str,
+}
+
+/// How one curve fares beside the believed one.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Part {
+    /// It is believed.
+    Believed,
+    /// It counts less, and agrees.
+    Agrees,
+    /// It disagrees, and counts less for this reason.
+    Disagrees(&'static str),
+    /// It is not used, for this reason.
+    NotValid(String),
+}
+
+/// What is to be believed of one injury.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// The injury.
+    pub injury: Injury,
+    /// Every curve of it with its part, the believed first.
+    pub parts: Vec<(Risk, Part)>,
+    /// Least and greatest risk, 0 to 1; none where no measure is usable.
+    pub range: Option<(f64, f64)>,
+    /// Whether a measure ends with the run while it may still grow.
+    pub at_least: bool,
+    /// Why there is no range, and what to do; empty where there is one.
+    silence: String,
+}
+
+/// Verdicts on every injury from what the curves say of one blow, the gravest first.
+pub fn verdicts(risks: &[Risk], validity: &Validity) -> Vec<Verdict> {
+    let one = |injury| {
+        let of: Vec<Risk> = risks
+            .iter()
+            .filter(|r| r.curve.injury == injury)
+            .copied()
+            .collect();
+        let mut verdict = Verdict::of(injury, of, validity);
+        if risks.is_empty() {
+            validity.silence.clone_into(&mut verdict.silence);
+        }
+        verdict
+    };
+    Injury::ALL.into_iter().map(one).collect()
+}
+
+fn is_computed(measure: Measure) -> bool {
+    matches!(measure, Measure::Pressure | Measure::Stress)
+}
+
+/// Why a curve means nothing here.
+fn objection(risk: &Risk, validity: &Validity) -> Option<String> {
+    if is_computed(risk.curve.measure) {
+        return validity.spoiled.clone();
+    }
+    if risk.caution == Some(Caution::LargerThanOrbit) {
+        return Some("object larger than the orbit's opening".to_owned());
+    }
+    (risk.curve.standing == Standing::Unverified).then(|| "a figure from memory".to_owned())
+}
+
+/// The place of a curve in the order: reservation, kind and nearness.
+fn rank(risk: &Risk, validity: &Validity) -> (bool, bool, u8) {
+    let nearness = match risk.curve.measure {
+        Measure::Stress => 0,
+        Measure::Pressure => 1,
+        Measure::NormalizedEnergy => 2,
+        Measure::KineticEnergy => 3,
+    };
+    let computed = is_computed(risk.curve.measure);
+    (reservation(risk, validity).is_some(), !computed, nearness)
+}
+
+fn reservation(risk: &Risk, validity: &Validity) -> Option<&'static str> {
+    match (risk.curve.species, validity.pig) {
+        (Eyes::Pig, false) => return Some("measured on pigs' eyes"),
+        (Eyes::Human, true) => return Some("measured on human eyes"),
+        _ => {}
+    }
+    let larger = risk.caution == Some(Caution::LargerThanEye);
+    larger.then_some("object larger than the eye")
+}
+
+/// Why `risk` counts less than what is believed.
+fn why_less(risk: &Risk, validity: &Validity) -> &'static str {
+    reservation(risk, validity).unwrap_or(if is_computed(risk.curve.measure) {
+        "a mean over the globe, which tears where stress is largest"
+    } else {
+        "it knows the object only"
+    })
+}
+
+fn disagree(a: &Risk, b: &Risk) -> bool {
+    let (low, high) = (a.risk.min(b.risk), a.risk.max(b.risk));
+    high > UNLIKELY && high > FACTOR * low
+}
+
+/// A risk in whole percent.
+fn whole(risk: f64) -> String {
+    let percent = (100.0 * risk).round();
+    match percent {
+        none if none < 1.0 => "under 1 %".to_owned(),
+        all if all > 99.0 => "over 99 %".to_owned(),
+        some => format!("{some} %"),
+    }
+}
+
+impl Verdict {
+    fn of(injury: Injury, mut risks: Vec<Risk>, validity: &Validity) -> Self {
+        risks.sort_by_key(|risk| rank(risk, validity));
+        let usable = |risk: &&Risk| objection(risk, validity).is_none();
+        let first = risks.iter().find(usable).copied();
+        let part = |risk: &Risk| {
+            if let Some(reason) = objection(risk, validity) {
+                return Part::NotValid(reason);
+            }
+            let Some(first) = &first else {
+                return Part::Agrees;
+            };
+            let class = |risk| (rank(risk, validity).0, rank(risk, validity).1);
+            if disagree(first, risk) {
+                Part::Disagrees(why_less(risk, validity))
+            } else if class(risk) == class(first) {
+                Part::Believed
+            } else {
+                Part::Agrees
+            }
+        };
+        let parts: Vec<(Risk, Part)> = risks.iter().map(|risk| (*risk, part(risk))).collect();
+        let mut verdict = Self {
+            injury,
+            parts,
+            range: None,
+            at_least: false,
+            silence: String::new(),
+        };
+        let ends = verdict.believed().fold((1.0, 0.0), |(low, high), risk| {
+            (risk.band.0.min(low), risk.band.1.max(high))
+        });
+        verdict.at_least = validity.cut && verdict.rests_on_the_run();
+        verdict.range = first.map(|_| (ends.0, if verdict.at_least { 1.0 } else { ends.1 }));
+        verdict.parts.sort_by_key(|(_, part)| match part {
+            Part::Believed => 0,
+            Part::Agrees => 1,
+            Part::Disagrees(_) => 2,
+            Part::NotValid(_) => 3,
+        });
+        if first.is_none() {
+            verdict.silence = verdict.why_silent(validity);
+        }
+        verdict
+    }
+
+    fn why_silent(&self, validity: &Validity) -> String {
+        if self.parts.is_empty() {
+            return "no measure is usable: no published curve runs against what this scene has"
+                .to_owned();
+        }
+        let advice = match (&validity.spoiled, validity.computes) {
+            (_, false) => "; take the model Physiological",
+            (Some(_), true) => "; try a finer mesh or a smaller blow",
+            (None, true) => "",
+        };
+        format!(
+            "no measure is usable: {}{advice}",
+            self.not_valid().join("; ")
+        )
+    }
+
+    /// What is believed, the first in order first.
+    pub fn believed(&self) -> impl Iterator<Item = &Risk> {
+        let believed = self
+            .parts
+            .iter()
+            .filter(|(_, part)| *part == Part::Believed);
+        believed.map(|(risk, _)| risk)
+    }
+
+    /// Whether it believes something that was computed, which has errors of step and mesh.
+    pub fn rests_on_the_run(&self) -> bool {
+        self.believed().any(|r| is_computed(r.curve.measure))
+    }
+
+    /// The range in a word or two.
+    pub fn word(&self) -> Option<String> {
+        let (low, high) = self.range?;
+        // The words are of the figures as printed.
+        let word = |risk: f64| {
+            let percent = (100.0 * risk).round();
+            let place = SCALE.iter().position(|(below, _)| percent < *below);
+            place.unwrap_or(SCALE.len() - 1)
+        };
+        let (low, high) = (word(low), word(high));
+        Some(if low == high {
+            SCALE[low].1.to_owned()
+        } else if high - low == SCALE.len() - 1 {
+            "unclear".to_owned()
+        } else {
+            format!("{} to {}", SCALE[low].1, SCALE[high].1)
+        })
+    }
+
+    /// The range in percent.
+    fn percent(&self) -> Option<String> {
+        let (low, high) = self.range?;
+        let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
+        Some(if self.at_least {
+            format!("at least {least} %")
+        } else if least == most {
+            whole(low)
+        } else {
+            format!("{least}-{most} %")
+        })
+    }
+
+    /// Which measures are not valid here, and why, each reason once.
+    fn not_valid(&self) -> Vec<String> {
+        let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+        for (risk, part) in &self.parts {
+            let Part::NotValid(reason) = part else {
+                continue;
+            };
+            let name = risk.curve.measure.short();
+            // Another curve of the same measure speaks for it.
+            let spoken = |(of, part): &(Risk, Part)| {
+                !matches!(part, Part::NotValid(_)) && of.curve.measure.short() == name
+            };
+            if self.parts.iter().any(spoken) {
+                continue;
+            }
+            match reasons.iter_mut().find(|(known, _)| known == reason) {
+                Some((_, names)) if names.contains(&name) => {}
+                Some((_, names)) => names.push(name),
+                None => reasons.push((reason.clone(), vec![name])),
+            }
+        }
+        let said = |(reason, names): &(String, Vec<&str>)| {
+            format!("{} not valid here: {reason}", names.join(" and "))
+        };
+        reasons.iter().map(said).collect()
+    }
+
+    /// What the verdict says after the injury's name.
+    pub fn words(&self) -> String {
+        let (Some(word), Some(percent)) = (self.word(), self.percent()) else {
+            return self.silence.clone();
+        };
+        let mut names: Vec<&str> = Vec::new();
+        for risk in self.believed() {
+            let name = risk.curve.measure.short();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let mut text = format!("{word} ({percent}), by {}", names.join(" and "));
+        if let Some(why) = self.doubt() {
+            text.extend([" ", why]);
+        }
+        for (risk, part) in &self.parts {
+            if let Part::Disagrees(why) = part {
+                let name = risk.curve.measure.short();
+                let percent = whole(risk.risk);
+                text.extend([format!("; {name} says {percent}, {why}")]);
+            }
+        }
+        for reason in self.not_valid() {
+            text.extend(["; ", &reason]);
+        }
+        text
+    }
+
+    /// The reservation that even the believed one bears.
+    fn doubt(&self) -> Option<&'static str> {
+        let first = self.believed().next()?;
+        match (first.curve.species, first.caution) {
+            (Eyes::Pig, _) => Some("of pigs' eyes"),
+            (_, Some(Caution::LargerThanEye)) => Some("of smaller objects"),
+            _ => None,
+        }
+    }
+}
+
+/// What to say of each injury, under its name. Where nothing can be said of any for one and the same
+/// reason, it is said once.
+pub fn lines(verdicts: &[Verdict]) -> Vec<(&'static str, String)> {
+    if let [first, rest @ ..] = verdicts
+        && first.range.is_none()
+        && rest
+            .iter()
+            .all(|v| v.range.is_none() && v.words() == first.words())
+    {
+        return vec![("injuries", first.words())];
+    }
+    let line = |verdict: &Verdict| (verdict.injury.name(), verdict.words());
+    verdicts.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::risk::{Blow, Computed, Measures, assess};
+    use super::*;
+
+    const BB: Blow = Blow {
+        mass: 0.345e-3,
+        diameter: 4.5e-3,
+        speed: 56.0,
+    };
+    const SQUASH: Blow = Blow {
+        mass: 24e-3,
+        diameter: 40e-3,
+        speed: 40.0,
+    };
+
+    fn of(blow: Option<Blow>, pressure: f64, stress: f64, validity: &Validity) -> Vec<Verdict> {
+        let computed = |value: f64| (value > 0.0).then_some(Computed { value, error: 0.02 });
+        let measures = Measures {
+            blow,
+            pressure: computed(pressure),
+            stress: computed(stress),
+        };
+        verdicts(&assess(&measures), validity)
+    }
+
+    fn rupture(blow: Option<Blow>, pressure: f64, stress: f64) -> Verdict {
+        of(blow, pressure, stress, &Validity::default()).swap_remove(0)
+    }
+
+    fn names(verdict: &Verdict) -> Vec<&str> {
+        verdict
+            .believed()
+            .map(|r| r.curve.measure.short())
+            .collect()
+    }
+
+    #[test]
+    fn what_the_eye_felt_is_believed_and_energy_of_a_large_object_is_not_valid() {
+        let verdict = rupture(Some(SQUASH), 1.1e6, 21e6);
+        assert_eq!(names(&verdict), ["scleral stress", "pressure"]);
+        let (low, high) = verdict.range.unwrap();
+        for risk in verdict.believed() {
+            assert!(low <= risk.band.0 && risk.band.1 <= high);
+        }
+        let words = verdict.words();
+        for part in [
+            "likely",
+            "by scleral stress and pressure",
+            "energy not valid here: object larger than the orbit's opening",
+        ] {
+            assert!(words.contains(part), "{words}");
+        }
+        assert!(!words.contains("memory"), "{words}");
+    }
+
+    #[test]
+    fn a_measure_off_by_more_than_the_factor_is_named_with_its_reason_and_changes_nothing() {
+        let verdict = rupture(Some(BB), 0.59e6, 16.8e6);
+        assert_eq!(names(&verdict), ["scleral stress"]);
+        let alone = rupture(None, 0.0, 16.8e6);
+        assert_eq!(verdict.range, alone.range);
+        assert!(
+            verdict
+                .words()
+                .contains("; pressure says 12 %, a mean over the globe")
+        );
+        // Energy says 88 %, which is within the factor.
+        assert!(!verdict.words().contains("energy"));
+    }
+
+    #[test]
+    fn eyes_of_another_species_count_after_what_knows_the_object_only() {
+        let all = of(Some(BB), 0.585e6, 16.8e6, &Validity::default());
+        let hyphema = all.iter().find(|v| v.injury == Injury::Hyphema).unwrap();
+        assert_eq!(names(hyphema), ["energy"]);
+        assert!(
+            hyphema
+                .words()
+                .contains("pressure says 8 %, measured on pigs' eyes")
+        );
+        let all = of(Some(SQUASH), 0.59e6, 16.8e6, &Validity::default());
+        let hyphema = all.iter().find(|v| v.injury == Injury::Hyphema).unwrap();
+        assert!(hyphema.words().contains("by pressure of pigs' eyes"));
+    }
+
+    #[test]
+    fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
+        let spoiled = Validity {
+            computes: true,
+            spoiled: Some("mesh folded at 0.480 ms".to_owned()),
+            ..Validity::default()
+        };
+        let rupture = |blow| of(Some(blow), 1.1e6, 21e6, &spoiled).swap_remove(0);
+        assert_eq!(names(&rupture(BB)), ["energy"]);
+        let none = rupture(SQUASH);
+        assert_eq!(none.range, None);
+        assert!(none.words().starts_with("no measure is usable: "));
+        assert!(none.words().contains("mesh folded at 0.480 ms"));
+        assert!(none.words().contains("finer mesh"));
+        let paper = of(Some(SQUASH), 0.0, 0.0, &Validity::default()).swap_remove(0);
+        assert!(paper.words().ends_with("take the model Physiological"));
+    }
+
+    #[test]
+    fn where_nothing_speaks_one_line_says_so() {
+        let silent = Validity {
+            silence: "no measure is usable: a test",
+            ..Validity::default()
+        };
+        let all = of(None, 0.0, 0.0, &silent);
+        let silence = "no measure is usable: a test".to_owned();
+        assert_eq!(lines(&all), [("injuries", silence)]);
+        assert_eq!(lines(&of(Some(BB), 0.0, 0.0, &silent)).len(), all.len());
+    }
+
+    #[test]
+    fn a_peak_that_the_end_of_the_run_cut_off_gives_a_least_risk() {
+        let cut = Validity {
+            cut: true,
+            ..Validity::default()
+        };
+        let verdict = of(None, 0.8e6, 16e6, &cut).swap_remove(0);
+        assert_eq!(verdict.range.unwrap().1, 1.0);
+        assert!(verdict.words().contains("at least"), "{}", verdict.words());
+        let energy = of(Some(BB), 0.0, 0.0, &cut).swap_remove(0);
+        assert!(!energy.at_least);
+    }
+
+    #[test]
+    fn a_word_covers_the_range_as_it_is_printed() {
+        let of = |low: f64, high: f64| Verdict {
+            injury: Injury::GlobeRupture,
+            parts: Vec::new(),
+            range: Some((low, high)),
+            at_least: false,
+            silence: String::new(),
+        };
+        for (low, high, word, percent) in [
+            (0.0, 0.004, "unlikely", "under 1 %"),
+            (0.01, 0.04, "unlikely", "1-4 %"),
+            (0.70, 0.95, "likely", "70-95 %"),
+            (0.25, 0.74, "possible to likely", "25-74 %"),
+            (0.02, 0.98, "unclear", "2-98 %"),
+            (0.999, 1.0, "almost certain", "over 99 %"),
+        ] {
+            let verdict = of(low, high);
+            assert_eq!(verdict.word().unwrap(), word);
+            assert_eq!(verdict.percent().unwrap(), percent);
+        }
+    }
+}
