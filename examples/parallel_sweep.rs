@@ -25,7 +25,7 @@ fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
     Ok((
         answer.results()[Quantity::Damage],
         answer.errors.time_step[Quantity::Damage],
-        answer.recording.extremes.folded_at.is_some(),
+        answer.left.folded_at().is_some(),
     ))
 }
 

@@ -11,7 +11,7 @@ use contrecoup::recording::Keep;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Scenario};
-use contrecoup::study::{Answer, solve, unwatched};
+use contrecoup::study::{Answer, Quantity, solve, unwatched};
 
 /// 300 N over 0.2 ms in the given shape.
 fn blow(shape: PulseShape) -> Scenario {
@@ -153,7 +153,7 @@ fn only_the_impulse_of_a_very_short_recording_moves_the_eye() {
         let mut scenario = blow(table(knots.iter().copied()));
         set(&mut scenario, "impact.duration_ms", "0.0005").unwrap();
         set(&mut scenario, "impact.force_n", "20000").unwrap();
-        answer(&scenario).recording.extremes.apex.value
+        answer(&scenario).peak(Quantity::Apex).unwrap().value
     };
     let spike = short(&[
         (0.0, 0.0),

@@ -72,12 +72,16 @@ fn the_eye_at_rest_stays_at_rest() {
             frames: Some(Spacing::even(3e-3)),
         };
         let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-        let last = answer.recording.frames.last().unwrap();
+        let last = answer.frames.last().unwrap();
         assert!((last.time - 3e-3).abs() < 1e-12);
-        for (place, node) in last.positions.iter().zip(&answer.case.eye.nodes) {
+        for (place, node) in last
+            .positions
+            .iter()
+            .zip(&answer.case.section().unwrap().eye.nodes)
+        {
             assert!((place - node.position).norm() < 1e-12);
         }
-        let fluid = answer.recording.extremes.fluid.unwrap();
+        let fluid = answer.left.section().unwrap().fluid.unwrap();
         let rest = 15.0 * PA_PER_MMHG;
         assert_eq!(fluid.rest_pressure, rest);
         assert!((fluid.pressure.value / rest - 1.0).abs() < 1e-6);
@@ -152,15 +156,16 @@ fn each_part_has_its_own_switch_and_does_no_work_when_off() {
     // All off is the paper's model, to the last bit and by the same path.
     let bare = answer(&physiological(off));
     let paper = answer(&Scenario::default());
-    assert_eq!(bare.recording, paper.recording);
+    assert_eq!((bare.left, &bare.frames), (paper.left, &paper.frames));
     assert_eq!(bare.cost, paper.cost);
 
     let slab = answer(&physiological(|parts| {
         off(parts);
         parts.slab = true;
     }));
-    assert!(slab.case.system.coupled().is_none());
-    let ratio = slab.case.eye.springs[0].stiffness / paper.case.eye.springs[0].stiffness;
+    assert!(slab.case.section().unwrap().system.coupled().is_none());
+    let ratio = slab.case.section().unwrap().eye.springs[0].stiffness
+        / paper.case.section().unwrap().eye.springs[0].stiffness;
     assert!((ratio - 0.016).abs() < 1e-15);
 
     let pressure = answer(&physiological(|parts| {
@@ -171,7 +176,7 @@ fn each_part_has_its_own_switch_and_does_no_work_when_off() {
     assert_eq!(pressure.cost.dashpot_evaluations, 0);
     assert_eq!(pressure.cost.contact_tests, 0);
     // The fluid keeps the globe from being squeezed.
-    let squeeze = |answer: &Answer| answer.recording.extremes.apex.value;
+    let squeeze = |answer: &Answer| answer.left.section().unwrap().apex.value;
     assert!(squeeze(&pressure) < squeeze(&paper));
 
     let dashpots = answer(&physiological(|parts| {
@@ -180,8 +185,8 @@ fn each_part_has_its_own_switch_and_does_no_work_when_off() {
     }));
     assert!(dashpots.cost.dashpot_evaluations > 0);
     assert_eq!(dashpots.cost.pressure_evaluations, 0);
-    assert!(dashpots.recording.extremes.fluid.is_none());
-    assert!(dashpots.recording.extremes.energy_residual < 1e-2);
+    assert!(dashpots.left.section().unwrap().fluid.is_none());
+    assert!(dashpots.left.section().unwrap().energy_residual < 1e-2);
 }
 
 /// The prototype: a BB at 62.5 m/s makes the eye about 20 % shorter and wider, with peaks of 0.6 to
@@ -198,7 +203,7 @@ fn a_bb_does_about_what_was_seen() {
             ..Projectile::default()
         });
         let answer = answer(&scenario);
-        let extremes = &answer.recording.extremes;
+        let extremes = &answer.left.section().unwrap();
         let pressure = extremes.fluid.unwrap().pressure.value * 1e-6;
         assert!(pressure > least && pressure < most, "{pressure}");
         assert!(pressure > before);

@@ -38,7 +38,7 @@ fn answer(scenario: &Scenario) -> Answer {
 }
 
 fn shot(answer: &Answer) -> &ShotExtremes {
-    answer.recording.extremes.shot.as_ref().unwrap()
+    answer.left.section().unwrap().shot.as_ref().unwrap()
 }
 
 fn has(answer: &Answer, kind: FlagKind) -> bool {
@@ -302,8 +302,8 @@ fn a_shot_head_on_gives_a_symmetric_answer() {
         frames: Some(Spacing::even(1e-4)),
     };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-    let eye = &answer.case.eye;
-    for frame in &answer.recording.frames {
+    let eye = &answer.case.section().unwrap().eye;
+    for frame in &answer.frames {
         for (i, node) in eye.nodes.iter().enumerate() {
             let grid = (node.grid.0, eye.side - 1 - node.grid.1);
             let twin = eye.nodes.iter().position(|n| n.grid == grid).unwrap();
@@ -313,7 +313,7 @@ fn a_shot_head_on_gives_a_symmetric_answer() {
         assert!(frame.projectile.unwrap().y.abs() < 1e-9);
         assert!(frame.pressure.is_some());
     }
-    let traces = answer.recording.traces.as_ref().unwrap();
+    let traces = answer.traces.as_ref().unwrap();
     assert_eq!(traces.contact_force.len(), traces.time.len());
     assert_eq!(traces.pressure.len(), traces.time.len());
 }
@@ -328,7 +328,7 @@ fn what_is_too_large_meets_the_rim_and_what_flies_past_misses() {
     let stopped = answer(&physiological(baseball));
     assert!(has(&stopped, FlagKind::RimStops) && has(&stopped, FlagKind::EyeMissed));
     assert!((shot(&stopped).rebound_speed - 20.0).abs() < 0.01);
-    assert_eq!(stopped.recording.extremes.apex.value, 0.0);
+    assert_eq!(stopped.left.section().unwrap().apex.value, 0.0);
 
     let past = answer(&physiological(Projectile {
         offset_mm: 30.0,
@@ -349,7 +349,7 @@ fn the_same_shot_gives_the_same_bits() {
         ..bb(40.0)
     });
     let (a, b) = (answer(&scenario), answer(&scenario));
-    assert_eq!(a.recording, b.recording);
+    assert_eq!((a.left, a.traces, a.frames), (b.left, b.traces, b.frames));
     assert_eq!(a.cost, b.cost);
 }
 
@@ -361,8 +361,11 @@ fn a_force_on_the_papers_eye_does_none_of_this_work() {
     assert_eq!(cost.contact_tests, 0);
     assert_eq!(cost.pressure_evaluations, 0);
     assert_eq!(cost.dashpot_evaluations, 0);
-    assert!(answer.case.system.coupled().is_none() && answer.case.system.mirrored());
-    assert!(answer.recording.extremes.shot.is_none());
+    assert!(
+        answer.case.section().unwrap().system.coupled().is_none()
+            && answer.case.section().unwrap().system.mirrored()
+    );
+    assert!(answer.left.section().unwrap().shot.is_none());
 
     let shot = solve(
         &paper(bb(20.0)).check().unwrap(),
@@ -406,7 +409,7 @@ fn stated_step_errors_hold_against_a_run_ten_times_finer() {
             .case
             .run(&plan, Keep::default(), &mut unwatched)
             .unwrap();
-        let fine = answer.case.results(&fine.recording.extremes);
+        let fine = answer.case.results(&fine.left);
         for (quantity, truth) in answer.results().difference_percent(&fine).present() {
             if quantity.key().starts_with("peak_force") {
                 continue;
@@ -434,7 +437,7 @@ fn a_soft_ball_wedged_in_the_rim_keeps_its_energy_at_any_step() {
     for step_us in [0.6, 1.2, 2.4] {
         scenario.numerics.step_us = Some(step_us);
         let answer = answer(&scenario);
-        let energies = answer.recording.extremes.energy_residual;
+        let energies = answer.left.section().unwrap().energy_residual;
         assert!(energies < 1e-3, "{step_us} us: {energies}");
         assert!(shot(&answer).rebound_speed > 30.0, "{step_us} us");
         damage.push(answer.index.damage());
@@ -495,9 +498,16 @@ fn eye_and_object_together_keep_their_momentum() {
         frames: Some(Spacing::even(1e-4)),
     };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-    let frames = &answer.recording.frames;
+    let frames = &answer.frames;
     let moment = |frame: &Frame| {
-        let nodes = answer.case.eye.nodes.iter().zip(&frame.positions);
+        let nodes = answer
+            .case
+            .section()
+            .unwrap()
+            .eye
+            .nodes
+            .iter()
+            .zip(&frame.positions);
         let eye: Vector2<f64> = nodes
             .filter(|(node, _)| !node.fixed())
             .map(|(node, place)| place.coords * node.mass)

@@ -107,7 +107,7 @@ fn printed(found: f64, wanted: f64, unit: f64, what: &str) {
 }
 
 fn agrees(row: &Row, answer: &Answer) {
-    let extremes = &answer.recording.extremes;
+    let extremes = &answer.left.section().unwrap();
     let unit = |value: f64| 10f64.powf(value.log10().floor() - 3.0);
     printed(
         extremes.apex.value * 1e3,
@@ -172,11 +172,13 @@ fn a_mirrored_angle_gives_the_mirrored_result() {
     close(up.index.meridian_growth, down.index.meridian_growth);
     close(up.index.energy, down.index.energy);
     close(
-        up.recording.extremes.apex.value,
-        down.recording.extremes.apex.value,
+        up.left.section().unwrap().apex.value,
+        down.left.section().unwrap().apex.value,
     );
     assert!(
-        (up.recording.extremes.force[3].value - down.recording.extremes.force[3].value).abs() > 0.1
+        (up.left.section().unwrap().force[3].value - down.left.section().unwrap().force[3].value)
+            .abs()
+            > 0.1
     );
 }
 
@@ -234,7 +236,7 @@ fn the_front_node_shows_the_papers_two_peaks() {
         frames: None,
     };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-    let traces = answer.recording.traces.unwrap();
+    let traces = answer.traces.unwrap();
     let largest = |from: f64, to: f64| {
         traces
             .time

@@ -11,9 +11,9 @@ use super::{CliError, ExportArgs, interrupt};
 use crate::eye::side_at_level;
 use crate::plain_text::printable;
 use crate::recording::{FrameWriter, Keep, Spacing};
-use crate::scenario::Scenario;
+use crate::scenario::CheckedScenario;
 use crate::study::course::write_traces;
-use crate::study::{Answer, Refusal, frames, solve};
+use crate::study::{Answer, Refusal, RevolutionCase, solve};
 use crate::whole_file;
 
 /// Time between two frames unless asked otherwise, in us.
@@ -58,7 +58,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         })?;
         writeln!(out, "{}: {count} frames", shown(path))?;
     }
-    if let (Some(path), Some(traces)) = (&args.traces, &answer.recording.traces) {
+    if let (Some(path), Some(traces)) = (&args.traces, &answer.traces) {
         save(path, |file| write_traces(traces, file).map_err(csv_to_io))?;
         writeln!(out, "{}: {} rows", shown(path), traces.time.len())?;
     }
@@ -92,18 +92,20 @@ fn write_frames(
     stop: &AtomicBool,
     progress: &mut Progress,
 ) -> io::Result<usize> {
+    let regions = answer.case.regions();
     let mut writer = FrameWriter::new(file).map_err(csv_to_io)?;
     let mut written = Ok(0);
     let mut take = |frame| {
-        written = writer.write(&answer.case.eye, &frame).map_err(csv_to_io);
-        progress.show("writing frames", frame.time / answer.case.window);
+        written = writer.write(&regions, &frame).map_err(csv_to_io);
+        progress.show("writing frames", frame.time / answer.window());
         if written.is_ok() {
             unless(stop)
         } else {
             ControlFlow::Break(())
         }
     };
-    let marched = frames(&answer.case, &answer.plan, Spacing::even(every), &mut take);
+    let spacing = Spacing::even(every);
+    let marched = answer.case.frames(&answer.plan, spacing, &mut take);
     let count = written?;
     marched.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
     writer.finish().map_err(csv_to_io)?;
@@ -123,8 +125,11 @@ fn shown(path: &Path) -> String {
     printable(&path.display().to_string()).into_owned()
 }
 
-fn check_size(scenario: &Scenario, every_us: f64) -> Result<(), CliError> {
-    let nodes = (side_at_level(scenario.eye.level) as f64).powi(2);
+fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
+    let nodes = match RevolutionCase::new(scenario) {
+        Some(case) => case.eye.mass.len() as f64,
+        None => (side_at_level(scenario.eye.level) as f64).powi(2),
+    };
     let least_us = scenario.window_ms * 1e3 * nodes / MAX_POSITIONS;
     if every_us < least_us {
         return Err(CliError::Input(format!(

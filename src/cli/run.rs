@@ -6,8 +6,8 @@ use super::progress::Progress;
 use super::{CliError, RunArgs};
 use crate::plain_text::write_json;
 use crate::recording::Keep;
-use crate::report::{json, revolution, text};
-use crate::study::{Refusal, Solved, choose, solve_any};
+use crate::report::{json, text};
+use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
 ///
@@ -28,41 +28,32 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
             set.path
         )));
     }
-    let mut solved = if let Some(percent) = args.tolerance {
+    let mut answer = if let Some(percent) = args.tolerance {
         let chosen = choose::within(&scenario, percent, Keep::default(), &mut watch)?;
         (scenario, reasons) = (chosen.scenario, chosen.reasons);
-        Solved::Section(Box::new(chosen.answer))
+        chosen.answer
     } else {
-        solve_any(&scenario, Keep::default(), &mut watch)
-            .map_err(|refusal| placed(args, refusal))?
+        solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
-    let known = solved.errors().mesh.is_some();
+    let known = answer.errors.mesh.is_some();
     if args.json {
         if args.mesh_error && !known {
-            solved.add_mesh_error(&scenario, &mut watch)?;
+            add_mesh_error(&scenario, &mut answer, &mut watch)?;
         }
-        let object = match &solved {
-            Solved::Section(answer) => json::answer(&scenario, answer, &reasons),
-            Solved::Revolution(answer) => revolution::json(&scenario, answer),
-        };
-        write_json(out, &object)?;
+        write_json(out, &json::answer(&scenario, &answer, &reasons))?;
         return Ok(());
     }
     progress.clear();
-    match &solved {
-        Solved::Section(answer) => text::results(&scenario, answer, out)?,
-        Solved::Revolution(answer) => revolution::results(&scenario, answer, out)?,
-    }
+    text::results(&scenario, &answer, out)?;
     if !known && (args.mesh_error || io::stdout().is_terminal()) {
         out.flush()?;
         let mut progress = Progress::new();
-        solved.add_mesh_error(&scenario, &mut |share| progress.simulated(share))?;
+        add_mesh_error(&scenario, &mut answer, &mut |share| {
+            progress.simulated(share)
+        })?;
         progress.clear();
     }
-    match &solved {
-        Solved::Section(answer) => text::trust(answer, &reasons, out)?,
-        Solved::Revolution(answer) => revolution::trust(answer, out)?,
-    }
+    text::trust(&answer, &reasons, out)?;
     Ok(())
 }
 

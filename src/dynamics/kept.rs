@@ -126,7 +126,7 @@ pub struct Traces {
     pub intrusion: Vec<f64>,
     /// Area of the globe over its area at rest.
     pub area_ratio: Vec<f64>,
-    /// Force of contact, N: a mean over 100 us, at the eye of revolution through a low pass of 20 us.
+    /// Force of contact, mean over 100 us, N.
     pub contact_force: Vec<f64>,
     /// Centre of the projectile, x and y, m.
     pub projectile: [Vec<f64>; 2],

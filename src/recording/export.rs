@@ -1,7 +1,7 @@
 //! Frames as CSV, units in the header.
 
 use super::Frame;
-use crate::eye::Eye;
+use crate::eye::Region;
 use std::io::Write;
 
 /// Writes frames, one row a node.
@@ -23,17 +23,17 @@ impl<W: Write> FrameWriter<W> {
         Ok(Self { csv, written: 0 })
     }
 
-    /// Writes the next frame of `eye`; gives how many there are now.
+    /// Writes the next frame of an eye whose nodes lie in these regions; gives how many there are now.
     ///
     /// # Errors
     /// Whatever `out` reports.
-    pub fn write(&mut self, eye: &Eye, frame: &Frame) -> csv::Result<usize> {
+    pub fn write(&mut self, regions: &[Region], frame: &Frame) -> csv::Result<usize> {
         for (node, place) in frame.positions.iter().enumerate() {
             self.csv.write_record(&[
                 self.written.to_string(),
                 format!("{:.6}", frame.time * 1e3),
                 node.to_string(),
-                eye.nodes[node].region.name().to_owned(),
+                regions[node].name().to_owned(),
                 format!("{:.7}", place.x * 1e3),
                 format!("{:.7}", place.y * 1e3),
                 format!("{:.6e}", frame.forces[node]),

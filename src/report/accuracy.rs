@@ -1,13 +1,13 @@
 //! The work-precision report as text and as JSON.
 
 use super::errors::{leading, of_damage};
-use super::json::by_result;
+use super::json::{by_result, evaluations};
 use super::text::{percent, significant};
 use crate::dynamics::{Plan, kernel_name};
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
-use crate::study::Quantity;
 use crate::study::accuracy::{Accuracy, Level, Point, TARGETS};
+use crate::study::{Element, Quantity};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -32,13 +32,20 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
     )?;
     writeln!(
         out,
-        "kernel {}\n{}omega at most {:.3e} rad/s",
+        "kernel {}{}{}",
         kernel_name(false),
         // Scenes with a projectile, a fluid or dashpots are not solved by springs alone.
         report.ns_per_spring.map_or_else(String::new, |ns| format!(
-            "{ns:.2} ns a spring in one thread; "
+            "\n{ns:.2} ns a spring in one thread"
         )),
-        report.omega_bound
+        report.omega_bound.map_or_else(String::new, |omega| {
+            let lead = if report.ns_per_spring.is_some() {
+                "; "
+            } else {
+                "\n"
+            };
+            format!("{lead}omega at most {omega:.3e} rad/s")
+        })
     )?;
     writeln!(
         out,
@@ -53,10 +60,11 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
             "FLAG mesh_folded: beyond the model's validity, errors are no promise"
         )?;
     }
+    let counted = format!("M {}", report.element.plural());
     writeln!(
         out,
         "\n  {:<20} {:>8} {:>10} {:>9} {:>11} {:>11}",
-        "integrator", "step us", "M springs", "ms", "error", "damage"
+        "integrator", "step us", counted, "ms", "error", "damage"
     )?;
     for point in &report.points {
         writeln!(
@@ -65,7 +73,7 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
             if point.on_front { "*" } else { " " },
             method(&point.plan),
             point.step * 1e6,
-            point.spring_evaluations as f64 * 1e-6,
+            point.element_evaluations as f64 * 1e-6,
             point.seconds * 1e3,
             percent(point.error()),
             of_damage(&point.errors),
@@ -87,7 +95,8 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
     if let Some(finest) = report.levels.last() {
         writeln!(
             out,
-            "\nlevel     ms   M springs   ns/spring   damage %   from level {}",
+            "\nlevel     ms {counted:>11} {:>11}   damage %   from level {}",
+            format!("ns/{}", report.element.singular()),
             finest.level
         )?;
     }
@@ -97,8 +106,8 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
             "{:>5} {:>8.2} {:>9.2} {:>11.2} {:>10}   {}{}",
             level.level,
             level.seconds * 1e3,
-            level.spring_evaluations as f64 * 1e-6,
-            level.seconds * 1e9 / level.spring_evaluations as f64,
+            level.element_evaluations as f64 * 1e-6,
+            level.seconds * 1e9 / level.element_evaluations as f64,
             level.results[Quantity::Damage].map_or_else(String::new, significant),
             of_damage(&level.errors),
             if level.folded { "  mesh folded" } else { "" },
@@ -107,13 +116,13 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
     Ok(())
 }
 
-fn point_json(point: &Point) -> Value {
+fn point_json(point: &Point, element: Element) -> Value {
     json!({
         "integrator": point.plan.integrator.name(),
         "step_us": point.step * 1e6,
         "local_tolerance": point.plan.integrator.method().adaptive().then_some(point.plan.local_tolerance),
         "evaluations": point.evaluations,
-        "spring_evaluations": point.spring_evaluations,
+        evaluations(element): point.element_evaluations,
         "median_ms": point.seconds * 1e3,
         "error_percent": point.error(),
         "error_percent_by_result": by_result(&point.errors),
@@ -121,12 +130,12 @@ fn point_json(point: &Point) -> Value {
     })
 }
 
-fn level_json(level: &Level) -> Value {
+fn level_json(level: &Level, element: Element) -> Value {
     json!({
         "level": level.level,
         "median_ms": level.seconds * 1e3,
-        "spring_evaluations": level.spring_evaluations,
-        "ns_per_spring": level.seconds * 1e9 / level.spring_evaluations as f64,
+        evaluations(element): level.element_evaluations,
+        format!("ns_per_{}", element.singular()): level.seconds * 1e9 / level.element_evaluations as f64,
         "results": by_result(&level.results),
         "difference_percent_by_result": by_result(&level.errors),
         "mesh_folded": level.folded,
@@ -141,7 +150,7 @@ pub fn json(scenario: &Scenario, report: &Accuracy) -> Value {
         .map(|(target, best)| {
             json!({
                 "percent": target,
-                "point": best.map(|i| point_json(&report.points[i])),
+                "point": best.map(|i| point_json(&report.points[i], report.element)),
             })
         })
         .collect();
@@ -156,8 +165,8 @@ pub fn json(scenario: &Scenario, report: &Accuracy) -> Value {
             "results": by_result(&report.reference_results),
         },
         "mesh_folded": report.folded,
-        "points": report.points.iter().map(point_json).collect::<Vec<_>>(),
+        "points": report.points.iter().map(|p| point_json(p, report.element)).collect::<Vec<_>>(),
         "best": best,
-        "levels": report.levels.iter().map(level_json).collect::<Vec<_>>(),
+        "levels": report.levels.iter().map(|l| level_json(l, report.element)).collect::<Vec<_>>(),
     })
 }

@@ -7,7 +7,6 @@ use crate::scenario::Scenario;
 use crate::study::Quantity;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
-use crate::study::point::PROMISE_PERCENT;
 use crate::study::spreads::{Input, Shape};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
@@ -161,8 +160,9 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     if checks.refined > 0 {
         writeln!(
             out,
-            "  {} above {PROMISE_PERCENT} % were refined, {} of them after the pilot; now at most {}",
+            "  {} above {} % were refined, {} of them after the pilot; now at most {}",
             checks.refined,
+            ensemble.promise,
             checks.missed,
             percent(checks.last)
         )?;
@@ -256,7 +256,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "by_name": ensemble.counts().into_iter().map(|(name, n)| (name, json!(n))).collect::<Map<_, _>>(),
         },
         "step_error": {
-            "promise_percent": PROMISE_PERCENT,
+            "promise_percent": ensemble.promise,
             "checked": checks.count,
             "refined": checks.refined,
             "above_promise_after_pilot": checks.missed,

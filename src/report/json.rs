@@ -6,11 +6,14 @@
 //! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
 //! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
-use crate::dynamics::{PA_PER_MMHG, SceneKind, kernel_name};
+use super::revolution;
+use crate::dynamics::{Cost, PA_PER_MMHG, SceneKind, kernel_name};
 use crate::eye::Monitor;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
-use crate::study::{Answer, Errors, Flag, Limit, Limits, Quantity, Results};
+use crate::study::{
+    Answer, Case, Compiled, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
+};
 use serde_json::{Map, Value, json};
 
 /// A number for each monitored node, by name.
@@ -44,16 +47,16 @@ fn by_limit(limits: &Limits) -> Value {
 }
 
 /// When each peak was reached, in ms, by the key of the result.
-fn peak_times(extremes: &Extremes) -> Value {
+fn peak_times(answer: &Answer) -> Value {
     let timed = Quantity::ALL.iter().filter_map(|of| {
-        let peak = of.peak(extremes)?;
+        let peak = answer.peak(*of)?;
         Some((of.key().to_owned(), json!(peak.time * 1e3)))
     });
     timed.collect::<Map<String, Value>>().into()
 }
 
 /// How far the results may be off.
-pub(super) fn errors(errors: &Errors) -> Value {
+fn errors(errors: &Errors) -> Value {
     json!({
         "time_step_percent": errors.time_step_percent(),
         "mesh_percent": errors.mesh_percent(),
@@ -79,57 +82,75 @@ pub(super) fn flags(flags: &[Flag]) -> Value {
     flags.iter().map(one).collect()
 }
 
+/// The key of how many springs or cells were computed.
+pub(super) fn evaluations(element: Element) -> String {
+    format!("{}_evaluations", element.singular())
+}
+
 /// An answer as one object; `reasons` say how its numerics were chosen.
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
-    let extremes = &answer.recording.extremes;
+    let (element, count) = answer.case.elements();
     let mut object = json!({
         "scenario": scenario,
         "results": by_result(&answer.results()),
         "error": errors(&answer.errors),
         "numerics": {
-            "level": answer.case.eye.level,
-            "nodes": answer.case.eye.nodes.len(),
-            "springs": answer.case.eye.springs.len(),
+            "level": answer.case.level(),
+            "nodes": answer.case.regions().len(),
+            element.plural(): count,
             "integrator": answer.plan.integrator.name(),
             "step_us": answer.step * 1e6,
             "step_limit_us": answer.step_limit * 1e6,
             "steps": answer.cost.steps,
             "simulated_ms": answer.simulated * 1e3,
-            "spring_evaluations": answer.spring_evaluations,
+            evaluations(element): answer.element_evaluations,
             "solve_ms": answer.solve_time.as_secs_f64() * 1e3,
             "total_ms": answer.total_time.as_secs_f64() * 1e3,
-            "mirrored": answer.case.system.mirrored(),
             "kernel": kernel_name(false),
             "choice": reasons,
         },
         "flags": flags(&answer.flags),
         "verdicts": super::verdict::json(&answer.verdicts()),
     });
-    let results = &mut object["results"];
-    results["peak_time_ms_by_result"] = peak_times(extremes);
-    results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
-    results["shielded_percent"] = json!(answer.case.load.shielded * 1e2);
-    // Names of the version before.
-    results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
-    results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
-    results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
+    object["results"]["peak_time_ms_by_result"] = peak_times(answer);
+    match (&answer.case, &answer.left) {
+        (Compiled::Section(case), Left::Section(extremes)) => {
+            add_section(case, extremes, &answer.cost, &mut object);
+        }
+        (Compiled::Revolution(case), Left::Revolution(extremes)) => {
+            revolution::add_json(case, extremes, &mut object);
+        }
+        _ => {}
+    }
     let risks = answer.risks();
     if !risks.is_empty() {
         object["injury"] = super::injury::json(&risks);
     }
-    if answer.case.system.kind() != SceneKind::Springs {
-        let cost = &answer.cost;
-        object["numerics"]["contact_tests"] = cost.contact_tests.into();
-        object["numerics"]["pressure_evaluations"] = cost.pressure_evaluations.into();
-        object["numerics"]["dashpot_evaluations"] = cost.dashpot_evaluations.into();
+    object
+}
+
+/// Adds what only an answer of a section has.
+fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value) {
+    let numerics = &mut object["numerics"];
+    numerics["mirrored"] = case.system.mirrored().into();
+    if case.system.kind() != SceneKind::Springs {
+        numerics["contact_tests"] = cost.contact_tests.into();
+        numerics["pressure_evaluations"] = cost.pressure_evaluations.into();
+        numerics["dashpot_evaluations"] = cost.dashpot_evaluations.into();
     }
+    let results = &mut object["results"];
+    results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
+    results["shielded_percent"] = json!(case.load.shielded * 1e2);
+    // Names of the version before.
+    results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
+    results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
+    results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
     if let Some(fluid) = &extremes.fluid {
-        object["results"]["pressure"] = pressure(fluid);
+        results["pressure"] = pressure(fluid);
     }
     if let Some(shot) = &extremes.shot {
-        object["results"]["projectile"] = projectile(shot);
+        results["projectile"] = projectile(shot);
     }
-    object
 }
 
 fn pressure(fluid: &FluidExtremes) -> Value {

@@ -6,7 +6,7 @@ pub mod ensemble;
 pub mod errors;
 pub mod injury;
 pub mod json;
-pub mod revolution;
+mod revolution;
 pub mod stability;
 pub mod sweep;
 pub mod text;

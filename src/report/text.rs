@@ -1,6 +1,7 @@
 //! Results as text for a terminal of 80 columns.
 
 use super::errors;
+use super::revolution;
 use unicode_width::UnicodeWidthStr;
 
 use crate::dynamics::PA_PER_MMHG;
@@ -8,7 +9,7 @@ use crate::injury::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
 use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
 use crate::scenario::{Impact, Model, Projectile, Scenario};
-use crate::study::{Answer, Errors, Flag, Quantity, Results};
+use crate::study::{Answer, Compiled, Errors, Flag, Left, Quantity, Results};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -68,23 +69,22 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 /// # Errors
 /// Whatever `out` reports.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let extremes = &answer.recording.extremes;
-    let eye = &answer.case.eye;
-    let model = match scenario.model {
+    let model = match &scenario.model {
         Model::Paper => "Paper model, unit depth (1 m)".to_owned(),
         Model::Physiological(parts) if parts.slab => {
             format!("Physiological model, {} mm deep", parts.depth_mm)
         }
         Model::Physiological(_) => "Physiological model, unit depth (1 m)".to_owned(),
-        Model::Axisymmetric(_) => "Axisymmetric model".to_owned(),
+        Model::Axisymmetric(model) => revolution::model(model),
     };
+    let (element, count) = answer.case.elements();
     writeln!(out, "{}", printable(&scenario.name))?;
     writeln!(
         out,
-        "{model}; mesh level {}: {} nodes, {} springs\n",
-        eye.level,
-        eye.nodes.len(),
-        eye.springs.len()
+        "{model}; mesh level {}: {} nodes, {count} {}\n",
+        answer.case.level(),
+        answer.case.regions().len(),
+        element.plural()
     )?;
     let mesh = answer.errors.mesh.is_some();
     super::verdict::text(&answer.verdicts(), mesh, out)?;
@@ -92,22 +92,49 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     damage(&answer.index, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
-    let missed = |of: &Quantity| *of == Quantity::Contact && extremes.missed();
+    let missed = |of: &Quantity| *of == Quantity::Contact && answer.left.missed();
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of);
     for &quantity in Quantity::ALL.iter().filter(listed) {
-        if let Some(peak) = quantity.peak(extremes) {
+        if let Some(peak) = answer.peak(quantity) {
             let row = quantity.row();
             writeln!(
                 out,
-                "{:<18} {:>9} {:<2} at {:.4} ms{}",
+                "{:<18} {:>9} {:<wide$} at {:.4} ms{}",
                 capital(row.label),
                 significant(peak.value * row.factor),
                 row.unit,
                 peak.time * 1e3,
-                remark(quantity, extremes)
+                match &answer.left {
+                    Left::Section(extremes) => remark(quantity, extremes),
+                    Left::Revolution(extremes) => revolution::remark(quantity, extremes),
+                },
+                // Only the eye of revolution has results in MPa that are listed with those in N.
+                wide = if answer.left.section().is_some() {
+                    2
+                } else {
+                    3
+                }
             )?;
         }
     }
+    match &answer.left {
+        Left::Section(extremes) => beside(scenario, extremes, out)?,
+        Left::Revolution(extremes) => revolution::beside(scenario, extremes, out)?,
+    }
+    super::injury::text(&answer.risks(), out)?;
+    let shielded = answer.case.section().map_or(0.0, |case| case.load.shielded);
+    if shielded > 1e-9 {
+        writeln!(
+            out,
+            "Shielded by bone   {:>9} %  of the arc",
+            significant(shielded * 1e2)
+        )?;
+    }
+    Ok(())
+}
+
+/// What a section leaves that is no result.
+fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "Spring strain      {:>9} %  at {:.4} ms, the largest",
@@ -120,19 +147,11 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
         projectile(shot, input, out)?;
     }
-    super::injury::text(&answer.risks(), out)?;
-    if answer.case.load.shielded > 1e-9 {
-        writeln!(
-            out,
-            "Shielded by bone   {:>9} %  of the arc",
-            significant(answer.case.load.shielded * 1e2)
-        )?;
-    }
     Ok(())
 }
 
 /// The damage index and its parts.
-pub(super) fn damage(index: &DamageIndex, out: &mut dyn Write) -> io::Result<()> {
+fn damage(index: &DamageIndex, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "Damage index       {:>9} %  (an index, not a probability)",
@@ -276,21 +295,29 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     numerical(&answer.errors, out)?;
     limit(answer, out)?;
     balance(&answer.errors, out)?;
+    let step = match &answer.case {
+        Compiled::Section(_) => "",
+        Compiled::Revolution(_) => " at rest",
+    };
     writeln!(
         out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",
+        "Solved in {:.2} ms by {}: {} steps of {:.4} us{step},\nstable up to {:.4} us",
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
         answer.cost.steps,
         answer.step * 1e6,
         answer.step_limit * 1e6,
     )?;
-    if answer.simulated < 0.999_999 * answer.case.window {
+    if answer.simulated < 0.999_999 * answer.window() {
         writeln!(
             out,
-            "Stopped at {:.3} of {} ms: nothing can change any more",
+            "Stopped at {:.3} of {} ms: {}",
             answer.simulated * 1e3,
-            answer.case.window * 1e3
+            answer.window() * 1e3,
+            match &answer.case {
+                Compiled::Section(_) => "nothing can change any more",
+                Compiled::Revolution(_) => "what acted is gone, and nothing grows",
+            }
         )?;
     }
     for reason in reasons {
@@ -300,7 +327,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
 }
 
 /// Prints the errors of step and mesh.
-pub(super) fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
+fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     let said = |of: &Results| {
         let (damage, worst) = (errors::of_damage(of), errors::worst(of));
         format!("damage index {damage}, worst {worst}")
@@ -312,12 +339,12 @@ pub(super) fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Prints the balance of energy.
-pub(super) fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
+fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "Energy balance: within {}", percent(of.energy_balance))
 }
 
 /// Prints the flags, and what no result may be taken for.
-pub(super) fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
+fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
     for flag in flags {
         let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
         for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {

@@ -9,9 +9,7 @@ use std::ops::Deref;
 
 use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
-use super::{
-    FINEST_AXISYMMETRIC_LEVEL, Impact, Model, NumericsInput, Outline, Projectile, Scenario, doubt,
-};
+use super::{FINEST_AXISYMMETRIC_LEVEL, Impact, Model, Outline, Projectile, Scenario, doubt};
 use crate::plain_text::printable;
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
@@ -208,23 +206,6 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
         let complaint = "is out of range for model Axisymmetric";
         refuse("eye.level", &level.to_string(), complaint, &allowed);
     }
-    let NumericsInput {
-        integrator,
-        step_us,
-    } = &scenario.numerics;
-    if let Some(integrator) = integrator {
-        let complaint = "does not solve model Axisymmetric, which has a leapfrog of its own";
-        refuse(
-            "numerics.integrator",
-            integrator.spelling(),
-            complaint,
-            "Auto",
-        );
-    }
-    if let Some(step) = step_us {
-        let complaint = "is no step for model Axisymmetric, whose steps follow the motion";
-        refuse("numerics.step_us", &plain(*step), complaint, "None (auto)");
-    }
     problems
 }
 
@@ -357,7 +338,6 @@ mod tests {
             ..Projectile::default()
         });
         scenario.eye.level = 6;
-        scenario.numerics.step_us = Some(1.0);
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(
@@ -366,8 +346,7 @@ mod tests {
                 "impact.angle_deg",
                 "impact.offset_mm",
                 "impact.outline.edge_mm",
-                "eye.level",
-                "numerics.step_us"
+                "eye.level"
             ]
         );
         assert!(

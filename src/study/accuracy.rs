@@ -6,7 +6,8 @@
 //! other beats in both make the Pareto front of this work-precision diagram. Levels are compared with
 //! the finest one computed, which tells the mesh error.
 
-use super::case::{Case, Refusal, Watch};
+use super::case::{Refusal, Watch};
+use super::compiled::{Compiled, Element};
 use super::mesh_error::{OnMesh, at_level};
 use super::results::Results;
 use super::statistics::median;
@@ -39,8 +40,8 @@ pub struct Point {
     pub step: f64,
     /// Force evaluations.
     pub evaluations: usize,
-    /// Springs computed.
-    pub spring_evaluations: usize,
+    /// Springs or cells computed.
+    pub element_evaluations: usize,
     /// Median wall time, in s.
     pub seconds: f64,
     /// Error of each result against the reference, in %.
@@ -63,8 +64,8 @@ pub struct Level {
     pub level: u32,
     /// Median wall time, in s.
     pub seconds: f64,
-    /// Springs computed.
-    pub spring_evaluations: usize,
+    /// Springs or cells computed.
+    pub element_evaluations: usize,
     /// Results.
     pub results: Results,
     /// Difference of each result from the finest level, in %.
@@ -89,37 +90,38 @@ pub struct Accuracy {
     /// Nanoseconds a spring evaluation takes at the automatic step, recording included; none where
     /// springs alone do not solve the scene.
     pub ns_per_spring: Option<f64>,
-    /// Upper bound of the angular frequency, in rad/s.
-    pub omega_bound: f64,
+    /// Upper bound of the angular frequency of a section, in rad/s.
+    pub omega_bound: Option<f64>,
+    /// What the work is counted in.
+    pub element: Element,
     /// Whether the mesh folded in the reference: then nothing here is a promise.
     pub folded: bool,
 }
 
-fn plans(case: &Case) -> Vec<Plan> {
+fn plans(case: &Compiled) -> Vec<Plan> {
     let mut plans = Vec::new();
     for &integrator in case.rules().integrators {
         let limit = case.step_limit(integrator);
         let plan = |share: f64, local_tolerance| Plan {
             integrator,
             step: share * limit,
-            window: case.window,
+            window: case.window(),
             multiple: 1.0,
             local_tolerance,
         };
         let evaluations =
-            |p: &Plan| case.window / p.step * integrator.method().evaluations() as f64;
+            |p: &Plan| case.window() / p.step * integrator.method().evaluations() as f64;
         if integrator.method().adaptive() {
             plans.extend(TOLERANCES.map(|t| plan(0.95, t)));
         } else {
-            let most = MAX_EVALUATIONS * case.window / 3e-3;
+            let most = MAX_EVALUATIONS * case.window() / 3e-3;
             let mut tried: Vec<Plan> = SHARES
                 .map(|share| plan(share, LOCAL_TOLERANCE))
                 .into_iter()
-                .filter(|p| evaluations(p) <= most * f64::from(case.eye.level))
+                .filter(|p| evaluations(p) <= most * f64::from(case.level()))
                 .collect();
             // In a short window several steps come to the same.
-            let pulse = &case.system.load().pulse;
-            tried.dedup_by_key(|p| p.steps(pulse));
+            tried.dedup_by_key(|p| case.steps(p));
             plans.extend(tried);
         }
     }
@@ -147,18 +149,18 @@ fn part(watch: Watch, from: f64, size: f64) -> impl FnMut(f64) -> ControlFlow<()
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
 pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<Accuracy, Refusal> {
-    let case = Case::new(scenario);
+    let case = Compiled::new(scenario);
     let method = case.rules().reference;
     let reference = Plan {
         integrator: method,
         step: REFERENCE_SHARE * case.step_limit(method),
-        window: case.window,
+        window: case.window(),
         multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };
     let solved = case.run(&reference, Keep::default(), &mut part(watch, 0.0, 0.1))?;
-    let folded = solved.recording.extremes.folded_at.is_some();
-    let truth = case.results(&solved.recording.extremes);
+    let folded = solved.left.folded_at().is_some();
+    let truth = case.results(&solved.left);
 
     let plans = plans(&case);
     let mut times = vec![Vec::new(); plans.len()];
@@ -178,7 +180,7 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
             last[i] = solved.ok();
         }
     }
-    let springs = case.system.springs_per_evaluation();
+    let elements = case.elements_per_evaluation();
     let mut points: Vec<Point> = plans
         .iter()
         .zip(times.into_iter().zip(last))
@@ -186,13 +188,11 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
             let solved = solved?;
             Some(Point {
                 plan: *plan,
-                step: plan.longest_step(&case.system.load().pulse),
+                step: case.longest_step(plan),
                 evaluations: solved.cost.evaluations,
-                spring_evaluations: solved.cost.evaluations * springs,
+                element_evaluations: solved.cost.evaluations * elements,
                 seconds: median(times)?,
-                errors: case
-                    .results(&solved.recording.extremes)
-                    .difference_percent(&truth),
+                errors: case.results(&solved.left).difference_percent(&truth),
                 on_front: false,
             })
         })
@@ -206,7 +206,7 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
     let ns_per_spring = points
         .iter()
         .filter(|p| p.plan.integrator == Integrator::Srkn6b)
-        .map(|p| p.seconds * 1e9 / p.spring_evaluations as f64)
+        .map(|p| p.seconds * 1e9 / p.element_evaluations as f64)
         .reduce(f64::min);
 
     let mut levels = Vec::new();
@@ -229,7 +229,8 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
         reference_results: truth,
         levels,
         ns_per_spring,
-        omega_bound: case.system.omega_bound(),
+        omega_bound: case.section().map(|case| case.system.omega_bound()),
+        element: case.elements().0,
         folded,
     })
 }
@@ -238,7 +239,7 @@ fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level,
     let mut other = scenario.clone();
     other.eye.level = level;
     other.numerics = crate::scenario::NumericsInput::default();
-    let case = Case::new(&other.check()?);
+    let case = Compiled::new(&other.check()?);
     let plan = case.plan_alone(&other)?;
     let rounds = if level < 3 { 3 } else { 1 };
     let mut times = Vec::new();
@@ -258,7 +259,7 @@ fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level,
     Ok(Level {
         level,
         seconds: median(times).expect("at least one round"),
-        spring_evaluations: evaluations * case.system.springs_per_evaluation(),
+        element_evaluations: evaluations * case.elements_per_evaluation(),
         errors: results.difference_percent(&results),
         results,
         folded: folded.is_some(),

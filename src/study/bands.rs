@@ -6,7 +6,7 @@
 //! Left out: how sure the quantiles themselves are.
 
 use super::ensemble::{Ensemble, PILOT, Sample};
-use super::point::{PROMISE_PERCENT, Point};
+use super::point::Point;
 use super::quantity::Quantity;
 use super::statistics::{quantile, rank_correlation};
 
@@ -129,7 +129,7 @@ impl Ensemble {
             let (Some(check), false) = (point.check, point.folded()) else {
                 continue;
             };
-            let refined = check.first > PROMISE_PERCENT;
+            let refined = check.first > self.promise;
             checks.count += 1;
             checks.refined += usize::from(refined);
             if index >= PILOT as usize {

@@ -4,7 +4,8 @@
 //! it checks some of the scenarios with [`super::solve()`]. Each scenario is solved alone and in
 //! order, so the results are the same bits for any number of threads.
 
-use super::case::{Case, Refusal, unwatched};
+use super::case::{Refusal, unwatched};
+use super::compiled::Compiled;
 use super::results::Results;
 use crate::recording::Keep;
 use crate::scenario::CheckedScenario;
@@ -24,13 +25,12 @@ pub struct Outcome {
 /// # Errors
 /// As for any run.
 pub fn solve_one(scenario: &CheckedScenario) -> Result<Outcome, Refusal> {
-    let case = Case::new(scenario);
+    let case = Compiled::new(scenario);
     let plan = case.plan_alone(scenario)?;
-    let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
-    let extremes = &solution.recording.extremes;
+    let left = case.run(&plan, Keep::default(), &mut unwatched)?.left;
     Ok(Outcome {
-        results: case.results(extremes),
-        folded_at: extremes.folded_at,
+        results: case.results(&left),
+        folded_at: left.folded_at(),
     })
 }
 

@@ -1,5 +1,6 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
+use super::left::Left;
 use super::results::Results;
 use super::rules::{Automatic, Rules};
 use crate::dynamics::{
@@ -10,7 +11,7 @@ use crate::eye::Eye;
 use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
 use crate::scenario::problem::{ScenarioError, plain};
-use crate::scenario::{CheckedScenario, Impact, Model, Scenario};
+use crate::scenario::{CheckedScenario, Impact, Scenario};
 use std::ops::ControlFlow;
 
 /// More than this takes longer than half an hour.
@@ -38,7 +39,7 @@ pub enum Refusal {
     /// The asked integrator cannot solve such a scene.
     #[error(
         "numerics.integrator: {integrator} does not solve scenes with a projectile, pressure or \
-         dashpots: allowed Auto, {allowed}"
+         dashpots, nor the eye of revolution: allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.
@@ -83,12 +84,6 @@ pub enum Refusal {
     /// The eye of revolution gave no result.
     #[error(transparent)]
     Revolution(#[from] revolution::Refusal),
-    /// What was asked for is made for a section alone.
-    #[error(
-        "model: Axisymmetric is simulated by contrecoup run alone so far: allowed here Paper, \
-         Physiological"
-    )]
-    SectionOnly,
     /// Nothing that was tried is accurate enough.
     #[error("no result within {percent} %: {reason}")]
     ToleranceNotMet {
@@ -110,7 +105,6 @@ impl Refusal {
             | Self::StepAboveLimit { .. }
             | Self::StepTooShort { .. }
             | Self::WindowTooLong { .. }
-            | Self::SectionOnly
             | Self::Revolution(revolution::Refusal::Through(_))
             | Self::IntegratorUnfit { .. } => true,
             Self::Revolution(_)
@@ -186,6 +180,42 @@ pub struct Case {
     pub start: State,
 }
 
+/// What a plan asks of the eye that it is for.
+pub(super) trait Moved {
+    /// What holds for such a scene.
+    fn rules(&self) -> &'static Rules;
+    /// Largest stable step of `integrator`, in s.
+    fn step_limit(&self, integrator: Integrator) -> f64;
+    /// What each evaluation of the forces computes.
+    fn elements_per_evaluation(&self) -> usize;
+    /// Simulated time, in s.
+    fn window(&self) -> f64;
+
+    /// Order by which the step error of `integrator` is taken to fall.
+    fn order(&self, integrator: Integrator) -> i32 {
+        let estimate = &self.rules().estimate;
+        estimate.order.unwrap_or(integrator.method().order)
+    }
+}
+
+impl Moved for Case {
+    fn rules(&self) -> &'static Rules {
+        Rules::of(self.system.kind())
+    }
+
+    fn step_limit(&self, integrator: Integrator) -> f64 {
+        self.step_limit(integrator)
+    }
+
+    fn elements_per_evaluation(&self) -> usize {
+        self.system.springs_per_evaluation()
+    }
+
+    fn window(&self) -> f64 {
+        self.window
+    }
+}
+
 /// What one march gave and cost.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -227,23 +257,12 @@ impl Case {
 
     /// Every result of a march of it.
     pub fn results(&self, extremes: &Extremes) -> Results {
-        Results::of(extremes, self.blow)
+        Results::of(&Left::Section(*extremes), self.blow)
     }
 
     /// Largest stable step of `integrator`, in s.
     pub fn step_limit(&self, integrator: Integrator) -> f64 {
         stability::step_limit(integrator, &self.system)
-    }
-
-    /// What holds for such a scene.
-    pub(super) fn rules(&self) -> &'static Rules {
-        Rules::of(self.system.kind())
-    }
-
-    /// Order by which the step error of `integrator` is taken to fall.
-    pub fn order(&self, integrator: Integrator) -> i32 {
-        let estimate = &self.rules().estimate;
-        estimate.order.unwrap_or(integrator.method().order)
     }
 
     /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
@@ -252,7 +271,7 @@ impl Case {
     /// # Errors
     /// Refuses a step above the stability limit.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.plan_by(scenario, &self.rules().answer)
+        plan_by(self, scenario, &self.rules().answer)
     }
 
     /// The same for one run alone, as a batch and a mesh error make it.
@@ -260,64 +279,7 @@ impl Case {
     /// # Errors
     /// As [`Self::plan`].
     pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.plan_by(scenario, &self.rules().alone)
-    }
-
-    fn plan_by(&self, scenario: &Scenario, automatic: &Automatic) -> Result<Plan, Refusal> {
-        if let Model::Axisymmetric(_) = scenario.model {
-            return Err(Refusal::SectionOnly);
-        }
-        let integrator = scenario.numerics.integrator.unwrap_or(automatic.integrator);
-        let allowed = self.rules().integrators;
-        if !allowed.contains(&integrator) {
-            return Err(Refusal::IntegratorUnfit {
-                integrator: integrator.name(),
-                allowed: allowed
-                    .iter()
-                    .map(|i| i.spelling())
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            });
-        }
-        let limit = self.step_limit(integrator);
-        let step = match scenario.numerics.step_us {
-            Some(step_us) if step_us * 1e-6 > limit => {
-                return Err(Refusal::StepAboveLimit {
-                    step_us,
-                    integrator: integrator.name(),
-                    limit_us: limit * 1e6,
-                });
-            }
-            Some(step_us) => step_us * 1e-6,
-            None => automatic.share * limit,
-        };
-        let plan = Plan {
-            integrator,
-            step,
-            window: self.window,
-            multiple: 1.0,
-            local_tolerance: LOCAL_TOLERANCE,
-        };
-        let springs = self.system.springs_per_evaluation() as f64;
-        let work = springs * integrator.method().evaluations() as f64 * (self.window / step + 1.0);
-        if work > MAX_SPRING_EVALUATIONS {
-            let (steps, share) = (self.window / step, work / MAX_SPRING_EVALUATIONS);
-            return Err(match scenario.numerics.step_us {
-                Some(step_us) => Refusal::StepTooShort {
-                    step_us,
-                    steps,
-                    least_us: step_us * share,
-                },
-                None => Refusal::WindowTooLong {
-                    window_ms: scenario.window_ms,
-                    steps,
-                    integrator: integrator.name(),
-                    step_us: step * 1e6,
-                    longest_ms: scenario.window_ms / share,
-                },
-            });
-        }
-        Ok(plan)
+        plan_by(self, scenario, &self.rules().alone)
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
@@ -351,4 +313,63 @@ impl Case {
             simulated: state.time,
         })
     }
+}
+
+/// The integrator and step that `scenario` asks for on `eye`, or the automatic ones.
+pub(super) fn plan_by(
+    eye: &dyn Moved,
+    scenario: &Scenario,
+    automatic: &Automatic,
+) -> Result<Plan, Refusal> {
+    let integrator = scenario.numerics.integrator.unwrap_or(automatic.integrator);
+    let allowed = eye.rules().integrators;
+    if !allowed.contains(&integrator) {
+        return Err(Refusal::IntegratorUnfit {
+            integrator: integrator.name(),
+            allowed: allowed
+                .iter()
+                .map(|i| i.spelling())
+                .collect::<Vec<_>>()
+                .join(", "),
+        });
+    }
+    let limit = eye.step_limit(integrator);
+    let step = match scenario.numerics.step_us {
+        Some(step_us) if step_us * 1e-6 > limit => {
+            return Err(Refusal::StepAboveLimit {
+                step_us,
+                integrator: integrator.name(),
+                limit_us: limit * 1e6,
+            });
+        }
+        Some(step_us) => step_us * 1e-6,
+        None => automatic.share * limit,
+    };
+    let plan = Plan {
+        integrator,
+        step,
+        window: eye.window(),
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    };
+    let elements = eye.elements_per_evaluation() as f64;
+    let work = elements * integrator.method().evaluations() as f64 * (eye.window() / step + 1.0);
+    if work > MAX_SPRING_EVALUATIONS {
+        let (steps, share) = (eye.window() / step, work / MAX_SPRING_EVALUATIONS);
+        return Err(match scenario.numerics.step_us {
+            Some(step_us) => Refusal::StepTooShort {
+                step_us,
+                steps,
+                least_us: step_us * share,
+            },
+            None => Refusal::WindowTooLong {
+                window_ms: scenario.window_ms,
+                steps,
+                integrator: integrator.name(),
+                step_us: step * 1e6,
+                longest_ms: scenario.window_ms / share,
+            },
+        });
+    }
+    Ok(plan)
 }

@@ -5,15 +5,16 @@
 //! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
-use super::case::{Case, Refusal, Watch};
-use super::mesh_error::{MeshError, OnMesh, at_level, witnesses};
+use super::case::{Refusal, Watch};
+use super::compiled::Compiled;
+use super::mesh_error::{OnMesh, at_level, told, told_by};
 use super::quantity::Quantity;
 use super::results::Results;
 use super::rules::{Automatic, share_for};
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, FINEST_AXISYMMETRIC_LEVEL, Model, Scenario};
 
 /// The finest level that is tried: the next would take a minute.
 pub const FINEST_TRIED: u32 = 6;
@@ -53,13 +54,18 @@ pub fn within(
     let mut best = f64::INFINITY;
     // Of levels 1, 2, 3, ...; each is computed once.
     let mut ladder: Vec<OnMesh> = Vec::new();
-    for level in 1..=FINEST_TRIED {
-        let levels = witnesses(level);
-        while ladder.len() < levels[1] as usize {
+    let finest = match scenario.model {
+        Model::Axisymmetric(_) => FINEST_AXISYMMETRIC_LEVEL,
+        Model::Paper | Model::Physiological(_) => FINEST_TRIED,
+    };
+    for level in 1..=finest {
+        let levels = told_by(&scenario.model, level);
+        while ladder.len() < levels.iter().copied().fold(level, u32::max) as usize {
             ladder.push(at_level(scenario, ladder.len() as u32 + 1, watch)?);
         }
-        let on = |level: u32| &ladder[level as usize - 1];
-        if let Some(time) = on(level).folded {
+        let on = |level: u32| ladder[level as usize - 1];
+        let own = on(level);
+        if let Some(time) = own.folded {
             return Err(Refusal::ToleranceNotMet {
                 percent,
                 reason: format!(
@@ -68,7 +74,8 @@ pub fn within(
                 ),
             });
         }
-        let mesh = MeshError::of(on(level), level, levels.map(on));
+        let by: Vec<OnMesh> = levels.into_iter().map(on).collect();
+        let mesh = told(&scenario.model, level, &own, &by);
         let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
             reasons.push(format!("level {level}: finer meshes show no limit"));
             continue;
@@ -81,7 +88,7 @@ pub fn within(
             reasons.push(format!(
                 "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
             ));
-            let mut answer = meet(&Case::new(&at), left, keep, watch, &mut reasons)?;
+            let mut answer = meet(&Compiled::new(&at), left, keep, watch, &mut reasons)?;
             answer.add(mesh);
             return Ok(Chosen {
                 answer,
@@ -96,13 +103,13 @@ pub fn within(
     }
     Err(Refusal::ToleranceNotMet {
         percent,
-        reason: format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %"),
+        reason: format!("the best of levels 1 to {finest} has a mesh error of {best:.2} %"),
     })
 }
 
 /// The cheapest step on `case` whose damage error is at most `percent`.
 fn meet(
-    case: &Case,
+    case: &Compiled,
     percent: f64,
     keep: Keep,
     watch: Watch,
@@ -115,7 +122,7 @@ fn meet(
     let plan = |integrator| Plan {
         integrator,
         step: share * case.step_limit(integrator),
-        window: case.window,
+        window: case.window(),
         multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };

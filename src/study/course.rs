@@ -331,18 +331,18 @@ mod tests {
             traces: true,
             frames: None,
         };
-        let recording = solve(&scenario, keep, &mut unwatched).unwrap().recording;
-        let traces = recording.traces.unwrap();
+        let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+        let traces = answer.traces.as_ref().unwrap();
         for (quantity, trace) in Quantity::ALL
             .iter()
             .filter_map(|q| Some((*q, q.row().trace?)))
         {
-            let values = (trace.values)(&traces);
-            let Some(result) = quantity.of(&recording.extremes, None) else {
+            let values = (trace.values)(traces);
+            let Some(result) = answer.result(quantity) else {
                 assert!(values.is_empty(), "{}", trace.label);
                 continue;
             };
-            let found = match quantity.peak(&recording.extremes) {
+            let found = match answer.peak(quantity) {
                 Some(_) => values.iter().copied().fold(0.0, f64::max),
                 None => values[values.len() - 1],
             };

@@ -148,7 +148,7 @@ fn check_one(index: u32, seed: u32) -> Result<Checked, Refusal> {
         claimed: answer.errors.time_step,
         truth: answer
             .results()
-            .difference_percent(&answer.case.results(&reference.recording.extremes)),
+            .difference_percent(&answer.case.results(&reference.left)),
         folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
     })
 }

@@ -8,7 +8,7 @@
 //! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
 //! gives the longest step that the others may take: a stiff eye that keeps the promise at its longest
 //! stable step says nothing of soft ones, which may take longer. Of the others every
-//! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`PROMISE_PERCENT`].
+//! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`promise_percent`].
 //!
 //! What samples say together is a [`Band`](super::Band) for each result.
 //!
@@ -16,7 +16,7 @@
 
 use super::case::Refusal;
 use super::ordered;
-use super::point::{PROMISE_PERCENT, Point, compared, single};
+use super::point::{Point, compared, promise_percent, single};
 use super::quantity::Quantity;
 use super::results::Results;
 use super::spreads::{Input, SLOPE, inputs};
@@ -76,6 +76,8 @@ pub struct Ensemble {
     pub seed: u32,
     /// The longest step that was allowed after the pilot, in s.
     pub cap: Option<f64>,
+    /// The step error that its runs keep to, in %.
+    pub promise: f64,
     /// What it took.
     pub timing: Timing,
 }
@@ -114,7 +116,6 @@ fn name(refusal: &Refusal) -> String {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
-        Refusal::SectionOnly => "section_only",
         Refusal::Revolution(_) => "revolution",
         Refusal::Diverged(_) => "diverged",
         Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",
@@ -221,16 +222,16 @@ impl Job<'_> {
 }
 
 /// The longest step that the pilot allows, in s: a little below those at which its samples would just
-/// keep the promise, of the samples that did not keep it at their longest stable step. Where all did,
+/// keep `promise`, in %, of the samples that did not keep it at their longest stable step. Where all did,
 /// none longer than they took. Infinite if all have folded.
-fn longest_step(pilot: &[Sample]) -> f64 {
+fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
     let checks = || {
         let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
         points.filter(|p| !p.folded()).filter_map(|p| p.check)
     };
     let tried = checks().map(|check| check.tried).reduce(f64::max);
     checks()
-        .filter(|check| check.first > PROMISE_PERCENT)
+        .filter(|check| check.first > promise)
         .map(|check| check.good_step)
         .reduce(f64::min)
         .or(tried)
@@ -262,17 +263,19 @@ pub fn run(
         Err(Refusal::Cancelled) => None,
         other => Some(other?.values),
     };
+    let promise = promise_percent(scenario);
     let count = count.min(MAX_SAMPLES);
     let pilot = count.min(PILOT);
     let mut gathered = Gathered::default();
     job.gather((0, pilot, count), watch, &mut gathered);
-    job.cap = Some(longest_step(&gathered.samples));
+    job.cap = Some(longest_step(&gathered.samples, promise));
     if gathered.samples.len() == pilot as usize {
         job.gather((pilot, count, count), watch, &mut gathered);
     }
     let wall = began.elapsed().as_secs_f64();
     Ok(Ensemble {
         cap: job.cap.filter(|cap| cap.is_finite()),
+        promise,
         timing: Timing {
             wall,
             cores: gathered.cores,
@@ -388,11 +391,11 @@ mod tests {
             }),
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
-        let mixed = longest_step(&[stiff.clone(), soft]);
+        let mixed = longest_step(&[stiff.clone(), soft], 0.1);
         assert!((mixed / (HEADROOM * 5e-6) - 1.0).abs() < 1e-12);
-        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)]);
+        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)], 0.1);
         assert!((kept / (HEADROOM * 4e-6) - 1.0).abs() < 1e-12);
-        assert!(longest_step(&[]).is_infinite());
+        assert!(longest_step(&[], 0.1).is_infinite());
     }
 
     #[test]

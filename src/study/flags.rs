@@ -347,11 +347,11 @@ mod tests {
     #[test]
     fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
         let answer = solve(&CheckedScenario::default(), Keep::default(), &mut unwatched).unwrap();
-        let mut extremes = answer.recording.extremes;
+        let mut extremes = *answer.left.section().unwrap();
         let mut kinds = |folded_at, error, disagreement| -> Vec<FlagKind> {
             extremes.folded_at = folded_at;
             let flags = raise(&Evidence {
-                case: &answer.case,
+                case: answer.case.section().unwrap(),
                 extremes: &extremes,
                 step_error: Some((error, disagreement)),
             });

@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Case, Refusal};
+use super::case::{Case, Refusal};
 use crate::dynamics::{Observer, Piece, Plan, State, Survey, System, march};
 use crate::recording::{Frame, FrameTaker, Spacing};
 
@@ -46,7 +46,7 @@ impl Observer for Stream<'_> {
 /// # Errors
 /// [`Refusal::Cancelled`] if `take` stopped it, [`Refusal::Diverged`] if the motion leaves the
 /// finite numbers.
-pub fn frames(
+pub(super) fn frames(
     case: &Case,
     plan: &Plan,
     spacing: Spacing,
@@ -88,12 +88,12 @@ mod tests {
             streamed.push(frame);
             ControlFlow::Continue(())
         };
-        frames(&kept.case, &kept.plan, spacing, take).unwrap();
+        kept.case.frames(&kept.plan, spacing, take).unwrap();
         assert_eq!(streamed.len(), 21);
-        assert_eq!(streamed, kept.recording.frames);
+        assert_eq!(streamed, kept.frames);
         let stop = &mut |_| ControlFlow::Break(());
         assert!(matches!(
-            frames(&kept.case, &kept.plan, spacing, stop),
+            kept.case.frames(&kept.plan, spacing, stop),
             Err(Refusal::Cancelled)
         ));
     }

@@ -6,6 +6,7 @@
 //! answer without a flag that says so is wrong.
 
 use super::case::{Case, Refusal, unwatched};
+use super::compiled::Compiled;
 use super::flags::{Flag, FlagKind};
 use super::results::Results;
 use super::solve::{Answer, solve_case};
@@ -227,9 +228,14 @@ impl HardCase {
 
     /// Solves the case and its references and compares.
     pub fn run(&self) -> Outcome {
-        let solved = self
-            .compiled()
-            .and_then(|case| solve_case(case, &self.scenario, Keep::default(), &mut unwatched));
+        let solved = self.compiled().and_then(|case| {
+            solve_case(
+                Compiled::Section(Box::new(case)),
+                &self.scenario,
+                Keep::default(),
+                &mut unwatched,
+            )
+        });
         let answer = match solved {
             Ok(answer) => answer,
             Err(refusal) => {
@@ -330,7 +336,7 @@ fn reference(answer: &Answer, integrator: Integrator, fineness: f64) -> Result<R
         ..answer.plan
     };
     let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
-    Ok(answer.case.results(&solution.recording.extremes))
+    Ok(answer.case.results(&solution.left))
 }
 
 /// Runs all cases on all cores, in their order; `done` is told how many of how many are.

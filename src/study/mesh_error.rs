@@ -15,13 +15,15 @@
 //! several times the result, and where the mesh folds at one of the levels. Left out: what all levels
 //! share, as the load's sharp edges and the shell without a thickness of its own.
 
-use super::case::{Case, Refusal, Watch};
+use super::case::{Refusal, Watch};
+use super::compiled::Compiled;
 use super::flags::{Flag, FlagKind};
 use super::quantity::Family;
 use super::results::{PerQuantity, Results};
+use super::revolution::mesh_error as of_revolution;
 use super::solve::Answer;
 use crate::recording::Keep;
-use crate::scenario::{NumericsInput, Scenario};
+use crate::scenario::{Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 
 /// The finest level a scenario may ask for.
@@ -60,13 +62,12 @@ pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
     other.eye.level = level;
     // The mesh error is far larger than the step error of the automatic step.
     other.numerics = NumericsInput::default();
-    let case = Case::new(&other.check()?);
+    let case = Compiled::new(&other.check()?);
     let plan = case.plan_alone(&other)?;
-    let solution = case.run(&plan, Keep::default(), watch)?;
-    let extremes = &solution.recording.extremes;
+    let left = case.run(&plan, Keep::default(), watch)?.left;
     Ok(OnMesh {
-        results: case.results(extremes),
-        folded: extremes.folded_at,
+        results: case.results(&left),
+        folded: left.folded_at(),
     })
 }
 
@@ -75,6 +76,23 @@ pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
 pub fn witnesses(level: u32) -> [u32; 2] {
     let finest = (level + 2).min(FINEST_LEVEL);
     [finest - 1, finest]
+}
+
+/// The levels whose results tell the error of `level` in this model, the finest last.
+pub(super) fn told_by(model: &Model, level: u32) -> Vec<u32> {
+    match model {
+        Model::Axisymmetric(_) => vec![of_revolution::neighbour(level)],
+        Model::Paper | Model::Physiological(_) => witnesses(level).to_vec(),
+    }
+}
+
+/// The error of `own`, on the mesh of `level`, by the results of the levels that tell it.
+pub(super) fn told(model: &Model, level: u32, own: &OnMesh, by: &[OnMesh]) -> MeshError {
+    match (model, by) {
+        (Model::Axisymmetric(_), [.., other]) => of_revolution::of(own, level, other),
+        (_, [.., coarser, finer]) => MeshError::of(own, level, [coarser, finer]),
+        _ => MeshError::of(own, level, [own, own]),
+    }
 }
 
 /// The limit that two levels show, the finer last, which is `finest`.
@@ -155,10 +173,10 @@ impl MeshQuery {
     /// The question for `answer`.
     pub fn of(answer: &Answer) -> Self {
         Self {
-            level: answer.case.eye.level,
+            level: answer.case.level(),
             own: OnMesh {
                 results: answer.results(),
-                folded: answer.recording.extremes.folded_at,
+                folded: answer.left.folded_at(),
             },
         }
     }
@@ -168,21 +186,23 @@ impl MeshQuery {
     /// # Errors
     /// As for any run.
     pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
-        let levels = witnesses(self.level);
+        let levels = told_by(&scenario.model, self.level);
         // A run takes about the cube of its level.
         let cost = |level: u32| f64::from(level.pow(3));
-        let whole = levels.map(cost).iter().sum::<f64>();
+        let whole = levels.iter().copied().map(cost).sum::<f64>();
         let mut done = 0.0;
-        let mut found = [self.own; 2];
-        for (on, level) in found.iter_mut().zip(levels) {
+        let mut found = Vec::with_capacity(levels.len());
+        for level in levels {
             let share = cost(level) / whole;
-            if level != self.level {
+            found.push(if level == self.level {
+                self.own
+            } else {
                 let mut part = |within: f64| -> ControlFlow<()> { watch(done + share * within) };
-                *on = at_level(scenario, level, &mut part)?;
-            }
+                at_level(scenario, level, &mut part)?
+            });
             done += share;
         }
-        Ok(MeshError::of(&self.own, self.level, [&found[0], &found[1]]))
+        Ok(told(&scenario.model, self.level, &self.own, &found))
     }
 }
 

@@ -7,9 +7,11 @@ pub mod batch;
 pub mod calibrate;
 mod case;
 pub mod choose;
+pub mod compiled;
 pub mod course;
 #[doc(hidden)]
 pub mod coverage;
+pub mod drawing;
 pub mod ensemble;
 #[doc(hidden)]
 pub mod experiments;
@@ -17,6 +19,7 @@ mod flags;
 mod frames;
 #[doc(hidden)]
 pub mod hard_cases;
+mod left;
 pub mod map;
 pub mod mesh_coverage;
 mod mesh_error;
@@ -41,14 +44,15 @@ pub use bands::{Band, Checks};
 #[doc(hidden)]
 pub use case::Solution;
 pub use case::{Case, Refusal, Watch, unwatched};
+pub use compiled::{Compiled, Element};
 pub use flags::{Flag, FlagKind};
-pub use frames::frames;
+pub use left::Left;
 pub use mesh_error::{
     FINEST_LEVEL, Limit, Limits, MeshError, MeshQuery, add_mesh_error, witnesses,
 };
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
-pub use revolution::{RevolutionAnswer, RevolutionCase, Solved, solve_any};
+pub use revolution::RevolutionCase;
 pub use solve::{Answer, Errors, solve};
 #[doc(hidden)]
 /// What an ensemble of a scenario draws: for who makes one up, as tests of pictures do.

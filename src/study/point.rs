@@ -1,7 +1,7 @@
 //! One run among many: results and flags without traces, with the step error where it is asked for.
 //!
 //! A [`single`] run makes no second run. A [`checked`] one states its step error as single answers do
-//! and shortens its step until that is within [`PROMISE_PERCENT`]. A [`compared`] one is set beside a
+//! and shortens its step until that is within [`promise_percent`]. A [`compared`] one is set beside a
 //! run of twice as many steps, whose error is a sixteenth at fourth order: the difference is the error
 //! itself, without the safety factor of a statement. No step helps once the mesh has folded.
 //!
@@ -10,19 +10,23 @@
 //! of the pulse. So a run among many may take up to 0.95 of the limit but never more than a cap, which
 //! comes from the comparisons of a few runs.
 
-use super::case::{Case, Refusal, Watch};
-use super::flags::{self, Evidence, FlagKind};
+use super::case::{Refusal, Watch};
+use super::compiled::{Compiled, Ran};
+use super::flags::FlagKind;
 use super::results::Results;
 use super::rules::{LONGEST_SHARE, share_for};
 use super::solve::solve_by;
 use crate::dynamics::Plan;
-use crate::recording::{Extremes, Keep};
+use crate::recording::Keep;
 use crate::scenario::{CheckedScenario, Scenario};
 
-/// The step error that runs among many keep to, in %.
-pub const PROMISE_PERCENT: f64 = 0.1;
 /// How often a step is shortened, each time at most to a half.
 const MAX_ATTEMPTS: usize = 6;
+
+/// The step error that runs of `scenario` among many keep to, in %.
+pub fn promise_percent(scenario: &CheckedScenario) -> f64 {
+    Compiled::new(scenario).rules().promise_percent
+}
 
 /// What a run among many gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +48,7 @@ pub struct Check {
     pub last: f64,
     /// The step that was tried first, in s.
     pub tried: f64,
-    /// The step, in s, at which the first error would just be [`PROMISE_PERCENT`].
+    /// The step, in s, at which the first error would just be the promised one.
     pub good_step: f64,
 }
 
@@ -55,22 +59,17 @@ impl Point {
     }
 }
 
-fn point(case: &Case, extremes: &Extremes) -> Point {
-    let flags = flags::raise(&Evidence {
-        case,
-        extremes,
-        step_error: None,
-    });
+fn point(case: &Compiled, ran: &Ran) -> Point {
     Point {
-        values: case.results(extremes),
-        flags: flags.iter().map(|flag| flag.kind).collect(),
+        values: case.results(&ran.left),
+        flags: case.flags(ran, None).iter().map(|flag| flag.kind).collect(),
         check: None,
     }
 }
 
 /// The automatic step, but as long as stability allows where accuracy does not need it shorter: up to
 /// `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its own.
-fn plan(scenario: &Scenario, case: &Case, cap: Option<f64>) -> Result<Plan, Refusal> {
+fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
         && !plan.integrator.method().adaptive()
@@ -90,10 +89,10 @@ pub fn single(
     cap: Option<f64>,
     watch: Watch,
 ) -> Result<Point, Refusal> {
-    let case = Case::new(scenario);
+    let case = Compiled::new(scenario);
     let plan = plan(scenario, &case, cap)?;
-    let solution = case.run(&plan, Keep::default(), watch)?;
-    Ok(point(&case, &solution.recording.extremes))
+    let ran = case.run(&plan, Keep::default(), watch)?;
+    Ok(point(&case, &ran))
 }
 
 /// Runs it with its stated step error, and again with a shorter step while that is too large.
@@ -101,31 +100,33 @@ pub fn single(
 /// # Errors
 /// As for any run.
 pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusal> {
-    let case = Case::new(scenario);
+    let case = Compiled::new(scenario);
+    let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, Keep::default(), watch)?;
     let first = answer.errors.time_step_percent();
     let tried = plan.step;
-    let good_step = plan.step * shortening(&plan, first);
+    let good_step = plan.step * shortening(&plan, promise, first);
     if scenario.numerics.step_us.is_none() {
         for _ in 0..MAX_ATTEMPTS {
             let error = answer.errors.time_step_percent();
-            if error <= PROMISE_PERCENT || answer.recording.extremes.folded_at.is_some() {
+            if error <= promise || answer.left.folded_at().is_some() {
                 break;
             }
-            plan.step *= (0.8 * shortening(&plan, error)).clamp(0.5, 0.8);
+            plan.step *= (0.8 * shortening(&plan, promise, error)).clamp(0.5, 0.8);
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }
-    let mut point = point(&answer.case, &answer.recording.extremes);
-    point.flags = answer.flags.iter().map(|flag| flag.kind).collect();
-    point.check = Some(Check {
-        first,
-        tried,
-        last: answer.errors.time_step_percent(),
-        good_step,
-    });
-    Ok(point)
+    Ok(Point {
+        values: answer.results(),
+        flags: answer.flags.iter().map(|flag| flag.kind).collect(),
+        check: Some(Check {
+            first,
+            tried,
+            last: answer.errors.time_step_percent(),
+            good_step,
+        }),
+    })
 }
 
 /// Runs it with steps up to `cap`, in s, beside a run of twice as many steps, which takes its place
@@ -138,22 +139,23 @@ pub fn compared(
     cap: Option<f64>,
     watch: Watch,
 ) -> Result<Point, Refusal> {
-    let case = Case::new(scenario);
+    let case = Compiled::new(scenario);
     let mut plan = plan(scenario, &case, cap)?;
+    let promise = case.rules().promise_percent;
     let mut run = |plan: &Plan| case.run(plan, Keep::default(), &mut *watch);
-    let mut coarse = run(&plan)?.recording.extremes;
+    let mut coarse = run(&plan)?;
     let mut first = None;
     for attempt in 0.. {
         plan.multiple *= 2.0;
         plan.local_tolerance *= 0.1;
-        let fine = run(&plan)?.recording.extremes;
+        let fine = run(&plan)?;
         let difference = case
-            .results(&coarse)
-            .difference_percent(&case.results(&fine));
+            .results(&coarse.left)
+            .difference_percent(&case.results(&fine.left));
         let error = difference.headline();
         let first = *first.get_or_insert(error);
-        let done = error <= PROMISE_PERCENT
-            || coarse.folded_at.is_some()
+        let done = error <= promise
+            || coarse.left.folded_at().is_some()
             || scenario.numerics.step_us.is_some()
             || attempt == MAX_ATTEMPTS;
         if done {
@@ -162,7 +164,7 @@ pub fn compared(
                 first,
                 tried: plan.step,
                 last: error,
-                good_step: plan.step * shortening(&plan, first),
+                good_step: plan.step * shortening(&plan, promise, first),
             });
             return Ok(point);
         }
@@ -171,9 +173,9 @@ pub fn compared(
     unreachable!("the last attempt is always taken")
 }
 
-/// The factor on the step that brings a step error, in %, to what is promised.
-fn shortening(plan: &Plan, error: f64) -> f64 {
-    share_for(PROMISE_PERCENT, error, plan.integrator.method().order)
+/// The factor on the step that brings a step error to `promise`, both in %.
+fn shortening(plan: &Plan, promise: f64, error: f64) -> f64 {
+    share_for(promise, error, plan.integrator.method().order)
 }
 
 #[cfg(test)]
@@ -184,9 +186,10 @@ mod tests {
     #[test]
     fn both_checks_shorten_the_step_until_the_promise_is_kept() {
         let scenario = CheckedScenario::default();
+        let promise = promise_percent(&scenario);
         let stated = checked(&scenario, &mut unwatched).unwrap();
         let check = stated.check.unwrap();
-        assert!(check.last <= PROMISE_PERCENT && check.first >= check.last);
+        assert!(check.last <= promise && check.first >= check.last);
         let free = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
         let tight = compared(&scenario, Some(1e-6), &mut unwatched).unwrap();
         assert!(tight.check.unwrap().first < free.check.unwrap().first);
@@ -200,11 +203,12 @@ mod tests {
 
     #[test]
     fn a_rough_step_is_refined_and_what_it_would_have_been_is_said() {
+        let promise = promise_percent(&CheckedScenario::default());
         let mut scenario = Scenario::default();
         scenario.numerics.integrator = Some(crate::scenario::Integrator::VelocityVerlet);
         let point = compared(&scenario.check().unwrap(), Some(1.0), &mut unwatched).unwrap();
         let check = point.check.unwrap();
-        assert!(check.first > PROMISE_PERCENT && check.last <= PROMISE_PERCENT);
+        assert!(check.first > promise && check.last <= promise);
         let exact = compared(&CheckedScenario::default(), Some(1e-6), &mut unwatched).unwrap();
         for (quantity, a) in point.values.present() {
             let b = exact.values[quantity].unwrap();
@@ -216,7 +220,7 @@ mod tests {
     fn a_step_of_the_persons_own_stays() {
         let mut scenario = Scenario::default();
         scenario.numerics.step_us = Some(2.0);
-        let case = Case::new(&scenario.check().unwrap());
+        let case = Compiled::new(&scenario.check().unwrap());
         assert_eq!(plan(&scenario, &case, Some(1.0)).unwrap().step, 2e-6);
     }
 }

@@ -8,6 +8,7 @@
 //! force of contact where there is no projectile.
 
 use super::course::{Group, Trace, trace};
+use super::left::Left;
 use crate::dynamics::revolution;
 use crate::eye::Monitor;
 use crate::injury::{Blow, Computed, DamageIndex, Injury, Measure, Measures, Standing, curve_of};
@@ -336,6 +337,12 @@ impl Quantity {
                 factor: 1e-6,
                 leads: Leads::Always,
                 revolution: ReadRevolution::Peak(|e| Some(e.back_pressure)),
+                trace: Some(trace(
+                    "pressure at back",
+                    "back_pressure_mpa",
+                    |t| &t.back_pressure,
+                    (Group::Fluid, 2),
+                )),
                 ..number(
                     "peak_back_pressure_mpa",
                     "pressure at back",
@@ -347,22 +354,41 @@ impl Quantity {
                 factor: 1e-6,
                 leads: Leads::Always,
                 revolution: ReadRevolution::Peak(|e| Some(e.scleral_stress)),
+                trace: Some(trace(
+                    "scleral stress",
+                    "scleral_stress_mpa",
+                    |t| &t.scleral_stress,
+                    (Group::Fluid, 3),
+                )),
                 ..number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
             },
             Self::Shortening => Row {
                 factor: 1e2,
                 leads: Leads::Always,
                 revolution: ReadRevolution::Peak(|e| Some(e.shortening)),
+                trace: Some(trace(
+                    "shortening",
+                    "shortening_percent",
+                    |t| &t.shortening,
+                    (Group::Motion, 4),
+                )),
                 ..number("shortening_percent", "shortening", "shorter", "%")
             },
             Self::Intrusion => Row {
                 factor: 1e3,
                 revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.intrusion)),
+                trace: Some(trace(
+                    "intrusion",
+                    "intrusion_mm",
+                    |t| &t.intrusion,
+                    (Group::Projectile, 5),
+                )),
                 ..number("intrusion_mm", "object intrusion", "intrude", "mm")
             },
             Self::LensWay => Row {
                 factor: 1e3,
                 revolution: ReadRevolution::Peak(|e| Some(e.lens)),
+                trace: Some(trace("lens", "lens_mm", |t| &t.lens, (Group::Motion, 5))),
                 ..number("lens_displacement_mm", "lens displacement", "lens", "mm")
             },
             Self::Rebound => Row {
@@ -402,50 +428,38 @@ impl Quantity {
         self.row().label
     }
 
-    /// The value that a march left, in its unit; `blow` is the object that hit, if there is one.
-    pub fn of(self, extremes: &Extremes, blow: Option<Blow>) -> Option<f64> {
+    /// The value that a run left, in its unit; `blow` is the object that hit, if there is one.
+    pub fn of(self, left: &Left, blow: Option<Blow>) -> Option<f64> {
         let row = self.row();
-        let value = match row.read {
-            Read::Peak(peak) => peak(extremes)?.value,
-            Read::Number(number) => number(extremes)?,
-            Read::Risk(injury, measure) => {
-                let pressure = extremes.fluid.map(|fluid| fluid.pressure.value);
-                let risk = risk_of(injury, measure, blow, (pressure, None))?;
-                if extremes.missed() { 0.0 } else { risk }
+        let value = match (row.read, left) {
+            (Read::Risk(injury, measure), _) => {
+                let risk = risk_of(injury, measure, blow, (left.pressure(), left.stress()))?;
+                if left.missed() { 0.0 } else { risk }
             }
+            (_, Left::Section(extremes)) => match row.read {
+                Read::Number(number) => number(extremes)?,
+                Read::Peak(_) | Read::Risk(..) => self.peak(left)?.value,
+            },
+            (_, Left::Revolution(extremes)) => match row.revolution {
+                ReadRevolution::Number(number) => number(extremes)?,
+                ReadRevolution::Peak(_) | ReadRevolution::Nowhere => self.peak(left)?.value,
+            },
         };
         Some(value * row.factor)
-    }
-
-    /// The value that a run of the eye of revolution left, in its unit.
-    pub fn of_revolution(self, extremes: &revolution::Extremes, blow: Option<Blow>) -> Option<f64> {
-        let row = self.row();
-        let value = match (row.revolution, row.read) {
-            (ReadRevolution::Peak(peak), _) => peak(extremes)?.value,
-            (ReadRevolution::Number(number), _) => number(extremes)?,
-            (ReadRevolution::Nowhere, Read::Risk(injury, measure)) => {
-                let pressure = Some(extremes.pressure.value);
-                let stress = Some(extremes.scleral_stress.value);
-                risk_of(injury, measure, blow, (pressure, stress))?
-            }
-            (ReadRevolution::Nowhere, _) => return None,
-        };
-        Some(value * row.factor)
-    }
-
-    /// The peak that it is at the eye of revolution, SI, with its time.
-    pub fn peak_of_revolution(self, extremes: &revolution::Extremes) -> Option<Peak> {
-        match self.row().revolution {
-            ReadRevolution::Peak(peak) => peak(extremes),
-            ReadRevolution::Number(_) | ReadRevolution::Nowhere => None,
-        }
     }
 
     /// The peak that it is, SI, with its time; none where it is a number without one.
-    pub fn peak(self, extremes: &Extremes) -> Option<Peak> {
-        match self.row().read {
-            Read::Peak(peak) => peak(extremes),
-            Read::Number(_) | Read::Risk(..) => None,
+    pub fn peak(self, left: &Left) -> Option<Peak> {
+        let row = self.row();
+        match left {
+            Left::Section(extremes) => match row.read {
+                Read::Peak(peak) => peak(extremes),
+                Read::Number(_) | Read::Risk(..) => None,
+            },
+            Left::Revolution(extremes) => match row.revolution {
+                ReadRevolution::Peak(peak) => peak(extremes),
+                ReadRevolution::Number(_) | ReadRevolution::Nowhere => None,
+            },
         }
     }
 

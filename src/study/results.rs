@@ -1,9 +1,8 @@
 //! One thing for each result, and what is computed over all of them.
 
+use super::left::Left;
 use super::quantity::{Family, Leads, Quantity};
-use crate::dynamics::revolution;
 use crate::injury::Blow;
-use crate::recording::Extremes;
 use std::ops::{Index, IndexMut};
 use strum::EnumCount;
 
@@ -46,14 +45,9 @@ impl<T> IndexMut<Quantity> for PerQuantity<T> {
 }
 
 impl Results {
-    /// All results of a march; `blow` is the object that hit, if there is one.
-    pub fn of(extremes: &Extremes, blow: Option<Blow>) -> Self {
-        Self::from_fn(|quantity| quantity.of(extremes, blow))
-    }
-
-    /// All results of a run of the eye of revolution.
-    pub fn of_revolution(extremes: &revolution::Extremes, blow: Option<Blow>) -> Self {
-        Self::from_fn(|quantity| quantity.of_revolution(extremes, blow))
+    /// All results of what a run left; `blow` is the object that hit, if there is one.
+    pub fn of(left: &Left, blow: Option<Blow>) -> Self {
+        Self::from_fn(|quantity| quantity.of(left, blow))
     }
 
     /// The results that there are.

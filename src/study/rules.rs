@@ -9,6 +9,7 @@
 //! Every number that decides about steps and their errors stands here with its reason.
 
 use super::quantity::Family;
+use crate::dynamics::revolution::STEP_SHARE;
 use crate::dynamics::{Integrator, SceneKind};
 
 /// The largest share of its stability limit that any run takes on its own account: the limit is of a
@@ -28,6 +29,8 @@ pub(super) struct Rules {
     pub reference: Integrator,
     /// Whether a run among many may take longer steps than an answer's, up to [`LONGEST_SHARE`].
     pub may_lengthen: bool,
+    /// The step error that runs among many keep to, in %.
+    pub promise_percent: f64,
     /// How the step error is told.
     pub estimate: Estimate,
     /// When an automatic step is shortened.
@@ -113,6 +116,7 @@ static SPRINGS: Rules = Rules {
     // The automatic step is wasteful both ways among many runs: too short for the accuracy of a stiff
     // eye, too long for the pulse on a soft one.
     may_lengthen: true,
+    promise_percent: PROMISE_PERCENT,
     estimate: Estimate {
         // The longest step that a run takes against an answer's.
         ratio: LONGEST_SHARE / SHARE_OF_ANSWER,
@@ -130,6 +134,9 @@ static SPRINGS: Rules = Rules {
 };
 
 const SHARE_OF_ANSWER: f64 = 0.8;
+
+/// Far below what is not known of an eye, and cheap where a method is of high order.
+const PROMISE_PERCENT: f64 = 0.1;
 
 const REFINEMENT: Refinement = Refinement {
     error_percent: 1.0,
@@ -149,6 +156,7 @@ const COUPLED_ROW: Rules = Rules {
     alone: COUPLED_ANSWER,
     reference: Integrator::VelocityVerlet,
     may_lengthen: false,
+    promise_percent: PROMISE_PERCENT,
     estimate: Estimate {
         ratio: 2.0,
         // A contact's force has a kink at touch and sends out sharp waves, and with dashpots and fluid
@@ -180,4 +188,34 @@ static CONTACT: Rules = Rules {
         ..COUPLED_ROW.estimate
     },
     ..COUPLED_ROW
+};
+
+/// The eye of revolution. Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its
+/// step follows the stability bound, so a step is that of the eye at rest.
+pub(super) static REVOLUTION: Rules = Rules {
+    integrators: &[Integrator::VelocityVerlet],
+    answer: REVOLUTION_ANSWER,
+    alone: REVOLUTION_ANSWER,
+    reference: Integrator::VelocityVerlet,
+    may_lengthen: false,
+    promise_percent: 1.0,
+    estimate: Estimate {
+        ratio: 1.5,
+        // The lag makes the error fall with the first order.
+        order: Some(1),
+        // Peaks of contact are less regular than that.
+        safety: 2.0,
+        // Each step is chosen by the state, so results are not smooth to the last digit.
+        floor: Floor::Percent(0.05),
+        family: (Family::Motion, 0.1),
+    },
+    refinement: Refinement {
+        attempts: 0,
+        ..REFINEMENT
+    },
+};
+
+const REVOLUTION_ANSWER: Automatic = Automatic {
+    integrator: Integrator::VelocityVerlet,
+    share: STEP_SHARE,
 };

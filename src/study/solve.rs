@@ -2,17 +2,20 @@
 //!
 //! The step error of each result comes from a second run with another step, see [`super::step_error`].
 
-use super::case::{Case, Refusal, Solution, Watch};
-use super::flags::{self, Evidence, Flag};
+use super::case::{Refusal, Watch};
+use super::compiled::{Compiled, Ran};
+use super::flags::Flag;
+use super::left::Left;
 use super::mesh_error::Limits;
 use super::quantity::Quantity;
 use super::results::Results;
+use super::revolution::flags::END;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
 use super::validity::validity;
 use crate::dynamics::{Cost, Plan};
 use crate::injury::{Computed, DamageIndex, Measures, Risk, Verdict, assess, verdicts};
-use crate::recording::{Keep, Recording};
+use crate::recording::{Frame, Keep, Peak, Traces};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,8 +24,6 @@ use std::time::{Duration, Instant};
 
 /// A shorter step helped if it brought the error below this share of the one before.
 const HELPED: f64 = 0.8;
-/// A peak in the last share of a run may not have been the last word.
-const END: f64 = 0.999;
 
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,17 +72,21 @@ impl Errors {
 #[derive(Debug, Clone)]
 pub struct Answer {
     /// The scenario compiled: its eye, and what the engine moved.
-    pub case: Case,
+    pub case: Compiled,
     /// The integrator and the step that were asked of it.
     pub plan: Plan,
-    /// Longest step taken, in s.
+    /// Longest step taken, in s; at the eye of revolution, whose steps follow the motion, the step at rest.
     pub step: f64,
-    /// Largest stable step of the integrator, in s.
+    /// Largest stable step of the integrator, in s, of the eye at rest.
     pub step_limit: f64,
     /// The paper's index and its parts.
     pub index: DamageIndex,
-    /// Extremes, and traces and frames if they were asked for.
-    pub recording: Recording,
+    /// Largest values, for who asks for more than results.
+    pub left: Left,
+    /// Courses over time, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
     /// How far the results may be off.
     pub errors: Errors,
     /// What limits them.
@@ -90,8 +95,8 @@ pub struct Answer {
     pub cost: Cost,
     /// Time simulated, in s: less than the window if all results were final before.
     pub simulated: f64,
-    /// Springs computed in the run.
-    pub spring_evaluations: usize,
+    /// Springs or cells computed in the run.
+    pub element_evaluations: usize,
     /// Time the run took, the mesh and the second run left out.
     pub solve_time: Duration,
     /// Time that everything took.
@@ -101,32 +106,52 @@ pub struct Answer {
 impl Answer {
     /// Every result.
     pub fn results(&self) -> Results {
-        self.case.results(&self.recording.extremes)
+        self.case.results(&self.left)
+    }
+
+    /// One result in its unit, if the scene has it.
+    pub fn result(&self, of: Quantity) -> Option<f64> {
+        of.of(&self.left, self.case.blow())
+    }
+
+    /// The peak that a result is, SI, with its time; none where it is a number without one.
+    pub fn peak(&self, of: Quantity) -> Option<Peak> {
+        of.peak(&self.left)
+    }
+
+    /// Simulated time that was asked for, in s.
+    pub fn window(&self) -> f64 {
+        self.case.window()
     }
 
     /// What the published injury curves say, beside the paper's index. An object that never
     /// touched the eye has none.
     pub fn risks(&self) -> Vec<Risk> {
-        let extremes = &self.recording.extremes;
-        if extremes.missed() {
+        if self.left.missed() {
             return Vec::new();
         }
-        let pressure = extremes.fluid.map(|fluid| Computed {
-            value: fluid.pressure.value,
-            error: self.errors.share(Quantity::Pressure),
-        });
+        let computed = |value: Option<f64>, of| {
+            let error = self.errors.share(of);
+            value.map(|value| Computed { value, error })
+        };
         assess(&Measures {
-            blow: self.case.blow,
-            pressure,
-            stress: None,
+            blow: self.case.blow(),
+            pressure: computed(self.left.pressure(), Quantity::Pressure),
+            stress: computed(self.left.stress(), Quantity::ScleralStress),
         })
     }
 
     /// What to believe of them: one verdict an injury.
     pub fn verdicts(&self) -> Vec<Verdict> {
-        let fluid = self.recording.extremes.fluid;
-        let late = fluid.map(|f| f.pressure.time > END * self.simulated);
-        verdicts(&self.risks(), &validity(&self.flags, late, false))
+        let computed = [Quantity::Pressure, Quantity::ScleralStress];
+        let times = computed
+            .into_iter()
+            .filter_map(|of| Some(self.peak(of)?.time));
+        let late = times
+            .reduce(f64::max)
+            .map(|last| last > END * self.simulated);
+        let pig = self.case.revolution().is_some_and(|case| case.pig);
+        verdicts(&self.risks(), &validity(&self.flags, late, pig))
     }
 }
 
@@ -139,7 +164,7 @@ impl Answer {
 /// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
 /// watch stops.
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
-    solve_case(Case::new(scenario), scenario, keep, watch)
+    solve_case(Compiled::new(scenario), scenario, keep, watch)
 }
 
 /// Answers `case`, which was compiled from `scenario`.
@@ -147,7 +172,7 @@ pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Ans
 /// # Errors
 /// As [`solve`].
 pub(super) fn solve_case(
-    case: Case,
+    case: Compiled,
     scenario: &Scenario,
     keep: Keep,
     watch: Watch,
@@ -192,10 +217,15 @@ pub(super) fn solve_case(
 ///
 /// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
 /// runs before.
-fn shorter(case: &Case, plan: &Plan, solved: &Measured, before: Option<&Measured>) -> Option<f64> {
+fn shorter(
+    case: &Compiled,
+    plan: &Plan,
+    solved: &Measured,
+    before: Option<&Measured>,
+) -> Option<f64> {
     let error = solved.errors.time_step_percent();
     let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
-    let folded = solved.solution.recording.extremes.folded_at.is_some();
+    let folded = solved.ran.left.folded_at().is_some();
     let rule = &case.rules().refinement;
     if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
@@ -215,7 +245,7 @@ fn shorter(case: &Case, plan: &Plan, solved: &Measured, before: Option<&Measured
 /// # Errors
 /// As [`solve`].
 pub(super) fn solve_by(
-    case: Case,
+    case: Compiled,
     plan: Plan,
     keep: Keep,
     watch: Watch,
@@ -226,7 +256,7 @@ pub(super) fn solve_by(
 
 /// A run and its step error.
 struct Measured {
-    solution: Solution,
+    ran: Ran,
     errors: Errors,
     /// Largest difference between the leading results of the two runs, in %.
     disagreement: f64,
@@ -243,7 +273,7 @@ impl Measured {
     }
 }
 
-fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
+fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
     let (second, factor) = second_plan(case, plan);
     let abandoned = AtomicBool::new(false);
@@ -266,14 +296,11 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         let second = other.join().unwrap_or(Err(Refusal::Cancelled));
         (first, second, time)
     });
-    let solution = first?;
-    let extremes = &solution.recording.extremes;
-    let results = case.results(extremes);
-    let difference = case
-        .results(&second?.recording.extremes)
-        .difference_percent(&results);
+    let ran = first?;
+    let results = case.results(&ran.left);
+    let difference = case.results(&second?.left).difference_percent(&results);
     let disagreement = difference.headline();
-    let time_step = if extremes.missed() {
+    let time_step = if ran.left.missed() {
         // All of an eye that is not hit is exactly 0.
         difference.map(|_, difference| difference.map(|_| 0.0))
     } else {
@@ -283,10 +310,10 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
         time_step,
         mesh: None,
         limits: None,
-        energy_balance: 100.0 * extremes.energy_residual,
+        energy_balance: 100.0 * ran.left.energy_residual(),
     };
     Ok(Measured {
-        solution,
+        ran,
         errors,
         disagreement,
         time,
@@ -294,36 +321,36 @@ fn measured(case: &Case, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measur
     })
 }
 
-fn finish(case: Case, plan: Plan, solved: Measured) -> Answer {
+fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let Measured {
-        solution,
+        ran,
         errors,
         disagreement,
         time,
         total_time,
     } = solved;
-    let Solution {
-        recording,
+    let flags = case.flags(&ran, Some((errors.time_step_percent(), disagreement)));
+    let Ran {
+        left,
+        traces,
+        frames,
         cost,
         simulated,
-    } = solution;
-    let flags = flags::raise(&Evidence {
-        case: &case,
-        extremes: &recording.extremes,
-        step_error: Some((errors.time_step_percent(), disagreement)),
-    });
+    } = ran;
     Answer {
-        step: plan.longest_step(&case.system.load().pulse),
+        step: case.longest_step(&plan),
         step_limit: case.step_limit(plan.integrator),
-        index: DamageIndex::of(&recording.extremes),
+        index: left.index(),
+        left,
+        traces,
+        frames,
         errors,
         flags,
-        spring_evaluations: cost.evaluations * case.system.springs_per_evaluation(),
+        element_evaluations: cost.evaluations * case.elements_per_evaluation(),
         cost,
         simulated,
         solve_time: time,
         total_time,
-        recording,
         plan,
         case,
     }

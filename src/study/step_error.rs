@@ -3,8 +3,10 @@
 //! The idea and all its numbers are in [`super::rules`].
 
 use super::case::Case;
+use super::case::Moved;
+use super::compiled::Compiled;
 use super::results::Results;
-use super::rules::{Floor, LONGEST_SHARE};
+use super::rules::{Estimate, Floor, LONGEST_SHARE};
 use crate::dynamics::{Plan, Pulse};
 
 /// The smallest ratio, over all segments, of the steps of `more` to those of `fewer`.
@@ -18,7 +20,22 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
 
 /// The run whose difference from that of `plan` tells the step error, and the factor from the
 /// difference to the error.
-pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
+pub(super) fn second_plan(case: &Compiled, plan: &Plan) -> (Plan, f64) {
+    match case {
+        Compiled::Section(case) => of_section(case, plan),
+        Compiled::Revolution(_) => {
+            let Estimate { ratio, safety, .. } = case.rules().estimate;
+            let finer = Plan {
+                multiple: plan.multiple * ratio,
+                ..*plan
+            };
+            let share = 1.0 - ratio.powi(-case.order(plan.integrator));
+            (finer, safety / share)
+        }
+    }
+}
+
+fn of_section(case: &Case, plan: &Plan) -> (Plan, f64) {
     let limit = case.step_limit(plan.integrator);
     let order = case.order(plan.integrator);
     let (ratio, safety) = (case.rules().estimate.ratio, case.rules().estimate.safety);
@@ -57,7 +74,7 @@ pub(super) fn second_plan(case: &Case, plan: &Plan) -> (Plan, f64) {
 
 /// What is stated of a run by `plan` whose second run differs by `difference` %, of which `factor` makes
 /// the estimate: no less than the floor, and raised where it is small by chance.
-pub(super) fn stated(case: &Case, plan: &Plan, difference: &Results, factor: f64) -> Results {
+pub(super) fn stated(case: &Compiled, plan: &Plan, difference: &Results, factor: f64) -> Results {
     let estimate = &case.rules().estimate;
     let floor = match estimate.floor {
         Floor::Percent(percent) => percent,

@@ -2,7 +2,7 @@
 //!
 //! Rows are numbered from 0 with the last axis the fastest. Shard i of n (from 1) holds the rows r
 //! with r mod n = i - 1, so all shards together are the whole. Every row is checked for its step error
-//! and refined to [`super::point::PROMISE_PERCENT`]; what is refused is a row too.
+//! and refined to [`super::point::promise_percent`]; what is refused is a row too.
 //!
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 

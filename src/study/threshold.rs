@@ -14,11 +14,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::case::Refusal;
 use super::flags::Flag;
+use super::mesh_error::add_mesh_error;
 use super::ordered;
 use super::quantity::{Quantity, Read};
 use super::results::Results;
-use super::revolution::{Solved, solve_any};
 use super::root::{Bracket, narrowed};
+use super::solve::{Answer, solve};
 use super::sweep::spaced;
 use crate::injury::{Blow, Caution, Measure};
 use crate::recording::Keep;
@@ -123,9 +124,9 @@ impl Question {
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
     }
 
-    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Solved, Refusal> {
+    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
         let scenario = self.at(value)?.check()?;
-        solve_any(&scenario, Keep::default(), &mut |_| until(stop))
+        solve(&scenario, Keep::default(), &mut |_| until(stop))
     }
 
     /// The values that are looked at first: evenly where the range has both signs or is narrow, else by
@@ -242,13 +243,13 @@ impl Question {
             return Ok(crossing);
         };
         let mut watch = |_| until(stop);
-        let mut answer = solve_any(&scenario, Keep::default(), &mut watch)?;
-        answer.add_mesh_error(&scenario, &mut watch)?;
-        crossing.flags = answer.flags().to_vec();
+        let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
+        add_mesh_error(&scenario, &mut answer, &mut watch)?;
+        crossing.flags.clone_from(&answer.flags);
         if jump.is_none() {
             let slope = self.slope(of, at, stop)?;
             let value = answer.results()[of];
-            let errors = answer.errors();
+            let errors = &answer.errors;
             let off =
                 [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
                     let off = errors?[of]? / 100.0 * value?.abs() / slope.abs();
@@ -388,11 +389,11 @@ mod tests {
         let mut there = short();
         set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
         let there = there.check().unwrap();
-        let answer = solve_any(&there, Keep::default(), &mut super::super::unwatched).unwrap();
+        let answer = solve(&there, Keep::default(), &mut super::super::unwatched).unwrap();
         let apex = answer.results()[Quantity::Apex].unwrap();
         assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
         // The apex is nearly proportional to the force, so their errors are of one share.
-        let error = answer.errors().time_step[Quantity::Apex].unwrap() / 100.0;
+        let error = answer.errors.time_step[Quantity::Apex].unwrap() / 100.0;
         let share = crossing.step.unwrap() / crossing.at;
         assert!((0.5..2.0).contains(&(share / error)), "{share} {error}");
         assert!(crossing.mesh.unwrap() > crossing.step.unwrap());

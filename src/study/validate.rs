@@ -5,7 +5,7 @@
 use super::case::{Case, Refusal, unwatched};
 use super::experiments::{EXPERIMENTS, Experiment, Reading};
 use super::flags::FlagKind;
-use super::solve::solve;
+use super::solve::{Answer, solve};
 use crate::eye::Eye;
 use crate::recording::{Keep, Recording, Spacing};
 use crate::scenario::{Model, Scenario};
@@ -96,7 +96,7 @@ pub(super) fn rows_of(
                 let row = match &answer {
                     Ok(answer) => Row {
                         experiment,
-                        predicted: read(experiment.reading, &answer.case.eye, &answer.recording)
+                        predicted: read_of(experiment.reading, answer)
                             .ok_or_else(|| "the run does not reach it".to_owned()),
                         finer: finer
                             .as_ref()
@@ -138,6 +138,16 @@ pub(super) fn readings(
         }
     }
     found
+}
+
+/// What is read of an answer.
+fn read_of(reading: Reading, answer: &Answer) -> Option<f64> {
+    let recording = Recording {
+        extremes: *answer.left.section()?,
+        traces: answer.traces.clone(),
+        frames: answer.frames.clone(),
+    };
+    read(reading, &answer.case.section()?.eye, &recording)
 }
 
 /// The same on the next finer mesh, if that runs.

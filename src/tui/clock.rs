@@ -72,8 +72,8 @@ impl Clock {
     /// The time shown of an answer, in s.
     pub fn time(&self, answer: &Answer) -> f64 {
         match self.moment {
-            Moment::Deepest => answer.recording.extremes.apex.time,
-            Moment::At(time) => time.min(answer.case.window),
+            Moment::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
+            Moment::At(time) => time.min(answer.window()),
         }
     }
 
@@ -173,7 +173,7 @@ pub struct Visit {
 /// Every peak of an answer in the order of time.
 pub fn peaks(answer: &Answer) -> Vec<Visit> {
     let visit = |of: &Quantity| {
-        let (row, peak) = (of.row(), of.peak(&answer.recording.extremes)?);
+        let (row, peak) = (of.row(), answer.peak(*of)?);
         let value = significant(peak.value * row.factor);
         Some(Visit {
             label: format!("{} {value} {}", row.short, row.unit),
@@ -240,7 +240,7 @@ mod tests {
             }),
         };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
-        let frames = &answer.recording.frames;
+        let frames = &answer.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);
         assert!(!clock.playing);
         let time = |clock: &Clock| clock.time(&answer);

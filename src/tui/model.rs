@@ -14,10 +14,10 @@ use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
-use super::view::eye::{Line, lines};
 use super::view::heat::hottest;
 use crate::scenario::{self, Scenario};
 use crate::study::Answer;
+use crate::study::drawing::Drawing;
 
 /// What is being worked on.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,8 +79,8 @@ pub struct Shown {
     pub answer: Arc<Answer>,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
-    /// The springs that are drawn.
-    pub lines: Vec<Line>,
+    /// What pictures are made of.
+    pub drawing: Drawing,
 }
 
 impl Shown {
@@ -89,7 +89,7 @@ impl Shown {
         Self {
             scenario,
             hottest: hottest(&answer),
-            lines: lines(&answer.case.eye),
+            drawing: Drawing::of(&answer.case),
             answer: Arc::new(answer),
         }
     }

@@ -186,7 +186,7 @@ mod tests {
             last = done(&heard);
         }
         let answer = last.1.unwrap();
-        assert!(answer.recording.frames.len() > 300 && answer.recording.traces.is_some());
+        assert!(answer.frames.len() > 300 && answer.traces.is_some());
     }
 
     #[test]

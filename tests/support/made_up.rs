@@ -8,18 +8,15 @@
 
 use std::time::Duration;
 
-use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan};
-use contrecoup::eye::{Eye, GLOBE_RADIUS_M};
-use contrecoup::injury::DamageIndex;
-use contrecoup::recording::{
-    Extremes, FluidExtremes, Frame, Peak, Recording, ShotExtremes, Traces,
-};
+use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan, revolution};
+use contrecoup::eye::GLOBE_RADIUS_M;
+use contrecoup::recording::{Extremes, FluidExtremes, Frame, Peak, ShotExtremes, Traces};
 use contrecoup::scenario::{Impact, Scenario};
 use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::study::map::{Grid, Spot};
 use contrecoup::study::point::{Check, Point};
 use contrecoup::study::quantity::Family;
-use contrecoup::study::{Answer, Case, Errors, Flag, FlagKind, Quantity, inputs};
+use contrecoup::study::{Answer, Compiled, Errors, Flag, FlagKind, Left, Quantity, inputs};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
@@ -34,6 +31,7 @@ const SHELL: f64 = 0.0025;
 const MERIDIAN: f64 = 0.03;
 const ENERGY_J: f64 = 0.5;
 const PRESSURE_PA: f64 = 0.4e6;
+const STRESS_PA: f64 = 8e6;
 const PRESSURE_AT_REST_PA: f64 = 2e3;
 
 /// From 0 up to 1 in the `middle` and down to 0, both `reach` away from it.
@@ -50,11 +48,11 @@ fn rise(at: f64, end: f64) -> f64 {
 }
 
 /// How large a blow is.
-fn size(case: &Case, scenario: &Scenario) -> f64 {
+fn size(case: &Compiled, scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
         Impact::Projectile(_) => case
-            .blow
+            .blow()
             .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
     }
 }
@@ -87,7 +85,7 @@ fn centre(radius: f64, deep: f64, share: f64) -> Point2<f64> {
     Point2::new(deep - away - GLOBE_RADIUS_M - radius, 0.0)
 }
 
-fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
+fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
     let shares: Vec<f64> = (0..=ROWS).map(|row| row as f64 / ROWS as f64).collect();
     let over = |of: &dyn Fn(f64) -> f64| -> Vec<f64> { shares.iter().map(|s| of(*s)).collect() };
     let (give, energy) = (give(size), ENERGY_J * size * size);
@@ -95,12 +93,14 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         Impact::ForcePulse(pulse) => pulse.force_n,
         Impact::Projectile(_) => 0.0,
     };
-    let blow = case.blow;
+    let blow = case.blow();
     let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
-    let fluid = case.system.coupled().is_some_and(|c| c.fluid.is_some());
+    let whole = case.revolution().is_some();
+    let coupled = case.section().and_then(|case| case.system.coupled());
+    let fluid = whole || coupled.is_some_and(|c| c.fluid.is_some());
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
-        time: over(&|s| s * case.window),
+        time: over(&|s| s * case.window()),
         load: over(&|s| force * touch(s)),
         force: std::array::from_fn(|n| over(&|s| size * FORCES_N[n] * shaken(n, s))),
         apex: over(&|s| give * APEX_M * pushed(s)),
@@ -113,7 +113,14 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
         pressure: some(fluid, &|s| {
             PRESSURE_AT_REST_PA + size * PRESSURE_PA * pushed(s)
         }),
-        area_ratio: some(fluid, &|s| 1.0 - 0.01 * pushed(s)),
+        back_pressure: some(whole, &|s| 1.2 * size * PRESSURE_PA * pushed(s)),
+        scleral_stress: some(whole, &|s| size * STRESS_PA * pushed(s - 0.01)),
+        shortening: some(whole, &|s| 0.1 * give * pushed(s - 0.02)),
+        lens: some(whole, &|s| 0.4 * give * APEX_M * pushed(s - 0.03)),
+        intrusion: some(whole && blow.is_some(), &|s| {
+            0.9 * give * APEX_M * pushed(s)
+        }),
+        area_ratio: some(fluid && !whole, &|s| 1.0 - 0.01 * pushed(s)),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
         projectile: [
             some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
@@ -123,12 +130,26 @@ fn traces(case: &Case, scenario: &Scenario, size: f64) -> Traces {
             some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
             some(blow.is_some(), &|_| 0.0),
         ],
-        ..Traces::default()
+    }
+}
+
+/// Where each node rests, and whether it never moves.
+fn nodes(case: &Compiled) -> Vec<(Point2<f64>, bool)> {
+    match case {
+        Compiled::Section(case) => {
+            let nodes = case.eye.nodes.iter();
+            nodes.map(|n| (n.position, n.fixed())).collect()
+        }
+        Compiled::Revolution(case) => {
+            let place = |n: usize| Point2::new(case.eye.at(n).0, case.eye.at(n).1);
+            let fixed = case.eye.fixed.iter().enumerate();
+            fixed.map(|(n, fixed)| (place(n), *fixed)).collect()
+        }
     }
 }
 
 /// Nodes are pushed back the more, the nearer they are to the cornea; a ring of force runs from it.
-fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
+fn frame(case: &Compiled, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
     let share = row as f64 / ROWS as f64;
     let apex = traces.apex[row];
     let deep = peak(&traces.time, &traces.apex).value;
@@ -140,30 +161,21 @@ fn frame(eye: &Eye, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame
         let from = (at - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm() / (2.0 * GLOBE_RADIUS_M);
         traces.force[1][row] * hump(from, 2.0 * share, 0.5)
     };
+    let nodes = nodes(case);
     Frame {
         time: traces.time[row],
-        positions: (eye.nodes.iter())
-            .map(|node| {
-                let push = if node.fixed() {
-                    0.0
-                } else {
-                    push(node.position)
-                };
-                node.position + Vector2::new(push, 0.0)
-            })
+        positions: (nodes.iter())
+            .map(|&(at, fixed)| at + Vector2::new(if fixed { 0.0 } else { push(at) }, 0.0))
             .collect(),
-        forces: (eye.nodes.iter())
-            .map(|node| {
-                if node.fixed() {
-                    0.0
-                } else {
-                    heat(node.position)
-                }
-            })
+        forces: (nodes.iter())
+            .map(|&(at, fixed)| if fixed { 0.0 } else { heat(at) })
             .collect(),
         projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
-        cells: Vec::new(),
+        cells: match case.revolution() {
+            Some(case) => vec![traces.pressure[row]; case.eye.cells.len()],
+            None => Vec::new(),
+        },
         pressure: traces.pressure.get(row).copied(),
     }
 }
@@ -177,7 +189,7 @@ fn peak(times: &[f64], values: &[f64]) -> Peak {
     peak
 }
 
-fn extremes(case: &Case, traces: &Traces, size: f64) -> Extremes {
+fn extremes(case: &Compiled, traces: &Traces, size: f64) -> Extremes {
     let of = |values: &[f64]| peak(&traces.time, values);
     let work = ENERGY_J * size * size;
     Extremes {
@@ -189,10 +201,10 @@ fn extremes(case: &Case, traces: &Traces, size: f64) -> Extremes {
         elastic: of(&traces.elastic),
         strain: Peak {
             value: 0.2 * size,
-            time: 0.1 * case.window,
+            time: 0.1 * case.window(),
         },
         least_quad_ratio: 1.0 - size / FOLDING,
-        folded_at: (size >= FOLDING).then_some(0.05 * case.window),
+        folded_at: (size >= FOLDING).then_some(0.05 * case.window()),
         energy_residual: 1e-5,
         still_rising: false,
         could_rise: false,
@@ -201,10 +213,10 @@ fn extremes(case: &Case, traces: &Traces, size: f64) -> Extremes {
             rest_pressure: PRESSURE_AT_REST_PA,
             area_ratio: (0.99, 1.0),
         }),
-        shot: case.blow.map(|blow| ShotExtremes {
+        shot: case.blow().map(|blow| ShotExtremes {
             diameter: blow.diameter,
             force: of(&traces.contact_force),
-            contact: Some((0.0, 0.12 * case.window)),
+            contact: Some((0.0, 0.12 * case.window())),
             velocity: Vector2::new(-0.5 * blow.speed, 0.0),
             rebound_speed: 0.5 * blow.speed,
             energy: work,
@@ -222,8 +234,32 @@ fn extremes(case: &Case, traces: &Traces, size: f64) -> Extremes {
     }
 }
 
-fn flags(extremes: &Extremes) -> Vec<Flag> {
-    let folded = extremes.folded_at.map(|time| Flag {
+/// The same of a body of revolution.
+fn of_revolution(case: &Compiled, traces: &Traces, size: f64) -> revolution::Extremes {
+    let of = |values: &[f64]| peak(&traces.time, values);
+    revolution::Extremes {
+        force: of(&traces.contact_force),
+        mean_force: of(&traces.contact_force),
+        pressure: of(&traces.pressure),
+        back_pressure: of(&traces.back_pressure),
+        scleral_stress: of(&traces.scleral_stress),
+        stress_angle: 0.6,
+        shortening: of(&traces.shortening),
+        equator_growth: of(&traces.meridian_growth),
+        meridian_growth: of(&traces.shell_growth),
+        intrusion: of(&traces.intrusion),
+        apex: of(&traces.apex),
+        lens: of(&traces.lens),
+        node_force: std::array::from_fn(|n| of(&traces.force[n])),
+        folded_at: (size >= FOLDING).then_some(0.05 * case.window()),
+        energy_imparted: ENERGY_J * size * size,
+        rebound: case.blow().map(|blow| 0.5 * blow.speed),
+        ..revolution::Extremes::at_rest()
+    }
+}
+
+fn flags(left: &Left) -> Vec<Flag> {
+    let folded = left.folded_at().map(|time| Flag {
         kind: FlagKind::MeshFolded,
         message: "made up: the mesh folded, beyond the model's validity".to_owned(),
         time: Some(time),
@@ -233,14 +269,17 @@ fn flags(extremes: &Extremes) -> Vec<Flag> {
 
 /// The answer to a scenario, with traces and frames.
 pub fn answer(scenario: &Scenario) -> Answer {
-    let case = Case::new(&scenario.check().unwrap());
+    let case = Compiled::new(&scenario.check().unwrap());
     let size = size(&case, scenario);
     let traces = traces(&case, scenario, size);
-    let extremes = extremes(&case, &traces, size);
-    let diameter = case.blow.map(|blow| blow.diameter);
+    let left = match &case {
+        Compiled::Section(_) => Left::Section(extremes(&case, &traces, size)),
+        Compiled::Revolution(_) => Left::Revolution(of_revolution(&case, &traces, size)),
+    };
+    let diameter = case.blow().map(|blow| blow.diameter);
     let frames = (0..=ROWS).step_by(EVERY_FRAME);
     let frames = frames
-        .map(|row| frame(&case.eye, &traces, row, diameter))
+        .map(|row| frame(&case, &traces, row, diameter))
         .collect();
     let stated = |of: Quantity| of.row().family != Family::Unstated;
     let error = |of: Quantity, value: &Option<f64>| {
@@ -250,22 +289,24 @@ pub fn answer(scenario: &Scenario) -> Answer {
     let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
     Answer {
         plan: Plan {
-            integrator: scenario.numerics.integrator.unwrap_or(Integrator::Srkn6b),
+            integrator: scenario.numerics.integrator.unwrap_or(match &case {
+                Compiled::Section(_) => Integrator::Srkn6b,
+                Compiled::Revolution(_) => Integrator::VelocityVerlet,
+            }),
             step,
-            window: case.window,
+            window: case.window(),
             multiple: 1.0,
             local_tolerance: LOCAL_TOLERANCE,
         },
         step,
         step_limit: 8e-6,
-        index: DamageIndex::of(&extremes),
         errors: Errors {
-            time_step: case.results(&extremes).map(error),
+            time_step: case.results(&left).map(error),
             mesh: None,
             limits: None,
             energy_balance: 1e-3,
         },
-        flags: flags(&extremes),
+        flags: flags(&left),
         cost: Cost {
             steps: 1500,
             evaluations: 9000,
@@ -273,15 +314,14 @@ pub fn answer(scenario: &Scenario) -> Answer {
             pressure_evaluations: 0,
             dashpot_evaluations: 0,
         },
-        simulated: case.window,
-        spring_evaluations: 8_000_000,
+        simulated: case.window(),
+        element_evaluations: 8_000_000,
         solve_time: Duration::from_millis(10),
         total_time: Duration::from_millis(25),
-        recording: Recording {
-            extremes,
-            traces: Some(traces),
-            frames,
-        },
+        index: left.index(),
+        left,
+        traces: Some(traces),
+        frames,
         case,
     }
 }
@@ -292,7 +332,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
     let answer = answer(scenario);
     let nominal = answer.results();
     let inputs = inputs(scenario);
-    let folds = answer.recording.extremes.folded_at.is_some();
+    let folds = answer.left.folded_at().is_some();
     let sample = |index: u32| {
         // Steps of numbers without common factors: every input in another order.
         let shares = (0..inputs.len() as u32).map(|input| {
@@ -331,6 +371,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
         asked: count,
         seed: 1,
         cap: Some(2e-6),
+        promise: 0.1,
         timing: Timing {
             wall: 0.5,
             cores: 1.0,

@@ -2,7 +2,7 @@
 
 use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use contrecoup::study::accuracy::{Accuracy, Level, Point};
-use contrecoup::study::{Quantity, Results};
+use contrecoup::study::{Element, Quantity, Results};
 
 /// Method, step in us, tolerance, time in ms, error in %, whether on the front.
 type Row = (Integrator, f64, f64, f64, f64, bool);
@@ -58,7 +58,7 @@ pub fn made_up() -> Accuracy {
             plan: plan(integrator, step, tolerance),
             step: step * 1e-6,
             evaluations,
-            spring_evaluations: evaluations * 900,
+            element_evaluations: evaluations * 900,
             seconds: time * 1e-3,
             errors,
             on_front,
@@ -67,7 +67,7 @@ pub fn made_up() -> Accuracy {
     let level = |level: u32, error| Level {
         level,
         seconds: 1e-3,
-        spring_evaluations: 1_000_000,
+        element_evaluations: 1_000_000,
         results: all(1.0),
         errors: all(error),
         folded: false,
@@ -79,7 +79,8 @@ pub fn made_up() -> Accuracy {
         reference_results: all(1.0),
         levels: vec![level(1, 12.0), level(2, 0.0)],
         ns_per_spring: Some(1.2),
-        omega_bound: 1e6,
+        omega_bound: Some(1e6),
+        element: Element::Spring,
         folded: false,
     }
 }

@@ -43,6 +43,8 @@ pub struct Extremes {
     pub folded_at: Option<f64>,
     /// Energy that the eye was given, J.
     pub energy_imparted: f64,
+    /// Whether the object touched the eye at the end.
+    pub touching: bool,
     /// Speed at which the object ends, away from the eye, m/s.
     pub rebound: Option<f64>,
     /// Largest error of the balance of energy over the energy that came in.
@@ -51,7 +53,7 @@ pub struct Extremes {
 
 impl Extremes {
     /// Of an eye that nothing has happened to.
-    pub(super) fn at_rest() -> Self {
+    pub fn at_rest() -> Self {
         let zero = Peak::default();
         Self {
             force: zero,
@@ -73,6 +75,7 @@ impl Extremes {
             least_triangle: 1.0,
             folded_at: None,
             energy_imparted: 0.0,
+            touching: false,
             rebound: None,
             energy_residual: 0.0,
         }

@@ -440,6 +440,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         if self.came > 0.0 {
             self.extremes.energy_residual = self.missing / self.came;
         }
+        self.extremes.touching = self.energy.contact > 0.0;
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {
             extremes: self.extremes,

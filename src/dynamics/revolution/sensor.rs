@@ -126,34 +126,48 @@ pub(super) struct Accelerometers {
     past: VecDeque<(f64, [(f64, f64); 4])>,
 }
 
+/// The nodes nearest to the four monitored places.
+pub fn monitored(eye: &RevolutionEye) -> [usize; 4] {
+    let nearest = |place: Vec<(usize, f64)>| {
+        let most = place.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        most.map_or(0, |(node, _)| node)
+    };
+    places(eye, |node| node).map(nearest)
+}
+
+/// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell 5 degrees
+/// above the front pole, 5 degrees above the back pole, and 5 degrees behind the top. Between nodes, the
+/// velocity is linear.
+fn places(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
+    let on_shell = |angle: f64| {
+        let fronts: Vec<f64> = eye
+            .mesh
+            .shell
+            .iter()
+            .map(|&n| eye.at(n).1.atan2(-eye.at(n).0))
+            .collect();
+        let after = fronts.iter().position(|&f| f > angle);
+        let i = after.unwrap_or(fronts.len() - 1).max(1);
+        let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
+        vec![
+            (place(eye.mesh.shell[i - 1]), 1.0 - s),
+            (place(eye.mesh.shell[i]), s),
+        ]
+    };
+    let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
+    [
+        between(eye, aim, &place),
+        on_shell(5f64.to_radians()),
+        on_shell(175f64.to_radians()),
+        on_shell(95f64.to_radians()),
+    ]
+}
+
 impl Accelerometers {
-    /// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell 5 degrees
-    /// above the front pole, 5 degrees above the back pole, and 5 degrees behind the top. Between nodes, the
-    /// velocity is linear.
+    /// At rest.
     pub fn new(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> Self {
-        let on_shell = |angle: f64| {
-            let fronts: Vec<f64> = eye
-                .mesh
-                .shell
-                .iter()
-                .map(|&n| eye.at(n).1.atan2(-eye.at(n).0))
-                .collect();
-            let after = fronts.iter().position(|&f| f > angle);
-            let i = after.unwrap_or(fronts.len() - 1).max(1);
-            let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
-            vec![
-                (place(eye.mesh.shell[i - 1]), 1.0 - s),
-                (place(eye.mesh.shell[i]), s),
-            ]
-        };
-        let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
         Self {
-            places: [
-                between(eye, aim, &place),
-                on_shell(5f64.to_radians()),
-                on_shell(175f64.to_radians()),
-                on_shell(95f64.to_radians()),
-            ],
+            places: places(eye, place),
             past: VecDeque::new(),
         }
     }

@@ -16,6 +16,7 @@ mod parameters;
 pub use mesh::{Block, Mesh};
 pub use parameters::{LensParameters, Material, Parameters, ShellParameters, Surround, Wall};
 
+use super::Region as Part;
 use std::f64::consts::{FRAC_PI_3, PI};
 
 /// Points around the axis that means over the azimuth take; those of one half, as the other mirrors it.
@@ -269,6 +270,37 @@ impl RevolutionEye {
     /// x and r of a node at rest, in m.
     pub fn at(&self, node: usize) -> (f64, f64) {
         (self.mesh.x[node], self.mesh.r[node])
+    }
+
+    /// The part of the section that each node lies in. A node between lens and vitreous is of the lens if
+    /// more of its cells' mass is; the retina reaches from the back to the equator.
+    pub fn node_regions(&self) -> Vec<Part> {
+        let mut regions = vec![Part::Interior; self.mass.len()];
+        let mut lens = vec![(0.0, 0.0); self.mass.len()];
+        for cell in &self.cells {
+            for &node in &cell.corners {
+                match cell.region {
+                    Region::Surround => regions[node] = Part::Fat,
+                    Region::Globe => {
+                        lens[node].0 += cell.lens;
+                        lens[node].1 += 1.0;
+                    }
+                }
+            }
+        }
+        for (region, (lens, cells)) in regions.iter_mut().zip(lens) {
+            if lens > 0.5 * cells {
+                *region = Part::Lens;
+            }
+        }
+        for &node in &self.mesh.shell {
+            let (x, _) = self.at(node);
+            regions[node] = if x > 0.0 { Part::Retina } else { Part::Shell };
+        }
+        for &node in &self.mesh.wall {
+            regions[node] = Part::Orbit;
+        }
+        regions
     }
 
     /// The front edge of the wall, in m.

@@ -1,13 +1,19 @@
 //! A scenario with the axisymmetric model, compiled: the eye in SI units and what hits it.
 
-use crate::dynamics::Pulse;
 use crate::dynamics::revolution::{self as engine, BallSpring, Object};
+use crate::dynamics::{Cost, Integrator, Plan, Pulse};
 use crate::eye::revolution::{Material, Parameters, RevolutionEye, ShellParameters, Surround};
 use crate::injury::Blow;
+use crate::recording::{Frame, Keep, Spacing};
 use crate::scenario::{
     Axisymmetric, CheckedScenario, Impact, Model, Outline, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
+use crate::study::Left;
+use crate::study::case::{Moved, Refusal, Watch};
+use crate::study::compiled::Ran;
+use crate::study::rules::{REVOLUTION, Rules};
+use std::ops::ControlFlow;
 
 /// An eye of revolution ready to be hit.
 #[derive(Debug, Clone)]
@@ -24,6 +30,26 @@ pub struct RevolutionCase {
     pub angle_deg: f64,
     /// Whether the eye is a pig's.
     pub pig: bool,
+    /// Longest stable step at rest, in s.
+    limit: f64,
+}
+
+impl Moved for RevolutionCase {
+    fn rules(&self) -> &'static Rules {
+        &REVOLUTION
+    }
+
+    fn step_limit(&self, _: Integrator) -> f64 {
+        self.limit
+    }
+
+    fn elements_per_evaluation(&self) -> usize {
+        self.eye.cells.len()
+    }
+
+    fn window(&self) -> f64 {
+        self.window
+    }
 }
 
 impl RevolutionCase {
@@ -42,8 +68,10 @@ impl RevolutionCase {
             }
             Impact::Projectile(shot) => (shot.angle_deg, engine::Blow::Object(object(shot))),
         };
+        let eye = RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Some(Self {
-            eye: RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level),
+            limit: engine::step_limit(&eye, &load),
+            eye,
             load,
             blow: Blow::of(scenario),
             window: scenario.window_ms * 1e-3,
@@ -52,13 +80,46 @@ impl RevolutionCase {
         })
     }
 
-    /// The same on a mesh of another level.
-    #[must_use]
-    pub fn at_level(&self, level: u32) -> Self {
-        Self {
-            eye: RevolutionEye::new(&self.eye.parameters, level),
-            ..self.clone()
-        }
+    /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
+    fn share(&self, plan: &Plan) -> f64 {
+        plan.step / plan.multiple / self.limit
+    }
+
+    /// Moves the eye by `plan` and records it under the eyes of `watch`.
+    ///
+    /// # Errors
+    /// Motion that leaves the finite numbers, an object that goes through the eye, and
+    /// [`Refusal::Cancelled`] if the watch stopped it.
+    pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Ran, Refusal> {
+        let share = self.share(plan);
+        let run =
+            engine::run(&self.eye, &self.load, plan.window, share, keep, watch).map_err(refused)?;
+        Ok(Ran {
+            left: Left::Revolution(run.extremes),
+            traces: run.traces,
+            frames: run.frames,
+            cost: Cost {
+                steps: run.steps,
+                evaluations: run.steps + 1,
+                ..Cost::default()
+            },
+            simulated: run.simulated,
+        })
+    }
+
+    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
+    ///
+    /// # Errors
+    /// As [`Self::run`]; [`Refusal::Cancelled`] if `take` stopped it.
+    pub fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal> {
+        let share = self.share(plan);
+        engine::run_through(&self.eye, &self.load, plan.window, share, spacing, take)
+            .map_err(refused)
     }
 
     /// Duration of a pulse, in s.
@@ -67,6 +128,13 @@ impl RevolutionCase {
             engine::Blow::Pulse(pulse, _) => Some(pulse.duration()),
             engine::Blow::Object(_) => None,
         }
+    }
+}
+
+fn refused(refusal: engine::Refusal) -> Refusal {
+    match refusal {
+        engine::Refusal::Stopped(_) => Refusal::Cancelled,
+        other => other.into(),
     }
 }
 

@@ -1,17 +1,23 @@
 //! What a reader must know before trusting a result of the axisymmetric eye.
 
 use super::case::RevolutionCase;
-use crate::dynamics::revolution::Run;
+use crate::dynamics::revolution::Extremes;
 use crate::scenario::TRUSTED_ANGLE_DEG;
 use crate::study::flags::{ENERGY_ALARM, Flag, FlagKind, contact_cut, pulse_cut, unconverged};
+use crate::study::left::Left;
 use crate::study::quantity::Quantity;
 
 /// A peak in the last share of the window may not have been the last word.
-pub(super) const END: f64 = 0.999;
+pub(in crate::study) const END: f64 = 0.999;
 
-/// Flags of a run whose largest step error of a leading result is `step_error` %.
-pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Flag> {
-    let extremes = &run.extremes;
+/// Flags of a run of `simulated` s; `step_error` holds the largest step error of a leading result and the
+/// largest difference of one between two runs, both in %, where there were two.
+pub(in crate::study) fn raise(
+    case: &RevolutionCase,
+    extremes: &Extremes,
+    simulated: f64,
+    step_error: Option<(f64, f64)>,
+) -> Vec<Flag> {
     let mut flags = Vec::new();
     let mut raise = |kind, message: String, time| {
         flags.push(Flag {
@@ -40,7 +46,9 @@ pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Fl
             None,
         );
     }
-    unconverged(step_error, &mut raise);
+    if let Some((error, _)) = step_error {
+        unconverged(error, &mut raise);
+    }
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
         raise(
             FlagKind::AngleBeyondTrust,
@@ -63,23 +71,27 @@ pub(super) fn raise(case: &RevolutionCase, run: &Run, step_error: f64) -> Vec<Fl
             Some(time),
         );
     }
-    window(case, run, &mut raise);
+    window(case, extremes, simulated, &mut raise);
     flags
 }
 
 /// Flags of a window that ends too early.
-fn window(case: &RevolutionCase, run: &Run, raise: &mut impl FnMut(FlagKind, String, Option<f64>)) {
-    let extremes = &run.extremes;
+fn window(
+    case: &RevolutionCase,
+    extremes: &Extremes,
+    simulated: f64,
+    raise: &mut impl FnMut(FlagKind, String, Option<f64>),
+) {
     if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
         pulse_cut(case.window, pulse, raise);
         return;
     }
-    if extremes.rebound.is_some_and(|speed| speed <= 0.0) || run.energy.contact > 0.0 {
+    if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
         contact_cut(case.window, raise);
     }
     let late = Quantity::ALL.iter().find(|of| {
-        let peak = of.peak_of_revolution(extremes);
-        peak.is_some_and(|peak| peak.time > END * run.simulated)
+        let peak = of.peak(&Left::Revolution(*extremes));
+        peak.is_some_and(|peak| peak.time > END * simulated)
     });
     if let Some(of) = late {
         raise(

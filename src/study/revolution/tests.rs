@@ -1,6 +1,9 @@
-use super::*;
+use super::RevolutionCase;
+use crate::recording::Keep;
 use crate::scenario::{Axisymmetric, Impact, Model, Projectile, Scenario, Surface};
-use crate::study::{FlagKind, Quantity, unwatched};
+use crate::study::{
+    Answer, FlagKind, Left, Quantity, Refusal, Results, add_mesh_error, solve, unwatched,
+};
 
 fn scene(shot: Projectile) -> Scenario {
     Scenario {
@@ -20,22 +23,37 @@ fn bb(speed_m_s: f64) -> Projectile {
     }
 }
 
-fn solved(scenario: &Scenario) -> RevolutionAnswer {
+fn solved(scenario: &Scenario) -> Answer {
     let checked = scenario.check().unwrap();
-    match solve_any(&checked, Keep::default(), &mut unwatched).unwrap() {
-        Solved::Revolution(answer) => *answer,
-        Solved::Section(_) => panic!("the section answered"),
-    }
+    solve(&checked, Keep::default(), &mut unwatched).unwrap()
+}
+
+fn case(answer: &Answer) -> &RevolutionCase {
+    answer.case.revolution().unwrap()
 }
 
 #[test]
-fn the_model_chooses_the_machine_and_what_knows_the_section_alone_refuses() {
-    let checked = scene(bb(56.0)).check().unwrap();
-    let refused = solve(&checked, Keep::default(), &mut unwatched);
-    assert_eq!(refused.unwrap_err(), Refusal::SectionOnly);
-    let paper = CheckedScenario::default();
-    let answer = solve_any(&paper, Keep::default(), &mut unwatched).unwrap();
-    assert!(matches!(answer, Solved::Section(_)));
+fn its_own_step_may_be_asked_for_but_no_other_integrator() {
+    use crate::scenario::Integrator;
+    let mut scenario = scene(bb(56.0));
+    scenario.window_ms = 0.2;
+    let plain = solved(&scenario);
+    scenario.numerics.integrator = Some(Integrator::VelocityVerlet);
+    scenario.numerics.step_us = Some(0.5 * plain.step * 1e6);
+    let finer = solved(&scenario);
+    assert!((finer.step / plain.step - 0.5).abs() < 1e-9);
+    let steps = finer.cost.steps as f64 / plain.cost.steps as f64;
+    assert!((1.8..2.2).contains(&steps), "{steps}");
+    assert!(finer.errors.time_step_percent() < plain.errors.time_step_percent());
+    scenario.numerics.step_us = Some(1.01 * plain.step_limit * 1e6);
+    let refused = |scenario: &Scenario| {
+        let checked = scenario.check().unwrap();
+        solve(&checked, Keep::default(), &mut unwatched).unwrap_err()
+    };
+    assert!(matches!(refused(&scenario), Refusal::StepAboveLimit { .. }));
+    scenario.numerics.integrator = Some(Integrator::Rk4);
+    let unfit = refused(&scenario).to_string();
+    assert!(unfit.contains("allowed Auto, VelocityVerlet"), "{unfit}");
 }
 
 #[test]
@@ -56,7 +74,7 @@ fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy(
     assert!(answer.errors.energy_balance < 1.0);
     assert!(answer.errors.time_step_percent() < 5.0);
     assert!(answer.flags.iter().all(|f| f.kind != FlagKind::MeshFolded));
-    answer.add_mesh_error(&mut unwatched).unwrap();
+    add_mesh_error(&scene(bb(56.0)), &mut answer, &mut unwatched).unwrap();
     let mesh = answer.errors.mesh.unwrap();
     assert!(mesh[Quantity::Pressure].unwrap() < 30.0);
     assert_eq!(mesh[Quantity::RuptureByPressure], None);
@@ -69,7 +87,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
         let mut scenario = scene(Projectile { angle_deg, ..shot });
         scenario.window_ms = 0.5;
         let answer = solved(&scenario);
-        let case = &answer.case;
+        let case = case(&answer);
         let exact = run(
             &case.eye,
             &case.load,
@@ -79,7 +97,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
             &mut unwatched,
         )
         .unwrap();
-        let exact = crate::study::Results::of_revolution(&exact.extremes, case.blow);
+        let exact = Results::of(&Left::Revolution(exact.extremes), case.blow);
         let off = exact.difference_percent(&answer.results());
         for (of, off) in off.leading() {
             let stated = answer.errors.time_step[of].unwrap();

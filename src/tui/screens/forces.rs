@@ -79,10 +79,7 @@ const KEYS: KeyTable = KeyTable::new("Forces", &[
 
 /// The next set of curves.
 fn next_view(model: &mut Model) {
-    let traces = model
-        .shown
-        .as_ref()
-        .and_then(|s| s.answer.recording.traces.as_ref());
+    let traces = model.shown.as_ref().and_then(|s| s.answer.traces.as_ref());
     let count = traces.map_or(1, |t| views(t).len().max(1));
     let view = &mut model.screens.forces;
     *view = (*view % count + 1) % count;
@@ -110,7 +107,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if end + (said.len() as u16) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, 0), said, style);
     }
-    let Some(traces) = &shown.answer.recording.traces else {
+    let Some(traces) = &shown.answer.traces else {
         return;
     };
     let views = views(traces);
@@ -197,7 +194,7 @@ fn chart(
         title: &title,
         reading: &now,
         curves,
-        window: shown.answer.case.window,
+        window: shown.answer.window(),
         cursor: time,
         look: model.look,
     }

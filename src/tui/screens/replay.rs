@@ -99,7 +99,7 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     y += 1;
     let ascii = model.look.symbols == Symbols::Ascii;
     legend(shown, (theme, ascii), area, &mut y, buffer);
-    let traces = shown.answer.recording.traces.as_ref();
+    let traces = shown.answer.traces.as_ref();
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
     let forces = COURSES.iter().copied();
@@ -216,7 +216,7 @@ fn legend(
 fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let time = model.time();
-    let window = shown.answer.case.window;
+    let window = shown.answer.window();
     let state = if model.clock.playing {
         "▶ playing"
     } else {
@@ -231,7 +231,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     );
     put(buffer, area, (end, 0), &rest, theme.text());
     let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
-    if let Some(traces) = &shown.answer.recording.traces {
+    if let Some(traces) = &shown.answer.traces {
         let mut raster = Raster::new(field, model.look.symbols);
         let curve = Curve {
             time: &traces.time,

@@ -93,5 +93,5 @@ impl Screen {
 /// That of the form.
 pub(super) fn own_time(model: &Model) -> Option<(&Answer, f64)> {
     let answer = model.shown.as_ref()?.answer.as_ref();
-    Some((answer, answer.case.window))
+    Some((answer, answer.window()))
 }

@@ -3,7 +3,7 @@
 //! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
 //! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is solid.
 
-use nalgebra::Vector2;
+use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -11,11 +11,12 @@ use super::heat::{heat_glyph, step_of, thresholds};
 use super::projection::Projection;
 use super::raster::{Ink, Raster};
 use super::theme::Theme;
-use crate::eye::{Eye, Region, Spring, SpringKind};
+use crate::eye::Region;
 use crate::recording::{Frame, nearest};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Kind};
 use crate::study::Answer;
+use crate::study::drawing::{Drawing, Line};
 use crate::tui::clock::Detail;
 use crate::tui::model::{Look, Shown};
 use crate::tui::terminal::caps::Symbols;
@@ -64,27 +65,27 @@ impl Scene<'_> {
     /// Draws the eye as large as fits into the middle of `area`.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(area, self.look.symbols);
-        let projection = Projection::new(&raster);
+        let projection = Projection::new(&raster, self.shown.drawing.reach);
         let theme = Theme::of(self.look);
         let thresholds = thresholds(self.largest, theme.heat_steps());
         let mut digits = Vec::new();
         if let Some(frame) = frame_at(&self.shown.answer, self.time) {
-            let drawing = Drawing {
+            let picture = Picture {
                 scene: self,
-                eye: &self.shown.answer.case.eye,
+                drawing: &self.shown.drawing,
                 frame,
                 thresholds: &thresholds,
                 theme,
                 projection: &projection,
             };
-            drawing.springs(&mut raster);
+            picture.springs(&mut raster);
             if self.detail == Detail::Nodes {
-                drawing.nodes(&mut raster);
+                picture.nodes(&mut raster);
             }
-            drawing.loaded_arc(&mut raster);
-            drawing.projectile(&mut raster);
+            picture.loaded_arc(&mut raster);
+            picture.projectile(&mut raster);
             if theme.is_mono() {
-                digits = drawing.digits(&raster);
+                digits = picture.digits(&raster);
             }
         }
         self.arrow(&projection, theme, &mut raster);
@@ -139,7 +140,8 @@ impl Scene<'_> {
 pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
     let raster = Raster::new(area, symbols);
     let (columns, rows) = raster.size();
-    let projection = Projection::new(&raster);
+    // How much is shown makes no difference to an angle.
+    let projection = Projection::new(&raster, 1.0);
     // The middle of the cell, in dots.
     let along = |cell: u16, start: u16, dots: i32, cells: u16| {
         (f64::from(cell) - f64::from(start) + 0.5) * f64::from(dots) / f64::from(cells.max(1))
@@ -151,76 +153,28 @@ pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
 
 /// The frame nearest to a time.
 pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
-    let frames = &answer.recording.frames;
+    let frames = &answer.frames;
     frames.get(nearest(frames, time))
 }
 
-/// A spring that is drawn.
-#[derive(Debug, Clone, Copy)]
-pub struct Line {
-    ends: (usize, usize),
-    region: Region,
-}
-
-/// The springs that are drawn, which depends on the mesh alone.
-pub fn lines(eye: &Eye) -> Vec<Line> {
-    let line = |spring: &Spring| {
-        let (ends, region) = ((spring.a, spring.b), part(eye, spring)?);
-        Some(Line { ends, region })
-    };
-    eye.springs.iter().filter_map(line).collect()
-}
-
-/// Which part of the eye a spring draws, if it is drawn at all: sides of the level-1 mesh, and
-/// the whole shell, lens and orbit of any mesh.
-fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
-    let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
-    let (along, across) = (a.grid.0.abs_diff(b.grid.0), a.grid.1.abs_diff(b.grid.1));
-    if along + across != 1 || spring.kind == SpringKind::Filament {
-        return None;
-    }
-    let both = |region| a.region == region && b.region == region;
-    if both(Region::Orbit) {
-        return Some(Region::Orbit);
-    }
-    if both(Region::Retina) {
-        return Some(Region::Retina);
-    }
-    if a.region.on_shell() && b.region.on_shell() {
-        return Some(Region::Shell);
-    }
-    let level = eye.level as usize;
-    let on_coarse_line = if along == 1 {
-        a.grid.1.is_multiple_of(level)
-    } else {
-        a.grid.0.is_multiple_of(level)
-    };
-    if !on_coarse_line {
-        return None;
-    }
-    Some(if both(Region::Lens) {
-        Region::Lens
-    } else if a.region.in_globe() && b.region.in_globe() {
-        Region::Interior
-    } else {
-        Region::Fat
-    })
-}
-
-struct Drawing<'a> {
+struct Picture<'a> {
     scene: &'a Scene<'a>,
-    eye: &'a Eye,
+    drawing: &'a Drawing,
     frame: &'a Frame,
     thresholds: &'a [f64],
     theme: Theme,
     projection: &'a Projection,
 }
 
-impl Drawing<'_> {
+impl Picture<'_> {
     fn place(&self, node: usize) -> (f64, f64) {
-        let rest = self.eye.nodes[node].position;
-        let moved = rest + (self.frame.positions[node] - rest) * f64::from(self.scene.zoom);
+        let zoom = f64::from(self.scene.zoom);
+        let moved = self.drawing.place(self.frame, node, zoom);
         self.projection.dot(moved.x, moved.y)
+    }
+
+    fn force(&self, node: usize) -> f64 {
+        self.drawing.force(self.frame, node)
     }
 
     fn springs(&self, raster: &mut Raster) {
@@ -228,13 +182,13 @@ impl Drawing<'_> {
         for Line {
             ends: (a, b),
             region,
-        } in self.scene.shown.lines.iter().copied()
+        } in self.drawing.lines.iter().copied()
         {
             let outline = matches!(region, Region::Orbit | Region::Shell | Region::Retina);
             if !(all || outline || region == Region::Lens) {
                 continue;
             }
-            let force = 0.5 * (self.frame.forces[a] + self.frame.forces[b]);
+            let force = 0.5 * (self.force(a) + self.force(b));
             let step = match region {
                 Region::Orbit => 0,
                 // On a slow link the outline keeps its colours: recolouring it is most of a frame.
@@ -283,13 +237,11 @@ impl Drawing<'_> {
     }
 
     fn nodes(&self, raster: &mut Raster) {
-        let level = self.eye.level as usize;
-        for (i, node) in self.eye.nodes.iter().enumerate() {
-            let coarse = node.grid.0.is_multiple_of(level) && node.grid.1.is_multiple_of(level);
-            if node.region == Region::Orbit || !coarse {
+        for (i, node) in self.drawing.nodes.iter().enumerate() {
+            if node.region == Region::Orbit || !node.coarse {
                 continue;
             }
-            let step = step_of(self.frame.forces[i], self.thresholds);
+            let step = step_of(self.force(i), self.thresholds);
             let (x, y) = self.place(i);
             let ink = self.ink(node.region, step);
             let (x, y) = (x.floor() as i32, y.floor() as i32);
@@ -328,10 +280,10 @@ impl Drawing<'_> {
             Detail::Edges => self.thresholds.len() / 2 + 1,
             Detail::Outline => return Vec::new(),
         };
-        let nodes = self.eye.nodes.iter().enumerate();
+        let nodes = self.drawing.nodes.iter().enumerate();
         let mut digits: Vec<_> = nodes
             .filter_map(|(i, node)| {
-                let step = step_of(self.frame.forces[i], self.thresholds);
+                let step = step_of(self.force(i), self.thresholds);
                 let (x, y) = self.place(i);
                 let at = raster.cell(x, y)?;
                 (step >= least && node.region != Region::Orbit).then_some((at, step))
@@ -341,45 +293,31 @@ impl Drawing<'_> {
         digits
     }
 
-    /// The projectile is a circle in the load's own style, where it is whatever the zoom.
+    /// The object is drawn in the load's own style, where it is whatever the zoom.
     fn projectile(&self, raster: &mut Raster) {
-        const SIDES: u32 = 48;
-        let coupled = self.scene.shown.answer.case.system.coupled();
-        let (Some(centre), Some(contact)) =
-            (self.frame.projectile, coupled.and_then(|c| c.contact))
-        else {
+        let Some(outline) = self.drawing.object(self.frame) else {
             return;
         };
         let ink = Ink::solid(self.theme.load(), BLOW, 'o');
-        // A soft object is squeezed along its flight; how it bulges is left out.
-        let along = contact.direction * (contact.radius - 0.5 * self.frame.squeezed);
-        let across = Vector2::new(-contact.direction.y, contact.direction.x) * contact.radius;
-        let corner = |i: u32| {
-            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-            let place = centre + along * angle.cos() + across * angle.sin();
-            self.projection.dot(place.x, place.y)
-        };
-        for i in 0..SIDES {
-            raster.line(corner(i), corner(i + 1), ink);
+        let next = outline.iter().cycle().skip(1);
+        for (from, to) in outline.iter().zip(next) {
+            let dot = |place: &Point2<f64>| self.projection.dot(place.x, place.y);
+            raster.line(dot(from), dot(to), ink);
         }
     }
 
     /// While the load acts, the shell under it is drawn in the load's own style.
     fn loaded_arc(&self, raster: &mut Raster) {
-        let case = &self.scene.shown.answer.case;
-        if self.scene.time > case.system.load().pulse.duration() {
+        if self.scene.time > self.drawing.loaded_until {
             return;
         }
         let ink = Ink::solid(self.theme.load(), BLOW, '@');
-        let shell = &self.eye.landmarks.shell;
-        let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
-        for (i, &a) in shell.iter().enumerate() {
-            let b = shell[(i + 1) % shell.len()];
-            if loaded(a) && loaded(b) {
-                raster.line(self.place(a), self.place(b), ink);
-            } else if loaded(a) {
+        for &(a, b) in &self.drawing.loaded {
+            if a == b {
                 let (x, y) = self.place(a);
                 raster.dot(x.floor() as i32, y.floor() as i32, ink);
+            } else {
+                raster.line(self.place(a), self.place(b), ink);
             }
         }
     }

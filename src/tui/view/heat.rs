@@ -23,7 +23,7 @@ pub fn step_of(force: f64, thresholds: &[f64]) -> usize {
 
 /// The largest force on any node in any frame, in N.
 pub fn hottest(answer: &Answer) -> f64 {
-    let frames = answer.recording.frames.iter();
+    let frames = answer.frames.iter();
     frames
         .flat_map(|frame| frame.forces.iter().copied())
         .fold(0.0, f64::max)

@@ -1,26 +1,25 @@
 //! Where a point of the eye lies on the screen.
 
 use super::raster::Raster;
-use crate::eye::ORBIT_RADIUS_M;
-
-/// Half of the height that is shown, in m.
-const REACH_M: f64 = ORBIT_RADIUS_M * 1.03;
 
 /// From metres to dots.
 pub(super) struct Projection {
     pub(super) centre: (f64, f64),
     pub(super) scale: (f64, f64),
+    reach: f64,
 }
 
 impl Projection {
-    pub(super) fn new(raster: &Raster) -> Self {
+    /// `reach` is half of the height that is shown, in m.
+    pub(super) fn new(raster: &Raster, reach: f64) -> Self {
         let (width, height) = raster.size();
         let (width, height) = (f64::from(width), f64::from(height));
         let aspect = raster.aspect();
-        let across = ((width - 1.0) / 2.0 / REACH_M).min((height - 1.0) * aspect / 2.0 / REACH_M);
+        let across = ((width - 1.0) / 2.0 / reach).min((height - 1.0) * aspect / 2.0 / reach);
         Self {
             centre: (width / 2.0, height / 2.0),
             scale: (across, across / aspect),
+            reach,
         }
     }
 
@@ -37,7 +36,7 @@ impl Projection {
 
     /// Whether cold fat would only blur the picture.
     pub(super) fn is_small(&self) -> bool {
-        self.scale.0 * REACH_M < 32.0
+        self.scale.0 * self.reach < 32.0
     }
 
     /// A point given by its front angle and radius.

@@ -190,9 +190,11 @@ fn named(model: &Model, point: &Point) -> Vec<String> {
     parts.push(format!("{} ms", ms(point.seconds)));
     parts.push(format!("error {}", worst_in_short(&point.errors)));
     parts.push(format!("damage error {}", of_damage(&point.errors)));
-    let springs = point.spring_evaluations as f64 * 1e-6;
+    let elements = point.element_evaluations as f64 * 1e-6;
     parts.push(format!("{} evaluations", point.evaluations));
-    parts.push(format!("{} M springs", significant(springs)));
+    let of = model.screens.accuracy.measured.as_ref();
+    let of = of.map_or("", |m| m.report.element.plural());
+    parts.push(format!("{} M {of}", significant(elements)));
     let front = if point.on_front {
         "on the front"
     } else {

@@ -30,7 +30,7 @@ impl Column {
     pub fn of(self, answer: &Answer) -> Option<f64> {
         match self {
             Self::Name => None,
-            Self::Result(quantity) => quantity.of(&answer.recording.extremes, answer.case.blow),
+            Self::Result(quantity) => answer.result(quantity),
             Self::Error => Some(answer.errors.time_step_percent()),
         }
     }
@@ -187,7 +187,7 @@ impl Comparison {
         let windows = self
             .entries
             .iter()
-            .filter_map(|e| Some(e.answer()?.case.window));
+            .filter_map(|e| Some(e.answer()?.window()));
         windows.max_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal))
     }
 }

@@ -207,7 +207,7 @@ fn next_curve(model: &mut Model) {
     let there = |course: &Course| {
         let has = |traces: &Traces| !course.values(traces).is_empty();
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
-        answers.any(|answer| answer.recording.traces.as_ref().is_some_and(has))
+        answers.any(|answer| answer.traces.as_ref().is_some_and(has))
     };
     let here = model.screens.compare.curve;
     let after = drawn().skip_while(|course| *course != here).skip(1);

@@ -17,7 +17,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     let entries = model.screens.compare.entries.iter().enumerate();
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
-            let traces = entry.answer()?.recording.traces.as_ref()?;
+            let traces = entry.answer()?.traces.as_ref()?;
             let values = course.values(traces);
             if values.is_empty() {
                 return None;
@@ -44,7 +44,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     // What drives the eye is a load for some and a contact for others.
     let entries = model.screens.compare.entries.iter();
     let mut labels: Vec<&str> = entries
-        .filter_map(|entry| Some(course.label(entry.answer()?.recording.traces.as_ref()?)))
+        .filter_map(|entry| Some(course.label(entry.answer()?.traces.as_ref()?)))
         .collect();
     labels.sort_unstable_by(|a, b| b.cmp(a));
     labels.dedup();

@@ -51,7 +51,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         match &entry.found {
             Found::Answer(shown) => Scene {
                 shown,
-                time: model.time().min(shown.answer.case.window),
+                time: model.time().min(shown.answer.window()),
                 largest,
                 zoom: model.clock.zoom(),
                 detail: model.clock.detail,

@@ -100,8 +100,8 @@ fn errors(shown: &Shown, idle: bool, theme: Theme, area: Rect, buffer: &mut Buff
         .as_ref()
         .map_or_else(|| waiting.to_owned(), of_damage);
     let step = of_damage(&errors.time_step);
-    let apex = shown.answer.recording.extremes.apex;
-    let apex = format!("apex {} mm", significant(apex.value * 1e3));
+    let apex = shown.answer.result(Quantity::Apex).unwrap_or_default();
+    let apex = format!("apex {} mm", significant(apex));
     let beside = width(&apex) + 1;
     let full = format!("Index error: step {step}, mesh {mesh}");
     let tight = full.replace(" %", "%").replace("< ", "<");

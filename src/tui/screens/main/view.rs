@@ -5,10 +5,10 @@ use ratatui::layout::Rect;
 
 use super::DIAL;
 use super::{form, score};
-use crate::recording::{Extremes, Peak};
+use crate::recording::Peak;
 use crate::report::text::digits;
-use crate::study::Quantity;
 use crate::study::course::Course;
+use crate::study::{Answer, Quantity};
 use crate::tui::model::{Model, Shown};
 use crate::tui::view::chart::{Curve, spark};
 use crate::tui::view::eye::Scene;
@@ -119,10 +119,10 @@ fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
 }
 
 /// The results whose curves are drawn beside the eye, with their peaks.
-fn sparks(extremes: &Extremes) -> Vec<(Quantity, Peak)> {
+fn sparks(answer: &Answer) -> Vec<(Quantity, Peak)> {
     let spark = |q: &Quantity| q.row().trace.is_some_and(|trace| trace.spark);
     let all = Quantity::ALL.iter().copied().filter(spark);
-    all.filter_map(|q| Some((q, q.peak(extremes)?))).collect()
+    all.filter_map(|q| Some((q, answer.peak(q)?))).collect()
 }
 
 /// Below this many columns the time of a peak stands at its curve.
@@ -187,10 +187,10 @@ fn caption(quantity: Quantity, peak: Peak, room: u16) -> (String, String, String
 /// The curves, each with its peak and when it came.
 fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let Some(recorded) = &shown.answer.recording.traces else {
+    let Some(recorded) = &shown.answer.traces else {
         return;
     };
-    let sparks = sparks(&shown.answer.recording.extremes);
+    let sparks = sparks(&shown.answer);
     let each = (area.height / sparks.len().max(1) as u16).max(1);
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = area.y + each * i as u16;
@@ -218,7 +218,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
             ink: Ink::solid(theme.curve(i), 1, '*'),
         };
         let field = Rect::new(area.x, top + 1, area.width, each - 1);
-        let window = shown.answer.case.window;
+        let window = shown.answer.window();
         spark(curve, window, model.time(), model.look, field, buffer);
         if area.width < TIMED {
             // The peaks come early, so the end of the curve has room for a word.

@@ -1,0 +1,257 @@
+//! A scenario compiled for the machine that its model needs.
+//!
+//! Everything that is built from many runs goes through here: what is the same for both eyes is asked of
+//! [`Compiled`], and only who draws or measures one of them looks inside.
+
+use super::case::{Case, Moved, Refusal, Solution, Watch, plan_by};
+use super::flags::{self, Evidence, Flag};
+use super::left::Left;
+use super::results::Results;
+use super::revolution::{self, RevolutionCase};
+use super::rules::Rules;
+use crate::dynamics::{Cost, Integrator, Plan};
+use crate::eye::Region;
+use crate::injury::Blow;
+use crate::recording::{Frame, Keep, Recording, Spacing, Traces};
+use crate::scenario::{CheckedScenario, Scenario};
+use std::ops::ControlFlow;
+
+/// A scenario ready to be moved.
+#[derive(Debug, Clone)]
+pub enum Compiled {
+    /// Springs in a section.
+    Section(Box<Case>),
+    /// A body of revolution.
+    Revolution(Box<RevolutionCase>),
+}
+
+/// What an eye is made of, and what its work is counted in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Element {
+    /// Of a section.
+    Spring,
+    /// Of a body of revolution.
+    Cell,
+}
+
+impl Element {
+    /// What many are called.
+    pub fn plural(self) -> &'static str {
+        match self {
+            Self::Spring => "springs",
+            Self::Cell => "cells",
+        }
+    }
+
+    /// What one is called.
+    pub fn singular(self) -> &'static str {
+        match self {
+            Self::Spring => "spring",
+            Self::Cell => "cell",
+        }
+    }
+}
+
+/// What one run gave and cost.
+#[derive(Debug, Clone)]
+pub struct Ran {
+    /// Its largest values.
+    pub left: Left,
+    /// Courses, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+    /// Steps and force evaluations.
+    pub cost: Cost,
+    /// Time simulated, in s: less than the window if all results were final before.
+    pub simulated: f64,
+}
+
+impl From<Solution> for Ran {
+    fn from(solution: Solution) -> Self {
+        let Recording {
+            extremes,
+            traces,
+            frames,
+        } = solution.recording;
+        Self {
+            left: Left::Section(extremes),
+            traces,
+            frames,
+            cost: solution.cost,
+            simulated: solution.simulated,
+        }
+    }
+}
+
+impl Compiled {
+    /// Compiles a scenario.
+    pub fn new(scenario: &CheckedScenario) -> Self {
+        match RevolutionCase::new(scenario) {
+            Some(case) => Self::Revolution(Box::new(case)),
+            None => Self::Section(Box::new(Case::new(scenario))),
+        }
+    }
+
+    /// That of a section.
+    pub fn section(&self) -> Option<&Case> {
+        match self {
+            Self::Section(case) => Some(case),
+            Self::Revolution(_) => None,
+        }
+    }
+
+    /// That of a body of revolution.
+    pub fn revolution(&self) -> Option<&RevolutionCase> {
+        match self {
+            Self::Section(_) => None,
+            Self::Revolution(case) => Some(case),
+        }
+    }
+
+    fn moved(&self) -> &dyn Moved {
+        match self {
+            Self::Section(case) => case.as_ref(),
+            Self::Revolution(case) => case.as_ref(),
+        }
+    }
+
+    /// Simulated time, in s.
+    pub fn window(&self) -> f64 {
+        self.moved().window()
+    }
+
+    /// The object that hits it, if there is one.
+    pub fn blow(&self) -> Option<Blow> {
+        match self {
+            Self::Section(case) => case.blow,
+            Self::Revolution(case) => case.blow,
+        }
+    }
+
+    /// Refinement level of the mesh.
+    pub fn level(&self) -> u32 {
+        match self {
+            Self::Section(case) => case.eye.level,
+            Self::Revolution(case) => case.eye.level,
+        }
+    }
+
+    /// The part that each node belongs to.
+    pub fn regions(&self) -> Vec<Region> {
+        match self {
+            Self::Section(case) => case.eye.nodes.iter().map(|node| node.region).collect(),
+            Self::Revolution(case) => case.eye.node_regions(),
+        }
+    }
+
+    /// What it is made of, and how many of them.
+    pub fn elements(&self) -> (Element, usize) {
+        match self {
+            Self::Section(case) => (Element::Spring, case.eye.springs.len()),
+            Self::Revolution(case) => (Element::Cell, case.eye.cells.len()),
+        }
+    }
+
+    /// How many of them each evaluation of the forces computes.
+    pub fn elements_per_evaluation(&self) -> usize {
+        self.moved().elements_per_evaluation()
+    }
+
+    /// Largest stable step of `integrator`, in s, of the eye at rest.
+    pub fn step_limit(&self, integrator: Integrator) -> f64 {
+        self.moved().step_limit(integrator)
+    }
+
+    /// What holds for such a scene.
+    pub(super) fn rules(&self) -> &'static Rules {
+        self.moved().rules()
+    }
+
+    /// Order by which the step error of `integrator` is taken to fall.
+    pub fn order(&self, integrator: Integrator) -> i32 {
+        self.moved().order(integrator)
+    }
+
+    /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
+    /// has a second run for its error.
+    ///
+    /// # Errors
+    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
+    pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self.moved(), scenario, &self.rules().answer)
+    }
+
+    /// The same for one run alone, as a batch and a mesh error make it.
+    ///
+    /// # Errors
+    /// As [`Self::plan`].
+    pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self.moved(), scenario, &self.rules().alone)
+    }
+
+    /// The longest step of a plan, in s; at the eye of revolution the step at rest.
+    pub fn longest_step(&self, plan: &Plan) -> f64 {
+        match self {
+            Self::Section(case) => plan.longest_step(&case.system.load().pulse),
+            Self::Revolution(_) => plan.step / plan.multiple,
+        }
+    }
+
+    /// Steps of a plan; at the eye of revolution those that it would take at rest.
+    pub(super) fn steps(&self, plan: &Plan) -> usize {
+        match self {
+            Self::Section(case) => plan.steps(&case.system.load().pulse),
+            Self::Revolution(_) => (plan.window * plan.multiple / plan.step).ceil() as usize,
+        }
+    }
+
+    /// Moves the eye by `plan` and records it under the eyes of `watch`.
+    ///
+    /// # Errors
+    /// Motion that leaves the finite numbers, an object that goes through the eye, and
+    /// [`Refusal::Cancelled`] if the watch stopped it.
+    pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Ran, Refusal> {
+        match self {
+            Self::Section(case) => Ok(case.run(plan, keep, watch)?.into()),
+            Self::Revolution(case) => case.run(plan, keep, watch),
+        }
+    }
+
+    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
+    ///
+    /// # Errors
+    /// As [`Self::run`]; [`Refusal::Cancelled`] if `take` stopped it.
+    pub fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal> {
+        match self {
+            Self::Section(case) => super::frames::frames(case, plan, spacing, take),
+            Self::Revolution(case) => case.frames(plan, spacing, take),
+        }
+    }
+
+    /// Every result of what a run left.
+    pub fn results(&self, left: &Left) -> Results {
+        Results::of(left, self.blow())
+    }
+
+    /// What a reader must know of a run before trusting it; `step_error` holds the largest step error of a
+    /// leading result and the largest difference of one between two runs, both in %, where there were two.
+    pub(super) fn flags(&self, ran: &Ran, step_error: Option<(f64, f64)>) -> Vec<Flag> {
+        match (self, &ran.left) {
+            (Self::Section(case), Left::Section(extremes)) => flags::raise(&Evidence {
+                case,
+                extremes,
+                step_error,
+            }),
+            (Self::Revolution(case), Left::Revolution(extremes)) => {
+                revolution::flags::raise(case, extremes, ran.simulated, step_error)
+            }
+            _ => Vec::new(),
+        }
+    }
+}
