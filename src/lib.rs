@@ -39,6 +39,7 @@ pub mod cli;
 pub mod dynamics;
 mod error;
 pub mod eye;
+mod files;
 pub mod guide;
 pub mod injury;
 mod normal;

@@ -14,6 +14,8 @@ use std::path::Path;
 
 use tempfile::{NamedTempFile, PersistError};
 
+use crate::files;
+
 /// What the names of temporary files begin with.
 const PREFIX: &str = ".contrecoup-";
 /// Nobody has so many leftovers; a folder of more is not searched to its end.
@@ -24,6 +26,9 @@ const MAX_LOOKED_AT: usize = 100_000;
 /// # Errors
 /// Where the folder takes no file.
 pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
+    if files::are_shut() {
+        return Err(io::Error::other(files::REFUSAL));
+    }
     let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
     let folder = parent.unwrap_or(Path::new("."));
     sweep_up(folder);

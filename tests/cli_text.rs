@@ -168,7 +168,7 @@ fn what_is_not_allowed_is_refused_in_words() {
         ("unknown_preset", &["run", "paper-30n"]),
         (
             "unknown_field",
-            &["run", "paper-300n", "--set", "force_n=1"],
+            &["run", "paper-300n", "--set", "farce_n=1"],
         ),
         (
             "out_of_range",

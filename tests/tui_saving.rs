@@ -140,3 +140,29 @@ fn a_folder_that_cannot_be_made_is_explained() {
     term.keys("\x1b");
     term.wait_without("Name");
 }
+
+#[test]
+fn the_app_holds_a_thousand_presets_of_ones_own_and_says_so_of_more() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("contrecoup/presets");
+    fs::create_dir_all(&folder).unwrap();
+    let first = folder.join("own-0000.ron");
+    fs::write(&first, "(name: \"Mine\", impact: ForcePulse(force_n: 42))").unwrap();
+    for i in 1..1003 {
+        fs::hard_link(&first, folder.join(format!("own-{i:04}.ron"))).unwrap();
+    }
+    let mut command = app(&["tui", "--color", "never"]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\x15another\r");
+    term.wait_for("1000 presets of your own are there");
+    assert!(!folder.join("another.ron").exists());
+    // One that is there already may be replaced.
+    term.keys("\x15own-0001\r");
+    term.wait_for("own-0001 already");
+    term.keys("y");
+    term.wait_for("saved as own-0001");
+}

@@ -4,151 +4,29 @@
 
 mod support;
 
+#[path = "support/ssh.rs"]
+mod ssh;
+
 use std::fs;
 use std::io::{Read, Write};
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::path::Path;
-use std::process::{Child, Command};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use portable_pty::CommandBuilder;
-use support::{Replies, TO_FORCE, Term, plain};
+use ssh::Server;
+use support::{Replies, TO_FORCE, Term};
 
-const SERVER: &str = "/usr/sbin/sshd";
-
-/// A server of our own, with keys of its own, for as long as a test takes.
-struct Server {
-    folder: tempfile::TempDir,
-    process: Child,
-    port: u16,
-    user: String,
-}
-
-fn run(program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program).args(arguments).output().unwrap();
-    assert!(output.status.success(), "{program} {arguments:?}");
-    String::from_utf8(output.stdout).unwrap().trim().to_owned()
-}
-
-fn free_port() -> u16 {
-    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
-    listener.local_addr().unwrap().port()
-}
-
-impl Server {
-    /// Starts a server that runs `command` for whoever comes; `None` where there is no server.
-    fn start(command: &str) -> Option<Self> {
-        if !Path::new(SERVER).exists() {
-            support::skip("openssh-server is not installed");
-            return None;
-        }
-        let folder = tempfile::tempdir().unwrap();
-        let path = |name: &str| folder.path().join(name).display().to_string();
-        for key in ["hostkey", "id"] {
-            run(
-                "ssh-keygen",
-                &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)],
-            );
-        }
-        let read = |name: &str| fs::read_to_string(path(name)).unwrap();
-        let own = format!("restrict,pty,command=\"{command}\" {}", read("id.pub"));
-        fs::write(path("authorized_keys"), own).unwrap();
-        let user = run("id", &["-un"]);
-        if user == "root" {
-            fs::create_dir_all("/run/sshd").unwrap();
-        }
-        let key = read("hostkey.pub");
-        let key: Vec<&str> = key.split_whitespace().take(2).collect();
-        fs::write(path("known_hosts"), format!("test {}\n", key.join(" "))).unwrap();
-        // A port that was free a moment ago may be taken by now: then another is tried.
-        for _ in 0..5 {
-            let port = free_port();
-            fs::write(
-                path("sshd_config"),
-                format!(
-                    "Port {port}\nListenAddress 127.0.0.1\nHostKey {}\nPidFile none\n\
-                     AuthorizedKeysFile {}\nPasswordAuthentication no\n\
-                     KbdInteractiveAuthentication no\nUsePAM no\nStrictModes no\n\
-                     PermitRootLogin prohibit-password\nPrintMotd no\n",
-                    path("hostkey"),
-                    path("authorized_keys")
-                ),
-            )
-            .unwrap();
-            fs::write(path("log"), "").unwrap();
-            let mut process = Command::new(SERVER)
-                .args(["-D", "-f", &path("sshd_config"), "-E", &path("log")])
-                .spawn()
-                .unwrap();
-            let begun = Instant::now();
-            while process.try_wait().unwrap().is_none() {
-                if read("log").contains("Server listening") {
-                    return Some(Self {
-                        folder,
-                        process,
-                        port,
-                        user,
-                    });
-                }
-                assert!(
-                    begun.elapsed() < support::PATIENCE,
-                    "the server never listens"
-                );
-                thread::sleep(Duration::from_millis(20));
-            }
-        }
-        panic!("no server will start: {}", read("log"));
-    }
-
-    /// A client of this server, by way of `port`.
-    fn client(&self, port: u16, compressed: bool) -> CommandBuilder {
-        let path = |name: &str| self.folder.path().join(name).display().to_string();
-        let mut command = CommandBuilder::new("ssh");
-        command.args(["-F", "/dev/null", "-tt", "-p", &port.to_string()]);
-        for option in [
-            format!("User={}", self.user),
-            format!("IdentityFile={}", path("id")),
-            format!("UserKnownHostsFile={}", path("known_hosts")),
-            "IdentitiesOnly=yes".to_owned(),
-            "HostKeyAlias=test".to_owned(),
-            "StrictHostKeyChecking=yes".to_owned(),
-            "BatchMode=yes".to_owned(),
-        ] {
-            command.args(["-o", &option]);
-        }
-        if compressed {
-            command.arg("-C");
-        }
-        command.arg("127.0.0.1");
-        plain(&mut command);
-        command
-    }
-
-    /// A client that compresses, or not, by way of a port that counts what comes from the server.
-    fn counted(&self, compressed: bool) -> (Term, Arc<AtomicUsize>) {
-        let count = Arc::new(AtomicUsize::new(0));
-        let port = link(self.port, None, Duration::ZERO, Arc::clone(&count));
-        let term = Term::start(self.client(port, compressed));
-        term.wait_for("26.42 %");
-        (term, count)
-    }
-
-    fn open(&self) -> Term {
-        let term = Term::start(self.client(self.port, false));
-        term.wait_for("26.42 %");
-        term
-    }
-}
-
-impl Drop for Server {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
+/// A client that compresses, or not, by way of a port that counts what comes from the server.
+fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
+    let count = Arc::new(AtomicUsize::new(0));
+    let port = link(server.port, None, Duration::ZERO, Arc::clone(&count));
+    let term = Term::start(server.client(port, compressed));
+    term.wait_for("26.42 %");
+    (term, count)
 }
 
 fn app_server() -> Option<Server> {
@@ -271,7 +149,7 @@ fn through_ssh_replay_frames_keep_their_budget_in_every_number_of_colours() {
             return;
         };
         for compressed in [false, true] {
-            let (term, wire) = server.counted(compressed);
+            let (term, wire) = counted(&server, compressed);
             // Slowly, so that the frames show the blow and not the rest after it.
             term.keys("\x1b2-");
             term.wait_for("Node force");

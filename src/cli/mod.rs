@@ -323,8 +323,11 @@ pub fn main() -> ExitCode {
         }
     };
     let app = match &cli.command {
-        None => Some(tui::run(&[], &cli.flags)),
-        Some(Command::Tui(options)) => Some(tui::run(&options.sources, &options.flags)),
+        None => Some(tui::run(&[], &cli.flags, None)),
+        Some(Command::Tui(options)) => {
+            let guest = options.guest.then_some(options.idle_minutes);
+            Some(tui::run(&options.sources, &options.flags, guest))
+        }
         Some(_) => None,
     };
     if let Some(outcome) = app {

@@ -17,6 +17,7 @@ use etcetera::base_strategy::Xdg;
 use super::Scenario;
 use super::load::{load, parse, parse_file, read_text};
 use super::problem::{Problem, ScenarioError, suggestion};
+use crate::files;
 
 /// Names and texts of the listed files in `presets/`.
 macro_rules! built_in {
@@ -229,8 +230,11 @@ pub fn folder() -> Option<PathBuf> {
     Some(home()?.join("presets"))
 }
 
-/// Where everything of the person's own is kept, if there is a home for it.
+/// Where everything of the person's own is kept, if there is a home for it. A guest has none.
 pub(crate) fn home() -> Option<PathBuf> {
+    if files::are_shut() {
+        return None;
+    }
     Some(Xdg::new().ok()?.config_dir().join("contrecoup"))
 }
 

@@ -7,6 +7,8 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
+use crate::files;
+
 /// The greatest size of a file, in bytes. A force curve of the most knots fits, and little else comes
 /// near it.
 pub const LIMIT: u64 = 256 * 1024;
@@ -16,6 +18,9 @@ pub const LIMIT: u64 = 256 * 1024;
 /// # Errors
 /// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
 pub(super) fn read(path: &Path) -> Result<String, String> {
+    if files::are_shut() {
+        return Err(files::REFUSAL.to_owned());
+    }
     // Opening a pipe would wait for somebody to write to it, so its kind is asked for first.
     let kind = fs::metadata(path).map_err(reason)?;
     if kind.is_dir() {

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use super::guest::MOST_SAMPLES;
 use super::model::Model;
 use super::task::{Question, Report, Task};
 use super::worker::overseen;
@@ -89,6 +90,11 @@ pub(super) fn run_when_idle(model: &mut Model) {
 
 /// Runs so many samples, unless that is under way. A smaller run gives way to a larger one.
 pub(super) fn start(model: &mut Model, count: u32) {
+    let count = if model.guest {
+        count.min(MOST_SAMPLES)
+    } else {
+        count
+    };
     let job = model.ensemble.task.job.as_ref();
     if job.is_none_or(|job| job.ending || job.question.count < count) {
         let scenario = key(&model.work.scenario);

@@ -12,6 +12,7 @@ pub(crate) mod clock;
 pub mod config;
 pub mod ensemble;
 pub mod form;
+pub mod guest;
 pub mod keys;
 pub mod model;
 pub mod save;

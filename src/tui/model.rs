@@ -8,6 +8,7 @@ use tui_input::Input;
 use super::clock::{Clock, Moment};
 use super::ensemble::Samples;
 use super::form::Form;
+use super::guest;
 use super::keys::chosen::Keys;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
@@ -166,6 +167,8 @@ pub struct Model {
     pub mouse: bool,
     /// Whether mesh errors and bands are computed while nothing else is wanted.
     pub idle: bool,
+    /// Whether whoever works is a [guest](super::guest).
+    pub guest: bool,
     /// Keys of the person's own choice.
     pub keys: Keys,
     /// Whether the screen wants to be told where the mouse is dragged.
@@ -198,10 +201,23 @@ impl Model {
             look,
             mouse: false,
             idle: true,
+            guest: false,
             keys: Keys::default(),
             dragging: false,
             now: Duration::ZERO,
             out: Outbox::default(),
+        }
+    }
+
+    /// Whether this scenario may be simulated here.
+    ///
+    /// # Errors
+    /// Says what is too much for a guest.
+    pub fn allows(&self, scenario: &Scenario) -> Result<(), String> {
+        if self.guest {
+            guest::allowed(scenario)
+        } else {
+            Ok(())
         }
     }
 

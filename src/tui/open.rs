@@ -2,17 +2,19 @@
 
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::Args;
 
 use super::config::Config;
+use super::guest;
 use super::model::{Choice, Look, Model, Work};
 use super::screens::SCREENS;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use super::update;
 use crate::scenario::library::{self, Origin, resolve};
-use crate::scenario::problem::ScenarioError;
+use crate::scenario::problem::{Problem, ScenarioError};
 
 /// What is opened if nothing is asked for.
 const FIRST: &str = "paper-300n";
@@ -23,9 +25,25 @@ pub struct Options {
     /// Presets or files; several are marked for comparison
     #[arg(value_name = "PRESET|FILE.ron")]
     pub sources: Vec<String>,
+    /// For guests on a shared host: no file is read or written, and memory, priority, meshes and times
+    /// are bounded
+    #[arg(long)]
+    pub guest: bool,
+    /// Minutes without a key after which a guest's session ends
+    #[arg(long, value_name = "N", requires = "guest", default_value = "10", value_parser = minutes)]
+    pub idle_minutes: Duration,
     /// How it looks and listens.
     #[command(flatten)]
     pub flags: AppFlags,
+}
+
+fn minutes(text: &str) -> Result<Duration, &'static str> {
+    match text.parse::<f64>() {
+        Ok(minutes) if (0.01..=1440.0).contains(&minutes) => {
+            Ok(Duration::from_secs_f64(60.0 * minutes))
+        }
+        _ => Err("expected 0.01 to 1440 minutes"),
+    }
 }
 
 /// How the app looks and listens.
@@ -73,11 +91,15 @@ impl OpenError {
     }
 }
 
-/// Opens the app and stays until the person leaves.
+/// Opens the app and stays until the person leaves, or until a guest has touched no key for so long.
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.
-pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> {
+pub fn run(
+    sources: &[String],
+    flags: &AppFlags,
+    guest: Option<Duration>,
+) -> Result<ExitCode, OpenError> {
     if !(io::stdin().is_terminal() && io::stdout().is_terminal()) {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal for input and output. Try `ssh -t`, or\n\
@@ -85,7 +107,15 @@ pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> 
         ));
     }
     let env = |name: &str| std::env::var(name).ok();
-    let config = Config::load()?;
+    let config = if guest.is_some() {
+        guest::confine()?;
+        Config {
+            idle: false,
+            ..Config::default()
+        }
+    } else {
+        Config::load()?
+    };
     let Some(depth) = depth(flags.color.unwrap_or(config.color), env) else {
         return Err(OpenError::NoTerminal(
             "The app needs a terminal that can move its cursor, and TERM says `dumb`.\n\
@@ -97,6 +127,9 @@ pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> 
         symbols: symbols(flags.symbols.or(config.symbols), env),
     };
     let mut model = prepare(sources, look)?;
+    if guest.is_some() {
+        welcome(&mut model, sources)?;
+    }
     model.mouse = flags.mouse || config.mouse;
     model.idle = config.idle;
     model.keys = config.keys;
@@ -107,9 +140,26 @@ pub fn run(sources: &[String], flags: &AppFlags) -> Result<ExitCode, OpenError> 
     let settings = terminal::Settings {
         fps: flags.fps.unwrap_or(config.fps),
         fail_on: flags.fail_on,
+        idle: guest,
     };
     let code = terminal::run(model, &settings)?;
     Ok(ExitCode::from(code))
+}
+
+/// Leaves of what can be opened what is for guests.
+fn welcome(model: &mut Model, sources: &[String]) -> Result<(), ScenarioError> {
+    model.guest = true;
+    for choice in &mut model.choices {
+        if let Ok(scenario) = &choice.scenario
+            && let Err(why) = guest::allowed(scenario)
+        {
+            if sources.contains(&choice.name) {
+                return Err(Problem::new("", why).of(&choice.name).into());
+            }
+            choice.scenario = Err(why);
+        }
+    }
+    Ok(())
 }
 
 /// A model that works on the first of the sources and compares them if there are several.
@@ -146,9 +196,24 @@ pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
     Ok(model)
 }
 
+/// Presets of a person's own that the app holds, each with all that it says, and that may be saved.
+pub const MAX_OWN: usize = 1000;
+
 /// Every preset that can be opened; a broken one says why it cannot.
 pub fn choices() -> Vec<Choice> {
-    let presets = library::list().unwrap_or_default();
+    let mut presets = library::list().unwrap_or_default();
+    let mut own = 0;
+    presets.retain(|preset| {
+        own += usize::from(matches!(preset.origin, Origin::User(_)));
+        matches!(preset.origin, Origin::BuiltIn(_)) || own <= MAX_OWN
+    });
+    let unlisted = (own > MAX_OWN).then(|| Choice {
+        name: format!("({} more)", own - MAX_OWN),
+        scenario: Err(format!(
+            "the app lists {MAX_OWN} presets of your own; `contrecoup presets` lists all"
+        )),
+        origin: "own",
+    });
     presets
         .into_iter()
         .map(|preset| Choice {
@@ -159,5 +224,6 @@ pub fn choices() -> Vec<Choice> {
             },
             name: preset.name,
         })
+        .chain(unlisted)
         .collect()
 }

@@ -115,6 +115,10 @@ pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
     if work == model.work {
         return;
     }
+    if let Err(why) = model.allows(&work.scenario) {
+        model.notice = Some(why);
+        return;
+    }
     model.history.record(model.work.clone(), what, model.now);
     put(model, work);
 }

@@ -35,11 +35,11 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it.
-    pub fn start(say: impl Fn(Report) + Send + 'static) -> Self {
+    /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is stopped.
+    pub fn start(limit: Option<Duration>, say: impl Fn(Report) + Send + 'static) -> Self {
         let shared = Arc::new(Shared::default());
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, &say));
+        thread::spawn(move || work(&own, limit, &say));
         Self(shared)
     }
 
@@ -70,7 +70,7 @@ impl Drop for Worker {
     }
 }
 
-fn work(shared: &Shared, say: &impl Fn(Report)) {
+fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
     loop {
         let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
         let request = loop {
@@ -86,9 +86,11 @@ fn work(shared: &Shared, say: &impl Fn(Report)) {
                 .unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
-        let mut reported = Instant::now();
+        let begun = Instant::now();
+        let mut reported = begun;
         say(request.answered(&mut |share| {
-            if shared.wanted.load(Ordering::Relaxed) > request.ticket {
+            let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
+            if is_over || shared.wanted.load(Ordering::Relaxed) > request.ticket {
                 return ControlFlow::Break(());
             }
             if reported.elapsed() >= REPORT_EVERY {
@@ -138,7 +140,7 @@ mod tests {
 
     fn worker() -> (Worker, Receiver<Report>) {
         let (say, heard) = channel();
-        let worker = Worker::start(move |report| {
+        let worker = Worker::start(None, move |report| {
             let _ = say.send(report);
         });
         (worker, heard)
@@ -200,6 +202,18 @@ mod tests {
         worker.cancel(5);
         assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 6, Scenario::default());
+        assert!(done(&heard).1.is_ok());
+    }
+
+    #[test]
+    fn what_takes_longer_than_the_limit_is_stopped() {
+        let (say, heard) = channel();
+        let worker = Worker::start(Some(Duration::from_millis(300)), move |report| {
+            let _ = say.send(report);
+        });
+        submit(&worker, 1, long());
+        assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
+        submit(&worker, 2, Scenario::default());
         assert!(done(&heard).1.is_ok());
     }
 

@@ -3,7 +3,7 @@
 //! Keyboard, signals and workers send into one channel. The loop sleeps until something comes or
 //! the replay wants its next frame; with nothing to show it writes nothing.
 
-use std::io;
+use std::io::{self, Write};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -18,6 +18,7 @@ use super::paint::{BEGIN, END, Pen, question};
 use super::session::Session;
 use super::system;
 use crate::scenario::library;
+use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, save};
@@ -30,6 +31,8 @@ pub struct Settings {
     pub fps: u8,
     /// A key that makes the app fail, for a test.
     pub fail_on: Option<char>,
+    /// How long a guest may touch no key; nobody else is sent away.
+    pub idle: Option<Duration>,
 }
 
 /// The largest screen that is drawn; a terminal that claims more shows a part.
@@ -45,7 +48,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     let session = Session::enter()?;
     system::listen(&send, signals);
     let mut app = App {
-        jobs: Jobs::new(send),
+        jobs: Jobs::new(send, settings.idle.map(|_| LONGEST_ANSWER)),
         model,
         session,
         events,
@@ -59,8 +62,20 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
         last_frame: None,
         exit: None,
         fail_on: settings.fail_on,
+        idle: settings.idle,
+        last_key: Instant::now(),
     };
-    app.run()
+    let code = app.run()?;
+    let is_asleep = app.is_asleep();
+    drop(app);
+    if is_asleep {
+        // Whoever is gone hears nothing.
+        let _ = writeln!(
+            io::stderr(),
+            "The session ended: no key was pressed for a while."
+        );
+    }
+    Ok(code)
 }
 
 /// What the terminal shows, and the pen that drew it.
@@ -85,6 +100,8 @@ struct App {
     last_frame: Option<Instant>,
     exit: Option<u8>,
     fail_on: Option<char>,
+    idle: Option<Duration>,
+    last_key: Instant,
 }
 
 impl App {
@@ -108,7 +125,16 @@ impl App {
                 self.take(event)?;
             }
             self.flush_escape()?;
+            if self.is_asleep() {
+                self.exit = self.exit.or(Some(0));
+            }
         }
+    }
+
+    /// Whether a guest has touched no key for too long.
+    fn is_asleep(&self) -> bool {
+        self.idle
+            .is_some_and(|idle| self.last_key.elapsed() >= idle)
     }
 
     /// How long nothing needs to be done if nothing happens.
@@ -122,6 +148,7 @@ impl App {
         at(self
             .escape_since
             .map(|since| since + self.parser.patience()));
+        at(self.idle.map(|idle| self.last_key + idle));
         let wants_frame = self.dirty || self.model.clock.playing;
         if wants_frame {
             let due = self.last_frame.map(|last| last + self.frame_time);
@@ -229,6 +256,9 @@ impl App {
     }
 
     fn take_input(&mut self, input: Input) -> io::Result<()> {
+        if !matches!(input, Input::CursorReport(_)) {
+            self.last_key = Instant::now();
+        }
         match input {
             Input::Key(event) => {
                 if let (Some(fatal), crossterm::event::KeyCode::Char(c)) =

@@ -3,6 +3,7 @@
 use std::any::TypeId;
 use std::collections::HashMap;
 use std::sync::mpsc::Sender;
+use std::time::Duration;
 
 use super::event::Event;
 use crate::tui::task::{Request, Ticket};
@@ -12,22 +13,28 @@ use crate::tui::worker::Worker;
 /// One thread a kind of question.
 pub(super) struct Jobs {
     send: Sender<Event>,
+    /// How long one answer may take.
+    limit: Option<Duration>,
     workers: HashMap<TypeId, Worker>,
 }
 
 impl Jobs {
-    /// No threads yet; what they will say goes to `send`.
-    pub(super) fn new(send: Sender<Event>) -> Self {
+    /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is stopped.
+    pub(super) fn new(send: Sender<Event>, limit: Option<Duration>) -> Self {
         let workers = HashMap::new();
-        Self { send, workers }
+        Self {
+            send,
+            limit,
+            workers,
+        }
     }
 
     /// Hands a request to the thread of its kind.
     pub(super) fn start(&mut self, request: Request) {
-        let send = &self.send;
+        let (send, limit) = (&self.send, self.limit);
         let worker = self.workers.entry(request.kind()).or_insert_with(|| {
             let send = send.clone();
-            Worker::start(move |report| {
+            Worker::start(limit, move |report| {
                 // Nobody listens once the app is leaving.
                 let _ = send.send(Event::News(Message::News(report)));
             })

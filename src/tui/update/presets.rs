@@ -5,6 +5,7 @@ use tui_input::Input;
 use super::{Effect, change};
 use crate::scenario::load::to_ron;
 use crate::tui::model::{Choice, Model, Overlay, Question, Work};
+use crate::tui::open::MAX_OWN;
 use crate::tui::save::{SaveError, check_name, free_name};
 
 pub(crate) fn next_preset(model: &mut Model, forward: bool) {
@@ -46,6 +47,10 @@ pub(crate) fn open_picker(model: &mut Model) {
 }
 
 pub(crate) fn ask_for_name(model: &mut Model) {
+    if model.guest {
+        model.notice = Some("a guest saves nothing".to_owned());
+        return;
+    }
     let own = |choice: &&Choice| choice.name == model.work.source;
     let is_own = model
         .choices
@@ -75,6 +80,12 @@ pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
             _ => Question::Replace(name),
         };
         model.overlay = Some(Overlay::Question(question));
+        return;
+    }
+    let own = model.choices.iter().filter(|choice| choice.origin == "own");
+    if !replace && own.count() >= MAX_OWN {
+        let full = format!("{MAX_OWN} presets of your own are there: remove one first");
+        model.overlay = Some(Overlay::SaveAs(Input::new(name), Some(full)));
         return;
     }
     let mut scenario = model.work.scenario.clone();

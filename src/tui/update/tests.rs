@@ -352,3 +352,30 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
     model.work.source = "a/b/".to_owned();
     assert_eq!(model.title(), "b");
 }
+
+#[test]
+fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
+    let mut model = model();
+    model.guest = true;
+    model.form.selected = Row::Field(fields::find("window_ms").unwrap());
+    // By steps, by typing, and by whatever else brings a scenario.
+    press(&mut model, &"L".repeat(30));
+    assert_eq!(model.work.scenario.window_ms, 20.0);
+    assert!(model.notice.as_ref().unwrap().contains("not for guests"));
+    for keys in ["\r\x1521", "\r"] {
+        press(&mut model, keys);
+        assert_eq!(model.work.scenario.window_ms, 20.0);
+        let error = model.form.typing.as_ref().unwrap().error.as_ref().unwrap();
+        assert!(error.contains("not for guests"), "{error}");
+    }
+    press(&mut model, "\x1b");
+    let mut fine = model.work.clone();
+    fine.scenario.eye.level = 4;
+    change(&mut model, fine, "");
+    assert_eq!(model.work.scenario.eye.level, 1);
+    press(&mut model, "s");
+    assert!(model.overlay.is_none());
+    ensemble::start(&mut model, ensemble::MANY);
+    let asked = model.ensemble.task.job.as_ref().unwrap().question.count;
+    assert_eq!(asked, crate::tui::guest::MOST_SAMPLES);
+}

@@ -6,6 +6,7 @@ use tui_input::{Input, InputRequest};
 
 use super::put;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
+use crate::tui::guest::allowed;
 use crate::tui::keys::begins_value;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
@@ -77,6 +78,13 @@ pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
     };
     change(&mut typing.input);
     let outcome = with_text(&typing.before, typing.field, typing.input.value());
+    let outcome = outcome.and_then(|new| {
+        if model.guest {
+            allowed(&new).map(|()| new)
+        } else {
+            Ok(new)
+        }
+    });
     typing.error = outcome.as_ref().err().cloned();
     let scenario = outcome.unwrap_or_else(|_| typing.before.clone());
     let work = model.work.with(scenario);
@@ -88,7 +96,8 @@ pub(crate) fn accept(model: &mut Model) {
     let Some(typing) = model.form.typing.take() else {
         return;
     };
-    match with_text(&typing.before, typing.field, typing.input.value()) {
+    let outcome = with_text(&typing.before, typing.field, typing.input.value());
+    match outcome.and_then(|new| model.allows(&new).map(|()| new)) {
         Ok(scenario) => {
             let before = model.work.with(typing.before);
             if scenario != before.scenario {

@@ -1,0 +1,135 @@
+//! A guest: somebody on a shared host who may look and try, and leave nothing behind.
+//!
+//! No file is read or written: presets are those of the program, and the person's own folder, a
+//! config file, curves and saving are out of reach (see `files`); the kernel refuses files too. The
+//! process has the lowest priority, one core where the system can hold it to one, and so much memory;
+//! it computes nothing that nobody asked for. Levels, windows, samples and the time of one answer are
+//! bounded, and a session without keys ends.
+//!
+//! Left out: a sandbox of system calls. The program runs no other one, and the account's forced command
+//! lets nobody ask for another.
+
+use std::io;
+use std::time::Duration;
+
+use super::ensemble;
+use crate::files;
+use crate::scenario::Scenario;
+
+/// The finest mesh.
+pub const FINEST_LEVEL: u32 = 3;
+/// The longest simulated time, in ms.
+pub const LONGEST_WINDOW_MS: f64 = 20.0;
+/// The most samples.
+pub const MOST_SAMPLES: u32 = ensemble::FEW;
+/// The longest that one answer is worked on.
+pub const LONGEST_ANSWER: Duration = Duration::from_secs(30);
+/// The most memory, in bytes.
+pub const MEMORY: u64 = 256 << 20;
+
+/// Whether a guest may have this simulated.
+///
+/// # Errors
+/// Says what is too much.
+pub fn allowed(scenario: &Scenario) -> Result<(), String> {
+    let (level, window) = (scenario.eye.level, scenario.window_ms);
+    if level > FINEST_LEVEL {
+        return Err(format!(
+            "level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"
+        ));
+    }
+    if window > LONGEST_WINDOW_MS {
+        return Err(format!(
+            "{window} ms are not for guests: allowed up to {LONGEST_WINDOW_MS} ms"
+        ));
+    }
+    Ok(())
+}
+
+/// Takes from this process what a guest does not need, for good. Threads that begin later have no more.
+///
+/// # Errors
+/// Where the system refuses.
+pub(super) fn confine() -> io::Result<()> {
+    files::shut();
+    by_the_system()
+}
+
+#[cfg(unix)]
+fn by_the_system() -> io::Result<()> {
+    use rustix::process::{Resource, Rlimit, nice, setrlimit};
+
+    nice(19)?;
+    for (resource, most) in [
+        (Resource::Fsize, 0),
+        (Resource::Core, 0),
+        (Resource::Data, MEMORY),
+    ] {
+        let most = Some(most);
+        setrlimit(
+            resource,
+            Rlimit {
+                current: most,
+                maximum: most,
+            },
+        )?;
+    }
+    one_core();
+    Ok(())
+}
+
+/// Guests spread over the cores by their numbers. Where the system refuses, the priority has to do.
+#[cfg(target_os = "linux")]
+fn one_core() {
+    use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
+
+    let Ok(all) = sched_getaffinity(None) else {
+        return;
+    };
+    let ours = std::process::id() as usize % (all.count().max(1) as usize);
+    if let Some(core) = (0..CpuSet::MAX_CPU)
+        .filter(|core| all.is_set(*core))
+        .nth(ours)
+    {
+        let mut one = CpuSet::new();
+        one.set(core);
+        let _ = sched_setaffinity(None, &one);
+    }
+}
+
+#[cfg(all(unix, not(target_os = "linux")))]
+fn one_core() {}
+
+/// Windows has none of these limits for a process of its own.
+#[cfg(not(unix))]
+fn by_the_system() -> io::Result<()> {
+    Err(io::Error::other(
+        "guests are not held to their limits on this system",
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::built_in;
+
+    #[test]
+    fn every_preset_of_the_program_is_for_guests_and_finer_or_longer_ones_are_not() {
+        for preset in built_in() {
+            assert_eq!(
+                allowed(&preset.scenario().unwrap()),
+                Ok(()),
+                "{}",
+                preset.name
+            );
+        }
+        let mut fine = Scenario::default();
+        fine.eye.level = FINEST_LEVEL + 1;
+        assert!(allowed(&fine).unwrap_err().contains("allowed 1 to 3"));
+        let long = Scenario {
+            window_ms: 20.5,
+            ..Scenario::default()
+        };
+        assert!(allowed(&long).unwrap_err().contains("up to 20 ms"));
+    }
+}
