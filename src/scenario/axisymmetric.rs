@@ -9,6 +9,11 @@ use serde::{Deserialize, Serialize};
 /// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of the
 /// blow, which an orbit does not.
 pub const TRUSTED_ANGLE_DEG: f64 = 40.0;
+/// The fastest object that the model takes, in m/s, and the most energy that one brings, in J: what is beyond
+/// them goes into an eye instead of denting it.
+pub const FASTEST_M_S: f64 = 200.0;
+/// See [`FASTEST_M_S`].
+pub const MOST_ENERGY_J: f64 = 300.0;
 /// The finest mesh level of this model.
 pub const FINEST_AXISYMMETRIC_LEVEL: u32 = crate::eye::revolution::RevolutionEye::FINEST;
 

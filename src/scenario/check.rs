@@ -9,7 +9,10 @@ use std::ops::Deref;
 
 use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
-use super::{FINEST_AXISYMMETRIC_LEVEL, Impact, Model, Outline, Projectile, Scenario, doubt};
+use super::{
+    FASTEST_M_S, FINEST_AXISYMMETRIC_LEVEL, Impact, MOST_ENERGY_J, Model, Outline, Projectile,
+    Scenario, doubt,
+};
 use crate::plain_text::printable;
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
@@ -184,6 +187,21 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
                 "0 mm, or model Paper, which takes an offset in its section",
             );
         }
+        if shot.speed_m_s > FASTEST_M_S {
+            let complaint = "is out of range for model Axisymmetric, which nothing goes into";
+            let allowed = format!("up to {FASTEST_M_S} m/s");
+            refuse(
+                "impact.speed_m_s",
+                &plain(shot.speed_m_s),
+                complaint,
+                &allowed,
+            );
+        } else if shot.energy_j() > MOST_ENERGY_J {
+            let complaint = "brings more energy than model Axisymmetric takes";
+            let most = shot.mass_g * MOST_ENERGY_J / shot.energy_j();
+            let allowed = format!("up to {most:.1} g at this speed, which is {MOST_ENERGY_J} J");
+            refuse("impact.mass_g", &plain(shot.mass_g), complaint, &allowed);
+        }
         if let Outline::Cylinder { edge_mm } = shot.outline
             && edge_mm > 0.5 * shot.diameter_mm
         {
@@ -331,6 +349,26 @@ mod tests {
             ..Scenario::default()
         };
         assert!(scenario.check().is_ok());
+        let problem = |shot: Projectile| {
+            let mut scenario = scenario.clone();
+            scenario.impact = Impact::Projectile(shot);
+            scenario.check().unwrap_err().problems.remove(0)
+        };
+        let fast = problem(Projectile {
+            speed_m_s: 201.0,
+            ..Projectile::default()
+        });
+        assert_eq!(fast.field, "impact.speed_m_s");
+        let heavy = problem(Projectile {
+            mass_g: 700.0,
+            speed_m_s: 30.0,
+            ..Projectile::default()
+        });
+        assert_eq!(heavy.field, "impact.mass_g");
+        assert_eq!(
+            heavy.allowed.unwrap(),
+            "up to 666.7 g at this speed, which is 300 J"
+        );
         scenario.impact = Impact::Projectile(Projectile {
             offset_mm: 1.0,
             angle_deg: -91.0,

@@ -108,6 +108,7 @@ const SURFACES: Variants<Surface> = &[
     ("Hard", || Surface::Hard),
     ("Elastic", || Surface::ELASTIC),
     ("Inflated", || Surface::INFLATED),
+    ("Splashing", || Surface::Splashing),
 ];
 const IMPACTS: Variants<Impact> = &[
     ("ForcePulse", || Impact::ForcePulse(ForcePulse::default())),
@@ -373,24 +374,24 @@ const MODULUS_MPA: Place<f64> = Place {
         Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
             Some(modulus_mpa)
         }
-        Surface::Hard => None,
+        Surface::Hard | Surface::Splashing => None,
     },
     get_mut: |s| match &mut body_mut(s)?.surface {
         Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
             Some(modulus_mpa)
         }
-        Surface::Hard => None,
+        Surface::Hard | Surface::Splashing => None,
     },
 };
 
 const KPA: Place<f64> = Place {
     get: |s| match &body(s)?.surface {
         Surface::Inflated { kpa, .. } => Some(kpa),
-        Surface::Hard | Surface::Elastic { .. } => None,
+        Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
     },
     get_mut: |s| match &mut body_mut(s)?.surface {
         Surface::Inflated { kpa, .. } => Some(kpa),
-        Surface::Hard | Surface::Elastic { .. } => None,
+        Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
     },
 };
 
@@ -475,7 +476,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.surface", "Its surface", "", Choice(&OneOf(SURFACES, within!(body, body_mut, surface)))),
     field("impact.surface.kpa", "Presses up to", "kPa", Number(b(1.0, 1e5, 1.0, 10.0), KPA)),
     field("impact.surface.modulus_mpa", "Surface modulus", "MPa", Number(b(1e-3, 1e6, 0.1, 1.0), MODULUS_MPA)),
-    field("impact.restitution", "Restitution", "", Number(b(0.01, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
+    field("impact.restitution", "Restitution", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
     field("impact.half_width_deg", "Half width", "deg", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
     field("impact.shape.edge_fraction", "Edge, of duration", "", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),

@@ -26,7 +26,8 @@ mod text_file;
 use std::collections::BTreeMap;
 
 pub use axisymmetric::{
-    Axisymmetric, FINEST_AXISYMMETRIC_LEVEL, Species, Support, TRUSTED_ANGLE_DEG,
+    Axisymmetric, FASTEST_M_S, FINEST_AXISYMMETRIC_LEVEL, MOST_ENERGY_J, Species, Support,
+    TRUSTED_ANGLE_DEG,
 };
 pub use check::CheckedScenario;
 pub use curve::{Curve, CurveError};

@@ -23,7 +23,7 @@ pub struct Projectile {
     /// Sideways shift of its path, in mm, positive to the left of its flight: up for a level shot.
     #[serde(default)]
     pub offset_mm: f64,
-    /// How it gives way itself.
+    /// How it gives way as a whole.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
     /// Its shape at the axisymmetric eye.
@@ -32,8 +32,8 @@ pub struct Projectile {
     /// How its surface gives way at the axisymmetric eye.
     #[serde(default, skip_serializing_if = "Surface::is_default")]
     pub surface: Surface,
-    /// Share of its speed that it keeps when its spring, or else its surface, throws it back from a rigid
-    /// wall, at the axisymmetric eye.
+    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid wall, at the
+    /// axisymmetric eye.
     #[serde(
         default = "Projectile::lossless",
         skip_serializing_if = "Projectile::is_lossless"
@@ -58,6 +58,11 @@ impl Projectile {
         "surface",
         "restitution",
     ];
+
+    /// Energy that it brings, in J.
+    pub fn energy_j(&self) -> f64 {
+        0.5e-3 * self.mass_g * self.speed_m_s * self.speed_m_s
+    }
 
     fn lossless() -> f64 {
         1.0
@@ -132,7 +137,8 @@ impl Outline {
     }
 }
 
-/// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
+/// How the surface of an object gives way: an elastic foundation that stiffens as it is used up. Its stiffness is the
+/// modulus over the radius.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Surface {
@@ -144,13 +150,16 @@ pub enum Surface {
         /// Its modulus.
         modulus_mpa: f64,
     },
-    /// A wall around gas, or a foam that crushes: it presses no harder than its cap until it is used up.
+    /// A wall around gas, or foam or cork that crushes: until it is used up it presses no harder than its cap and what
+    /// stops it, half its density times the square of its speed.
     Inflated {
-        /// The cap.
+        /// The cap: the gas pressure with what the wall adds, or the stress of collapse.
         kpa: f64,
         /// Modulus at small dents.
         modulus_mpa: f64,
     },
+    /// Liquid in a skin that bursts, or a gel that flows: an `Inflated` one whose own cap is nothing.
+    Splashing,
 }
 
 impl Surface {

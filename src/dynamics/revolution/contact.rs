@@ -2,8 +2,9 @@
 //!
 //! Each segment carries four points of its area at rest; a point below the object's surface is pushed
 //! out along its normal by the foundation's traction, so force and energy are exact to each other.
-//! The front edge of the orbit pushes back on a large object as a ring.
+//! What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
+use super::face::Face;
 use super::object::{Flight, Object};
 use crate::eye::revolution::RevolutionEye;
 use std::f64::consts::PI;
@@ -16,10 +17,8 @@ const SHELL_AREAL: f64 = 0.44;
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
-/// Contact shortens the step when the surface comes this near, in m, or will be here within this time, in s, at
-/// the speed of arrival: a fast light object would else be deep below the surface at the first step of contact.
-const NEAR: f64 = 2e-5;
-const SOON: f64 = 1e-6;
+/// The same where the object loses energy: the loss is told from velocities half a step old.
+const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +27,7 @@ pub(super) struct Target {
     area: Vec<[f64; POINTS]>,
     /// Areal mass of each segment, kg/m2.
     areal: Vec<f64>,
-    rim: Option<(f64, f64, f64)>,
+    face: Option<Face>,
 }
 
 /// What contact does at some instant.
@@ -55,12 +54,10 @@ pub(super) fn share(point: usize) -> f64 {
 
 impl Target {
     pub fn new(eye: &RevolutionEye) -> Self {
-        let surround = eye.parameters.surround.as_ref();
-        let rim = surround.and_then(|s| eye.rim().map(|(x, r)| (x, r, s.rim_stiffness)));
         let mut target = Self {
             area: Vec::new(),
             areal: Vec::new(),
-            rim,
+            face: eye.rim().map(|(x, r)| Face::beyond(x, r)),
         };
         for ends in eye.mesh.shell.windows(2) {
             let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
@@ -79,8 +76,8 @@ impl Target {
         /// Halvings that leave nothing of the way back.
         const HALVINGS: usize = 60;
         let overlaps = |front: f64| {
-            self.rim
-                .is_some_and(|(x, r, _)| object.gap(x - front + object.reach(), r).0 > 0.0)
+            let face = self.face.as_ref();
+            face.is_some_and(|face| face.overlaps(object, front - object.reach()))
         };
         if !overlaps(pole) {
             return pole;
@@ -115,8 +112,9 @@ impl Target {
             loss: 0.0,
         };
         let centre = flight.x[0];
-        let near = NEAR + SOON * object.speed;
+        let near = object.near();
         let front = centre + object.reach() + near;
+        let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
         for (i, areas) in self.area.iter().enumerate() {
             if x[i].min(x[i + 1]) > front {
                 continue;
@@ -130,14 +128,17 @@ impl Target {
                     continue;
                 }
                 let pressed = object.surface.at(gap.max(0.0));
-                steepest = steepest.max(pressed.slope);
+                let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
+                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
+                let slope = object.surface.steepest(gap, pressed.slope, closing);
+                steepest = steepest.max(slope);
+                whole_slope += area * slope;
                 if gap <= 0.0 {
                     continue;
                 }
-                let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
-                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
                 let (left, change) = object.surface.hysteresis(object.speed, closing);
                 damping = damping.max(change * pressed.traction);
+                whole_damping += area * change * pressed.traction;
                 let force = area * pressed.traction * left;
                 let lossy = area * pressed.traction * (left - 1.0);
                 touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
@@ -155,24 +156,24 @@ impl Target {
                 touch.limit = touch.limit.min(stable);
             }
             if damping > 0.0 {
-                touch.limit = touch.limit.min(COURANT * self.areal[i] / damping);
+                touch.limit = touch.limit.min(DAMPED * self.areal[i] / damping);
             }
         }
-        if let Some((x, r, stiffness)) = self.rim {
-            let (gap, nx, _) = object.gap(x - centre, r);
-            if gap > 0.0 {
-                let closing = flight.v[0] * nx;
-                let (left, change) = object.surface.hysteresis(object.speed, closing);
-                let force = stiffness * gap;
-                touch.rim = -force * left * nx;
-                flight.lossy[0] -= force * (left - 1.0) * nx;
-                touch.energy += 0.5 * stiffness * gap * gap;
-                let stable = (flight.mass[0] / stiffness).sqrt();
-                let damped = flight.mass[0] / (force * change).max(f64::MIN_POSITIVE);
-                touch.limit = touch.limit.min(COURANT * stable.min(damped));
-            }
+        // The object's own mass may be less than that of what it presses.
+        if whole_slope > 0.0 {
+            let stable = (flight.mass[0] / whole_slope).sqrt();
+            touch.limit = touch.limit.min(COURANT * stable);
         }
-        flight.force[0] += touch.rim - touch.force;
+        if whole_damping > 0.0 {
+            touch.limit = touch.limit.min(DAMPED * flight.mass[0] / whole_damping);
+        }
+        flight.force[0] -= touch.force;
+        if let Some(face) = &self.face {
+            let push = face.push(object, flight);
+            touch.rim = -push.force;
+            touch.energy += push.energy;
+            touch.limit = touch.limit.min(push.limit);
+        }
         touch
     }
 

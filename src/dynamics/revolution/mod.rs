@@ -1,11 +1,12 @@
 //! Motion of the body of revolution: explicit, Lagrangian, as hydrocodes are.
 //!
 //! `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them out, `nodes` moves what is between
-//! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them; `run` is
-//! the leapfrog through the window, `record`, `frames` and `sensor` read off what `results` keeps.
+//! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them, `face` the
+//! bone beside them; `run` is the leapfrog through the window, `record`, `frames` and `sensor` read off what `results` keeps.
 
 mod cell;
 mod contact;
+mod face;
 mod frames;
 mod nodes;
 mod object;

@@ -2,9 +2,16 @@
 //!
 //! The surface is an elastic foundation (Winkler; Johnson 1985, section 4.3): the traction depends on
 //! the gap at that point alone. A plain foundation would let light soft things fly through the eye, so
-//! it stiffens as its depth h is used up: k g/(1 - g/h). A hollow ball holds its gas pressure up against
-//! the eye, whatever its wall does: the traction then saturates at that cap before it stiffens.
-//! Beyond 0.98 h both go on linearly.
+//! it stiffens as its depth h is used up: k g/(1 - g/h), with h = 0.7 R. A hollow ball holds its gas pressure up
+//! against the eye, foam and cork their stress of collapse, a liquid nothing; to each of them comes half the density times
+//! the square of the speed, since what is flattened has to be stopped. The traction then saturates at that cap p,
+//!
+//!   k g/(1 + k g/p) + p w^2/(1 - w),   w = (g/h - 0.6)/0.4 where that is positive,
+//!
+//! and only the last part, once most of h = 0.9 R is used up, takes it above the cap. Beyond 0.98 h = e both end in a
+//! hard core: their tangent and K (g - e)^2/(h - e), with the K of hard things, so that nothing is pressed through itself.
+//! Force and slope have no jump.
+//! Left out: that the gas of a ball is pressed together as a whole, and that inertia falls as it slows down.
 //!
 //! The whole ball is a core on a spring behind a surface of a twentieth of its mass; the spring stiffens
 //! where the ball comes to be flat.
@@ -19,8 +26,23 @@ use super::super::object_spring::ObjectSpring;
 pub const HARD: f64 = 2e12;
 /// Share of the mass that is the surface of an object on a spring.
 const SURFACE_SHARE: f64 = 0.05;
-/// Share of a foundation's depth beyond which it goes on linearly.
-const LINEAR_BEYOND: f64 = 0.98;
+/// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so that
+/// the middle of a ball stays in front of the eye.
+const SOLID_DEPTH: f64 = 0.7;
+const CAPPED_DEPTH: f64 = 0.9;
+/// Share of its depth up to which a surface with a cap presses no harder than that.
+const PLATEAU: f64 = 0.6;
+/// Share of a foundation's depth beyond which lies a hard core.
+const CORE_BEYOND: f64 = 0.98;
+/// Contact shortens the step when the surface comes this near, in m, or will be here within this time, in s, at
+/// the speed of arrival: a fast light object would else be deep below the surface at the first step of contact.
+const NEAR: f64 = 2e-5;
+const SOON: f64 = 1e-6;
+/// How far ahead the step looks where a depth is nearly used up, in s, and which share that is.
+const AHEAD: f64 = 3e-6;
+const NEARLY: f64 = 0.9;
+/// A liquid has come to its pressure where this share of its radius is used up.
+const SPLASH: f64 = 0.05;
 
 /// Speed of opening over the speed of arrival at which all of the loss is felt.
 const FULL_LOSS: f64 = 0.1;
@@ -99,19 +121,26 @@ impl Surface {
     pub fn foundation(stiffness: f64, radius: f64) -> Self {
         Self {
             stiffness: 1.0 / (1.0 / HARD + 1.0 / stiffness),
-            depth: Some(0.7 * radius),
+            depth: Some(SOLID_DEPTH * radius),
             cap: None,
             restitution: 1.0,
         }
     }
 
-    /// The same, giving way at `cap` Pa.
-    #[must_use]
-    pub fn capped(self, cap: f64) -> Self {
+    /// A wall around gas or a foam that crushes: a foundation of this stiffness (Pa/m) on a body of this radius (m) that
+    /// gives way at `cap` Pa.
+    pub fn capped(stiffness: f64, cap: f64, radius: f64) -> Self {
         Self {
             cap: Some(cap),
-            ..self
+            depth: Some(CAPPED_DEPTH * radius),
+            ..Self::foundation(stiffness, radius)
         }
+    }
+
+    /// Liquid that presses on a body of this radius (m) as a jet does, with `pressure` Pa, for as long as there
+    /// is some of it left.
+    pub fn splashing(pressure: f64, radius: f64) -> Self {
+        Self::capped(pressure / (SPLASH * radius), pressure, radius)
     }
 
     /// The same, giving back the square of `restitution` of its energy.
@@ -128,19 +157,31 @@ impl Surface {
         hysteresis(self.restitution * self.restitution, speed, closing)
     }
 
+    /// The slope of the traction at a gap, or shortly after if it closes at `closing` m/s on a depth that is nearly
+    /// used up: for the step.
+    #[inline]
+    pub(super) fn steepest(&self, gap: f64, slope: f64, closing: f64) -> f64 {
+        let soon = gap + AHEAD * closing.max(0.0);
+        match self.depth {
+            Some(depth) if soon > NEARLY * depth => slope.max(self.at(soon).slope),
+            _ => slope,
+        }
+    }
+
     pub(super) fn at(&self, gap: f64) -> Pressed {
         let Some(depth) = self.depth else {
             return self.within(gap);
         };
-        let end = LINEAR_BEYOND * depth;
+        let end = CORE_BEYOND * depth;
         if gap <= end {
             return self.within(gap);
         }
         let (at, beyond) = (self.within(end), gap - end);
+        let core = HARD / (depth - end) * beyond;
         Pressed {
-            energy: at.energy + beyond * (at.traction + 0.5 * at.slope * beyond),
-            traction: at.traction + at.slope * beyond,
-            slope: at.slope,
+            energy: at.energy + beyond * (at.traction + beyond * (0.5 * at.slope + core / 3.0)),
+            traction: at.traction + beyond * (at.slope + core),
+            slope: at.slope + 2.0 * core,
         }
     }
 
@@ -161,19 +202,22 @@ impl Surface {
                 slope: k / (left * left),
             };
         };
-        // cap k g/(cap + k g), which comes to the cap, and cap u^2/(1 - u) of u = g/h, which ends in a wall.
         let over = 1.0 + k * gap / cap;
         let mut pressed = Pressed {
             energy: cap * (gap - cap / k * over.ln()),
             traction: k * gap / over,
             slope: k / (over * over),
         };
-        if let Some(depth) = self.depth {
-            let u = gap / depth;
-            let left = 1.0 - u;
-            pressed.energy -= cap * depth * (0.5 * u * u + u + left.ln());
-            pressed.traction += cap * u * u / left;
-            pressed.slope += cap * u * (2.0 - u) / (depth * left * left);
+        let Some(depth) = self.depth else {
+            return pressed;
+        };
+        let rest = (1.0 - PLATEAU) * depth;
+        let w = (gap - PLATEAU * depth) / rest;
+        if w > 0.0 {
+            let left = 1.0 - w;
+            pressed.energy -= cap * rest * (0.5 * w * w + w + left.ln());
+            pressed.traction += cap * w * w / left;
+            pressed.slope += cap * w * (2.0 - w) / (rest * left * left);
         }
         pressed
     }
@@ -210,6 +254,11 @@ impl Object {
             Outline::Sphere(radius) => radius,
             Outline::Cylinder(..) => 0.0,
         }
+    }
+
+    /// How near a surface must be to shorten the step, in m.
+    pub(super) fn near(&self) -> f64 {
+        NEAR + SOON * self.speed
     }
 
     /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
@@ -304,12 +353,8 @@ impl Flight {
         };
         let squeezed = law.at(self.x[1] - self.x[0]);
         let closing = self.v[1] - self.v[0];
-        // Drawn out, a ball is its surface on its way back: nothing is lost there.
-        let (left, slope) = if squeezed.force > 0.0 {
-            hysteresis(kept, self.speed, closing)
-        } else {
-            (1.0, 0.0)
-        };
+        // Drawn out it loses as when squeezed, on its way back.
+        let (left, slope) = hysteresis(kept, self.speed, closing * squeezed.force.signum());
         let force = squeezed.force * left;
         self.force = [force, -force];
         let lossy = force - squeezed.force;
@@ -317,7 +362,7 @@ impl Flight {
         // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
         let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
         let w = (squeezed.slope / reduced).sqrt();
-        let z = 0.5 * squeezed.force.max(0.0) * slope / (w * reduced);
+        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
         self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
     }
 

@@ -116,8 +116,6 @@ pub struct Surround {
     pub material: Material,
     /// Stiffness against folding, in Pa.
     pub subzonal: f64,
-    /// Stiffness of the front edge of the wall against an object's surface, in N/m.
-    pub rim_stiffness: f64,
 }
 
 impl Surround {
@@ -134,7 +132,6 @@ impl Surround {
             opening: 72.0 * DEGREE,
             material: Material::ORBITAL_FAT,
             subzonal: SUBZONAL_PA.min(0.5 * Material::ORBITAL_FAT.bulk),
-            rim_stiffness: 3e7,
         }
     }
 
@@ -145,7 +142,6 @@ impl Surround {
             opening: 40.0 * DEGREE,
             material: Material::GELATIN,
             subzonal: SUBZONAL_PA,
-            rim_stiffness: 3e7,
         }
     }
 

@@ -13,6 +13,7 @@ use crate::study::Left;
 use crate::study::case::{Moved, Refusal, Watch};
 use crate::study::compiled::Ran;
 use crate::study::rules::{REVOLUTION, Rules};
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 /// An eye of revolution ready to be hit.
@@ -198,8 +199,10 @@ fn object(shot: &Projectile) -> Object {
         Surface::Hard => engine::Surface::RIGID,
         Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
         Surface::Inflated { kpa, modulus_mpa } => {
-            engine::Surface::elastic(modulus_mpa * 1e6, radius).capped(kpa * 1e3)
+            let cap = kpa * 1e3 + inertia(shot);
+            engine::Surface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
+        Surface::Splashing => engine::Surface::splashing(inertia(shot), radius),
     };
     Object {
         outline: match shot.outline {
@@ -208,11 +211,7 @@ fn object(shot: &Projectile) -> Object {
         },
         mass: shot.mass_g * 1e-3,
         speed: shot.speed_m_s,
-        // What is lost is lost once: in the spring, where there is one.
-        surface: match shot.stiffness {
-            ProjectileStiffness::Rigid => surface.losing(shot.restitution),
-            ProjectileStiffness::Linear { .. } => surface,
-        },
+        surface: surface.losing(shot.restitution),
         spring: match shot.stiffness {
             ProjectileStiffness::Rigid => None,
             ProjectileStiffness::Linear { n_per_m } => Some(BallSpring {
@@ -221,4 +220,10 @@ fn object(shot: &Projectile) -> Object {
             }),
         },
     }
+}
+
+/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or flattened.
+fn inertia(shot: &Projectile) -> f64 {
+    let density = shot.mass_g * 1e-3 / (PI / 6.0 * (shot.diameter_mm * 1e-3).powi(3));
+    0.5 * density * shot.speed_m_s * shot.speed_m_s
 }
