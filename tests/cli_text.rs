@@ -142,6 +142,21 @@ fn the_results_of_a_blow() {
 }
 
 #[test]
+fn blows_side_by_side() {
+    let of = [
+        "compare",
+        "paper-300n",
+        "bb-56",
+        "soccer-ball",
+        "--set",
+        "window_ms=0.3",
+    ];
+    let risk = ["--sort", "rupture_by_energy_percent"];
+    says("compare", &[&of[..], &risk].concat());
+    says("compare_md", &[&of[..], &["--md"]].concat());
+}
+
+#[test]
 fn thresholds() {
     let until = ["--until", "apex_displacement_mm = 2"];
     let of = [

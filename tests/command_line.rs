@@ -130,12 +130,12 @@ fn a_threshold_is_found_and_a_question_without_sense_ends_with_2() {
         "threshold",
         "bb-56",
         "--vary",
-        "impact.speed",
+        "impact.speeed",
         until[0],
         until[1],
     ])
     .code(2)
-    .stderr(starts_with("--vary impact.speed: there is no such field").and(contains("speed_m_s")));
+    .stderr(starts_with("--vary impact.speeed: there is no such field").and(contains("speed_m_s")));
     run(&[&vary[..], &["--until", "rupture=50"]].concat())
         .code(2)
         .stderr(starts_with("--until").and(contains("rupture_by_energy_percent")));

@@ -15,7 +15,7 @@ use crate::study::accuracy::measure;
 pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let asked = &args.scenario;
-    if asked.integrator.is_some() || asked.step_us.is_some() {
+    if asked.changes.integrator.is_some() || asked.changes.step_us.is_some() {
         return Err(CliError::Input(
             "accuracy measures every integrator over its steps: leave out --integrator and --step-us"
                 .to_owned(),

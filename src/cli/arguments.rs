@@ -25,6 +25,25 @@ pub struct ScenarioArgs {
     /// A preset's name, or a file if it ends in .ron or holds a path separator
     #[arg(value_name = "PRESET|FILE.ron")]
     pub source: String,
+    /// What is changed in it.
+    #[command(flatten)]
+    pub changes: Changes,
+}
+
+/// What to simulate: several presets or files, all changed alike.
+#[derive(Debug, Args)]
+pub struct ScenariosArgs {
+    /// Presets' names, or files if they end in .ron or hold a path separator
+    #[arg(value_name = "PRESET|FILE.ron", required = true)]
+    pub sources: Vec<String>,
+    /// What is changed in each.
+    #[command(flatten)]
+    pub changes: Changes,
+}
+
+/// Changes to a scenario.
+#[derive(Debug, Args)]
+pub struct Changes {
     /// Change one field, as in `impact.force_n=450`, or with its doubt, as in
     /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
     #[arg(long = "set", value_name = "FIELD=VALUE")]
@@ -87,7 +106,24 @@ impl ScenarioArgs {
     /// # Errors
     /// Says which file or argument is wrong, and what would be accepted.
     pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
-        let mut scenario = resolve(&self.source)?;
+        self.changes.made_to(&self.source)
+    }
+}
+
+impl ScenariosArgs {
+    /// Each scenario with what it was asked for by.
+    ///
+    /// # Errors
+    /// As for one.
+    pub fn scenarios(&self) -> Result<Vec<(String, CheckedScenario)>, CliError> {
+        let one = |source: &String| Ok((source.clone(), self.changes.made_to(source)?));
+        self.sources.iter().map(one).collect()
+    }
+}
+
+impl Changes {
+    fn made_to(&self, source: &str) -> Result<CheckedScenario, CliError> {
+        let mut scenario = resolve(source)?;
         let mut changes = Vec::new();
         for Assignment { path, text } in &self.assignments {
             changes.push((full_path(&scenario, path), text.trim()));
@@ -121,8 +157,8 @@ impl ScenarioArgs {
     /// flag gives it, or nobody.
     pub fn place_of(&self, field: &str) -> Option<String> {
         let set = |a: &Assignment| field.contains(&a.path);
-        let by_flag = field == "numerics.step_us" && self.step_us.is_some()
-            || self.assignments.iter().any(set);
+        let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
+            || self.changes.assignments.iter().any(set);
         let path = std::path::Path::new(&self.source);
         if by_flag || !path.is_file() {
             return None;

@@ -19,7 +19,7 @@ use crate::study::ensemble::run as run_samples;
 /// Where the scenario is refused, the output cannot be written, or the work was interrupted.
 pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    let drives = result(&args.drives)?;
+    let drives = result("--drives", &args.drives)?;
     let stop = interrupt::flag()?;
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
@@ -45,14 +45,14 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
 }
 
 /// The result of this name.
-fn result(key: &str) -> Result<Quantity, CliError> {
+pub(super) fn result(flag: &str, key: &str) -> Result<Quantity, CliError> {
     let all = Quantity::ALL;
     let found = all.iter().copied().find(|quantity| quantity.key() == key);
     found.ok_or_else(|| {
         let keys: Vec<&str> = all.iter().map(|quantity| quantity.key()).collect();
         let near = suggestion(key, keys.iter().copied());
         CliError::Input(format!(
-            "--drives {}: there is no such result{near} (allowed: {})",
+            "{flag} {}: there is no such result{near} (allowed: {})",
             quoted(key),
             keys.join(", ")
         ))

@@ -7,6 +7,7 @@
 
 mod accuracy;
 mod arguments;
+mod compare;
 mod config;
 mod coverage;
 mod ensemble;
@@ -23,7 +24,7 @@ mod sweep;
 mod threshold;
 mod validate;
 
-pub use arguments::{Assignment, ScenarioArgs};
+pub use arguments::{Assignment, Changes, ScenarioArgs, ScenariosArgs};
 pub use error::CliError;
 pub use sweep::Shard;
 
@@ -93,6 +94,8 @@ pub enum Command {
     Validate(ValidateArgs),
     /// Repeat the fit of the Physiological model to published experiments
     Calibrate(CalibrateArgs),
+    /// Simulate several blows and print them side by side
+    Compare(CompareArgs),
     /// Run many samples over what is not known of the inputs: median, band and what drives it
     Ensemble(EnsembleArgs),
     /// Run a grid over some fields, in shards for a cluster, and go on after a kill
@@ -271,6 +274,26 @@ Job arrays: each task takes its own shard and file; the shell fills in the numbe
                    --shard {}/8 --out part-{}.csv ::: $(seq 8)
 Together:        grep -hv '^[#r]' part-*.csv | sort -t, -k1,1n";
 
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct CompareArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenarios: ScenariosArgs,
+    /// Sort by this result, the largest first
+    #[arg(long, value_name = "RESULT")]
+    pub sort: Option<String>,
+    /// Print Markdown
+    #[arg(long, conflicts_with_all = ["csv", "json"])]
+    pub md: bool,
+    /// Print CSV: every result with its errors
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `threshold`.
 #[derive(Debug, Args)]
 pub struct ThresholdArgs {
@@ -364,6 +387,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
         Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Ensemble(args)) => ensemble::run(args, out),
+        Some(Command::Compare(args)) => compare::run(args, out),
         Some(Command::Sweep(args)) => sweep::run(args, out),
         Some(Command::Threshold(args)) => threshold::run(args, out),
         Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),

@@ -21,7 +21,12 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut progress = Progress::new();
     let mut watch = |share| progress.simulated(share);
     let chosen = |path: &str| path == "eye.level" || path.starts_with("numerics");
-    let set = args.scenario.assignments.iter().find(|a| chosen(&a.path));
+    let set = args
+        .scenario
+        .changes
+        .assignments
+        .iter()
+        .find(|a| chosen(&a.path));
     if let (Some(_), Some(set)) = (args.tolerance, set) {
         return Err(CliError::Input(format!(
             "--set {}: --tolerance chooses mesh level, integrator and step itself",

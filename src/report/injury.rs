@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use super::text::{WIDTH, significant, wrapped};
 
 /// A share as whole percent, or finer where it is small.
-fn share(risk: f64) -> String {
+pub(super) fn share(risk: f64) -> String {
     let percent = 100.0 * risk;
     if percent < 0.1 {
         "< 0.1 %".to_owned()

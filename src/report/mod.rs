@@ -1,6 +1,7 @@
 //! Results for people and for programs. It only prints what it is given.
 
 pub mod accuracy;
+pub mod compare;
 pub mod coverage;
 pub mod ensemble;
 pub mod errors;

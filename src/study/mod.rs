@@ -7,6 +7,7 @@ pub mod batch;
 pub mod calibrate;
 mod case;
 pub mod choose;
+pub mod comparison;
 pub mod compiled;
 pub mod course;
 #[doc(hidden)]

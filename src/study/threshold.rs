@@ -26,7 +26,7 @@ use crate::recording::Keep;
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
-use crate::scenario::set::set;
+use crate::scenario::set::{full_path, set};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 const WIDTH: f64 = 1e-4;
@@ -289,19 +289,21 @@ fn until(stop: &AtomicBool) -> ControlFlow<()> {
 fn rests_on(quantity: Quantity) -> Option<Quantity> {
     match quantity.row().read {
         Read::Risk(_, Measure::Pressure) => Some(Quantity::Pressure),
-        Read::Risk(_, Measure::NormalizedEnergy) => None,
+        Read::Risk(_, Measure::Stress) => Some(Quantity::ScleralStress),
+        Read::Risk(..) => None,
         _ => Some(quantity),
     }
 }
 
 /// The field of a path and its bounds, where it holds a number.
 fn bounds(scenario: &Scenario, path: &str) -> Result<(&'static Field, Bounds), ScenarioError> {
+    let path = full_path(scenario, path);
     let Some(field) = fields::find(path) else {
-        // The words for a field that is not there.
-        let Err(error) = set(&mut scenario.clone(), path, "0") else {
-            return Err(Problem::new(path, "holds several fields: name one of them").into());
-        };
-        return Err(error);
+        // The words for a field that is not there; a group has none that fit.
+        let error = set(&mut scenario.clone(), path, "()").err();
+        let error = error.filter(|e| e.problems.iter().any(|p| p.line.is_none()));
+        let group = || Problem::new(path, "holds several fields: name one of them").into();
+        return Err(error.unwrap_or_else(group));
     };
     let Some(present) = field.text(scenario) else {
         set(&mut scenario.clone(), path, "0")?;
@@ -440,8 +442,11 @@ mod tests {
             let question = Question::read(short(), vary, (Quantity::Damage, 50.0));
             question.err().unwrap().to_string()
         };
-        assert!(refused("impact.force").contains("did you mean"));
+        assert!(refused("impact.farce_n").contains("did you mean"));
         assert!(refused("impact.shape").contains("is no number"));
+        assert!(refused("eye").contains("holds several fields"));
+        let by_end = Question::read(short(), "force", (Quantity::Damage, 50.0)).unwrap();
+        assert_eq!(by_end.field.path, "impact.force_n");
         assert!(refused("eye.level").contains("whole number"));
         assert!(refused("impact.speed_m_s").contains("which has no"));
         assert!(refused("impact.force_n=9:1").contains("goes from"));

@@ -1,0 +1,59 @@
+//! `contrecoup compare`: several blows side by side.
+
+use std::io::Write;
+use std::sync::{Mutex, PoisonError};
+
+use super::ensemble::result;
+use super::interrupt;
+use super::progress::Progress;
+use super::{CliError, CompareArgs};
+use crate::plain_text::write_json;
+use crate::recording::Keep;
+use crate::report::compare::{Table, csv, json};
+use crate::study::Refusal;
+use crate::study::comparison::{columns, compare, sort};
+
+/// Simulates every blow and prints them as rows of one table.
+///
+/// # Errors
+/// Where a scenario is refused, the output cannot be written, or the work was interrupted.
+pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let asked = args.scenarios.scenarios()?;
+    let by = args
+        .sort
+        .as_ref()
+        .map(|key| result("--sort", key))
+        .transpose()?;
+    let stop = interrupt::flag()?;
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let entries = compare(
+        asked,
+        |_| Keep::default(),
+        &stop,
+        |share| {
+            lock().show("simulating", share);
+        },
+    );
+    lock().clear();
+    let mut entries = entries.map_err(|refusal| match refusal {
+        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
+        other => other.into(),
+    })?;
+    if let Some(by) = by {
+        sort(&mut entries, by);
+    }
+    if args.json {
+        return Ok(write_json(out, &json(&entries))?);
+    }
+    if args.csv {
+        return Ok(csv(&entries, out)?);
+    }
+    let table = Table::of(&entries, &columns(&entries, by));
+    if args.md {
+        table.markdown(out)?;
+    } else {
+        table.text(out)?;
+    }
+    Ok(())
+}

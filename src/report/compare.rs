@@ -1,0 +1,245 @@
+//! A comparison as text of 80 columns, Markdown, CSV and JSON: a row for each blow, a column for each result.
+//!
+//! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON have all digits
+//! and every result, with the errors beside them.
+
+use std::io::{self, Write};
+
+use serde_json::{Value, json};
+
+use super::injury::share;
+use super::text::{WIDTH, digits, percent, significant, wrapped};
+use crate::injury::{Blow, Caution, lines};
+use crate::plain_text::printable;
+use crate::study::comparison::Entry;
+use crate::study::quantity::Read;
+use crate::study::{Answer, Quantity};
+
+/// Narrowest column of a result.
+const NARROWEST: usize = 7;
+/// Widest name of a blow.
+const WIDEST_NAME: usize = 20;
+
+/// A comparison as people read it: heads of two lines, and rows of cells.
+pub struct Table {
+    /// The short name of each result.
+    pub heads: Vec<String>,
+    /// Its unit.
+    pub units: Vec<&'static str>,
+    /// A name, and a cell for each head.
+    pub rows: Vec<(String, Vec<String>)>,
+    /// What limits or refuses each of the rows that something does.
+    pub remarks: Vec<String>,
+}
+
+/// A value with no digit finer than a tenth of its error, in %, allows.
+pub fn within(value: f64, error: Option<f64>) -> String {
+    let Some(error) = error.filter(|error| *error > 0.0) else {
+        return significant(value);
+    };
+    // An error of 100 % leaves one digit, one of 10 % two.
+    let count = (3.0 - error.log10()).floor().clamp(1.0, 4.0) as i32;
+    digits(value, count)
+}
+
+fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.max(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+/// A result with as many digits as its errors allow.
+pub fn cell(answer: &Answer, of: Quantity) -> String {
+    let errors = &answer.errors;
+    let mesh = errors.mesh.as_ref().and_then(|mesh| mesh[of]);
+    let error = larger(errors.time_step[of], mesh);
+    if let (Some(risk), Read::Risk(..)) = (answer.results()[of], of.row().read) {
+        return share(risk / 100.0).trim_end_matches(" %").to_owned();
+    }
+    answer.results()[of].map_or_else(|| "-".to_owned(), |value| within(value, error))
+}
+
+/// What speaks against the risks by energy of a blow.
+fn caution(entry: &Entry) -> Option<Caution> {
+    Blow::of(&entry.scenario)?.caution()
+}
+
+impl Table {
+    /// The table of these columns.
+    pub fn of(entries: &[Entry], columns: &[Quantity]) -> Self {
+        let mut heads: Vec<String> = columns.iter().map(|of| of.row().short.to_owned()).collect();
+        heads.extend(["step".to_owned(), "mesh".to_owned()]);
+        let mut units: Vec<&'static str> = columns.iter().map(|of| of.row().unit).collect();
+        units.extend(["error", "error"]);
+        let row = |entry: &Entry| {
+            let cells = match &entry.outcome {
+                Err(_) => vec!["-".to_owned(); heads.len()],
+                Ok(answer) => {
+                    let mut cells: Vec<String> =
+                        columns.iter().map(|of| cell(answer, *of)).collect();
+                    let errors = &answer.errors;
+                    cells.push(percent(errors.time_step_percent()));
+                    cells.push(errors.mesh_percent().map_or("?".to_owned(), percent));
+                    cells
+                }
+            };
+            (printable(&entry.source).into_owned(), cells)
+        };
+        let remark = |entry: &Entry| {
+            let remarks = match &entry.outcome {
+                Err(why) => vec![why.clone()],
+                Ok(answer) => {
+                    // The gravest injury comes first.
+                    let first = lines(&answer.verdicts()).into_iter().next();
+                    let verdict = first.map(|(name, words)| format!("{name}: {words}"));
+                    let flags = answer.flags.iter();
+                    let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.message));
+                    verdict.into_iter().chain(flags).collect()
+                }
+            };
+            let name = printable(&entry.source).into_owned();
+            remarks
+                .into_iter()
+                .map(move |remark| format!("{name}: {remark}"))
+        };
+        Self {
+            rows: entries.iter().map(row).collect(),
+            remarks: entries.iter().flat_map(remark).collect(),
+            units,
+            heads,
+        }
+    }
+
+    /// Prints it in blocks that fit into 80 columns.
+    ///
+    /// # Errors
+    /// Whatever `out` reports.
+    pub fn text(&self, out: &mut dyn Write) -> io::Result<()> {
+        let longest = self.rows.iter().map(|(name, _)| name.chars().count()).max();
+        let name = longest.unwrap_or(0).min(WIDEST_NAME);
+        let width = |at: usize| {
+            let cells = self.rows.iter().map(|(_, cells)| cells[at].chars().count());
+            let heads = [self.heads[at].chars().count(), self.units[at].len()];
+            cells.chain(heads).max().unwrap_or(0).max(NARROWEST) + 1
+        };
+        let mut first = 0;
+        while first < self.heads.len() {
+            let mut last = first;
+            let mut wide = name;
+            while last < self.heads.len() && (last == first || wide + width(last) <= WIDTH) {
+                wide += width(last);
+                last += 1;
+            }
+            let line = |name_cell: &str, cell: &dyn Fn(usize) -> String| {
+                let short: String = name_cell.chars().take(name).collect();
+                let cells = (first..last).map(|at| format!("{:>1$}", cell(at), width(at)));
+                format!("{short:<name$}{}", cells.collect::<String>())
+            };
+            if first > 0 {
+                writeln!(out)?;
+            }
+            writeln!(out, "{}", line("", &|at| self.heads[at].clone()))?;
+            writeln!(out, "{}", line("", &|at| self.units[at].to_owned()))?;
+            for (name, cells) in &self.rows {
+                writeln!(out, "{}", line(name, &|at| cells[at].clone()))?;
+            }
+            first = last;
+        }
+        if !self.remarks.is_empty() {
+            writeln!(out)?;
+        }
+        for remark in &self.remarks {
+            for (i, part) in wrapped(&printable(remark), WIDTH - 4).iter().enumerate() {
+                writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
+            }
+        }
+        writeln!(out, "\nResearch and education, not diagnosis.")
+    }
+
+    /// Prints it as Markdown.
+    ///
+    /// # Errors
+    /// Whatever `out` reports.
+    pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
+        let safe = |text: &str| text.replace('|', "\\|").replace('<', "&lt;");
+        let units = self.heads.iter().zip(&self.units);
+        let heads: Vec<String> = units
+            .map(|(head, unit)| format!("{head}, {unit}"))
+            .collect();
+        writeln!(out, "| blow | {} |", heads.join(" | "))?;
+        writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
+        for (name, cells) in &self.rows {
+            let cells: Vec<String> = cells.iter().map(|cell| safe(cell)).collect();
+            writeln!(out, "| {} | {} |", safe(name), cells.join(" | "))?;
+        }
+        writeln!(out)?;
+        for remark in &self.remarks {
+            writeln!(out, "- {}", safe(remark))?;
+        }
+        writeln!(out, "\nResearch and education, not diagnosis.")
+    }
+}
+
+/// Prints it as CSV: every result with its errors in %, then flags, caution and refusal.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    let mut head = vec!["preset".to_owned(), "name".to_owned()];
+    for of in Quantity::ALL {
+        let key = of.key();
+        head.extend([
+            key.to_owned(),
+            format!("{key}_step_error_percent"),
+            format!("{key}_mesh_error_percent"),
+        ]);
+    }
+    head.extend(["flags", "caution", "refused"].map(str::to_owned));
+    writer.write_record(&head)?;
+    for entry in entries {
+        let mut record = vec![entry.source.clone(), entry.scenario.name.clone()];
+        let plain = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+        let answer = entry.outcome.as_ref().ok();
+        for &of in Quantity::ALL {
+            let errors = answer.map(|answer| &answer.errors);
+            record.push(plain(entry.result(of)));
+            record.push(plain(errors.and_then(|errors| errors.time_step[of])));
+            record.push(plain(errors.and_then(|errors| errors.mesh.as_ref()?[of])));
+        }
+        let flags = answer.map_or(&[][..], |answer| &answer.flags);
+        let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
+        record.push(flags.join(" "));
+        record.push(caution(entry).map_or("", Caution::key).to_owned());
+        record.push(entry.outcome.as_ref().err().cloned().unwrap_or_default());
+        writer.write_record(&record)?;
+    }
+    writer.flush()
+}
+
+/// The same as `run --json`, one object for each blow.
+pub fn json(entries: &[Entry]) -> Value {
+    let one = |entry: &Entry| {
+        let mut object = match &entry.outcome {
+            Err(why) => json!({ "scenario": *entry.scenario, "refused": why }),
+            Ok(answer) => super::json::answer(&entry.scenario, answer, &[]),
+        };
+        object["preset"] = json!(entry.source);
+        object
+    };
+    entries.iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_end_where_the_error_begins() {
+        assert_eq!(within(26.4184, None), "26.42");
+        assert_eq!(within(26.4184, Some(1e-6)), "26.42");
+        assert_eq!(within(26.4184, Some(5.0)), "26");
+        assert_eq!(within(26.4184, Some(40.0)), "26");
+    }
+}
