@@ -25,6 +25,8 @@ pub(super) const SUBZONAL_VISCOSITY: f64 = 0.05;
 pub(super) const SUBZONAL_BULK: f64 = 100e6;
 /// Share of a triangle's volume at rest below which its pressure grows only linearly.
 pub(super) const SQUEEZED: f64 = 0.05;
+/// What a corner triangle may lose of its volume in a step as long as the bound, as a share.
+pub(super) const LOSS_IN_STEP: f64 = 0.5;
 /// Share of area or volume that a cell which has folded is taken to have, so that all stays finite.
 pub(super) const FLAT: f64 = 1e-3;
 
@@ -205,7 +207,11 @@ impl Rest {
             let jt = vt / at_rest;
             response.least_triangle = response.least_triangle.min(jt);
             let vt = vt.max(SQUEEZED * at_rest);
-            let shape_rate = rate(&slope, &corners.map(|k| v[k])) / vt - expansion;
+            let own_rate = rate(&slope, &corners.map(|k| v[k])) / vt;
+            response.limit = response
+                .limit
+                .min(LOSS_IN_STEP / (-own_rate).max(f64::MIN_POSITIVE));
+            let shape_rate = own_rate - expansion;
             let (over, stored) = subzonal(jt);
             let viscous = 0.5 * eta * shape_rate;
             for (corner, slope) in corners.into_iter().zip(slope) {

@@ -281,14 +281,14 @@ fn cells<S: Simd>(
     let stiff = c!(field::BULK_SPEED) * inverse_j * inverse_j + c!(field::OTHER_SPEED);
     let waves = ((stiff + viscous_speed * viscous_speed).sqrt() + viscous_speed) * inverse_length;
     let diffusion = number!(4.0) * c!(field::KINEMATIC) * inverse_length * inverse_length;
-    let most = load(simd, &totals.rate, lane).max(waves.max(diffusion));
-    store::<S>(&mut totals.rate, lane, most);
+    let mut most = load(simd, &totals.rate, lane).max(waves.max(diffusion));
 
     // Pressures of the corners, which are subtracted from an edge's coefficient.
     let mut whole = pressure + artificial;
     let mut least = load(simd, &totals.triangle, lane);
     let eta = c!(field::CORNER) * length;
     let absent = c!(field::ABSENT);
+    let mut shrinking = number!(0.0);
     let own: [V<S>; 4] = four!(i => {
         let j = triangle[i] * c!(field::INVERSE_TRIANGLE + i);
         least = least.min(j + absent);
@@ -296,7 +296,9 @@ fn cells<S: Simd>(
         let cube = over * over * over;
         let below = number!(SQUEEZED) - j.min(number!(SQUEEZED));
         let elastic = c!(field::SUBZONAL) * (cube - number!(1.0) + number!(3.0) * below * cube * over);
-        let shape_rate = triangle_rate[i] * inverse_squeezed[i] - expansion;
+        let own_rate = triangle_rate[i] * inverse_squeezed[i];
+        shrinking = shrinking.min(own_rate);
+        let shape_rate = own_rate - expansion;
         let viscous = eta * shape_rate;
         let share = viscous * squeezed[i];
         whole += share * inverse_now;
@@ -304,6 +306,8 @@ fn cells<S: Simd>(
         elastic - viscous
     });
     store::<S>(&mut totals.triangle, lane, least);
+    most = most.max(-(shrinking * c!(field::SHRINKING)));
+    store::<S>(&mut totals.rate, lane, most);
 
     let zero = number!(0.0);
     let mut on = [(zero, zero); 4];

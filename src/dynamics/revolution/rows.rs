@@ -67,9 +67,11 @@ pub(super) mod field {
     pub const SENSOR: usize = 29;
     /// 1 for a cell of the globe.
     pub const GLOBE: usize = 30;
+    /// Longest steps over the time in which a triangle would be gone.
+    pub const SHRINKING: usize = 31;
     /// 0, or so much that a triangle is never the least.
-    pub const ABSENT: usize = 31;
-    pub const COUNT: usize = 32;
+    pub const ABSENT: usize = 32;
+    pub const COUNT: usize = 33;
 }
 
 /// The constants of one cell, by [`field`].
@@ -240,6 +242,7 @@ fn constants(rest: &Rest) -> Constants {
     c[field::CONSTANT_SPEED] = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
     c[field::KINEMATIC] = rest.viscosity / density;
     c[field::QUADRATIC_SPEED] = cell::QUADRATIC;
+    c[field::SHRINKING] = 1.0 / cell::LOSS_IN_STEP;
     c
 }
 

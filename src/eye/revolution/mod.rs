@@ -65,7 +65,7 @@ pub struct Segment {
 /// The eye at rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RevolutionEye {
-    /// Refinement level.
+    /// Refinement level; 0 of a mesh that is none.
     pub level: u32,
     /// What it was made from.
     pub parameters: Parameters,
@@ -183,10 +183,18 @@ impl RevolutionEye {
     /// Finest level.
     pub const FINEST: u32 = 5;
 
-    /// Builds the eye at `level` 1 to [`Self::FINEST`].
+    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser core than
+    /// level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in pressure and stress.
     pub fn new(parameters: &Parameters, level: u32) -> Self {
+        Self {
+            level,
+            ..Self::with_core(parameters, 2 * level as usize + 4)
+        }
+    }
+
+    /// Builds the eye with `half` cells in half a side of its core.
+    pub fn with_core(parameters: &Parameters, half: usize) -> Self {
         let surround = parameters.surround.as_ref();
-        let half = 2 * level as usize + 2;
         let mesh = mesh::build(
             half,
             parameters.radius,
@@ -228,7 +236,7 @@ impl RevolutionEye {
             fixed[node] = true;
         }
         let mut eye = Self {
-            level,
+            level: 0,
             parameters: *parameters,
             mass: vec![0.0; mesh.x.len()],
             mesh,
