@@ -190,7 +190,7 @@ fn pid_in(file: &Path) -> u32 {
 #[test]
 fn a_hang_up_ends_the_app_even_where_the_signal_is_ignored() {
     if !Path::new("/usr/bin/script").exists() {
-        support::skip("there is no script(1)");
+        support::skip::skip("there is no script(1)");
         return;
     }
     for before in ["", "trap '' HUP;"] {

@@ -20,31 +20,17 @@ use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use dice::Dice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use support::{Replies, Term, app};
 
+#[path = "support/dice.rs"]
+mod dice;
 #[path = "support/made_up.rs"]
 mod made_up;
 #[path = "support/made_up_accuracy.rs"]
 mod made_up_accuracy;
-
-/// Numbers at random, by the constants of Knuth's MMIX.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) as usize) % count
-    }
-
-    fn one<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len())]
-    }
-}
 
 /// Keys that people press, some of them more often than others.
 const KEYS: &[KeyCode] = &[

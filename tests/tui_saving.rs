@@ -63,7 +63,7 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
         .arg(&folder)
         .output();
     if !mount.is_ok_and(|output| output.status.success()) {
-        support::skip("a small file system cannot be mounted here");
+        support::skip::skip("a small file system cannot be mounted here");
         return;
     }
     let text = fs::read_to_string("presets/paper-300n.ron").unwrap();

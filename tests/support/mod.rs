@@ -13,8 +13,7 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system}
 pub const PATIENCE: Duration = Duration::from_secs(20);
 
 #[path = "skip.rs"]
-mod skip;
-pub use skip::skip;
+pub mod skip;
 
 /// The question for the cursor's place.
 const QUESTION: &[u8] = b"\x1b[6n";

@@ -38,7 +38,7 @@ impl Server {
     /// Starts a server that runs `command` for whoever comes; `None` where there is no server.
     pub fn start(command: &str) -> Option<Self> {
         if !Path::new(SERVER).exists() {
-            support::skip("openssh-server is not installed");
+            support::skip::skip("openssh-server is not installed");
             return None;
         }
         let folder = tempfile::tempdir().unwrap();
