@@ -248,6 +248,34 @@ fn exported_frames_hold_all_nodes_of_all_frames_with_units() {
 }
 
 #[test]
+fn a_round_eye_is_exported_as_a_section_is() {
+    let (_folder, path) = scratch("frames.csv");
+    let traces = path.with_extension("traces.csv");
+    let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenarios/round-eye.ron");
+    let named = |path: &std::path::Path| path.to_str().unwrap().to_owned();
+    let (frames, kept) = (named(&path), named(&traces));
+    program(&["export", scenario, "--frames", &frames, "--traces", &kept])
+        .assert()
+        .success()
+        .stdout(contains("31 frames"));
+    let text = fs::read_to_string(&path).unwrap();
+    for region in ["shell", "retina", "lens", "interior", "fat", "orbit"] {
+        assert!(text.contains(&format!(",{region},")), "{region}");
+    }
+    let head = fs::read_to_string(&traces).unwrap();
+    let head = head.lines().next().unwrap();
+    for column in [
+        "contact_force_n",
+        "back_pressure_mpa",
+        "intrusion_mm",
+        "work_j",
+    ] {
+        assert!(head.split(',').any(|c| c == column), "{column} in {head}");
+    }
+    assert!(!head.contains("vitreous_area"), "{head}");
+}
+
+#[test]
 fn exported_traces_hold_every_step_and_the_peaks_that_run_prints() {
     let (_folder, path) = scratch("traces.csv");
     let traces = path.to_str().unwrap();

@@ -131,6 +131,27 @@ fn replay_screens() {
 }
 
 #[test]
+fn the_round_eye_is_drawn_whole_and_coloured_by_force_or_pressure() {
+    let file = "tests/scenarios/round-eye.ron";
+    screen("main_round", &[file], "");
+    screen("replay_round", &[file], "\x1b2");
+    screen("replay_round_pressure", &[file], "\x1b2cg");
+    state("forces_round", &[file], "\x1b3v");
+    state("injury_round", &[file], "\x1b8");
+}
+
+#[test]
+fn the_round_eye_stands_beside_a_section_in_a_comparison_and_has_a_map_and_samples() {
+    let file = "tests/scenarios/round-eye.ron";
+    state("compare_round", &[file, "paper-300n"], "\x1b4\t");
+    pictures("doubt_round", &[file], &[USUAL], |model| {
+        press(model, "\r +- 2\r");
+        open_sampled(model);
+    });
+    pictures("map_round", &[file], &[USUAL], open_mapped);
+}
+
+#[test]
 fn force_screen() {
     screen("forces", &[], "\x1b3");
 }

@@ -43,6 +43,15 @@ pub struct Line {
     pub region: Region,
 }
 
+/// A cell between four nodes.
+#[derive(Debug, Clone, Copy)]
+pub struct DrawnCell {
+    /// Indices of nodes, in order.
+    pub corners: [usize; 4],
+    /// Its place in the frame.
+    of: usize,
+}
+
 /// An eye as it is drawn.
 #[derive(Debug, Clone)]
 pub struct Drawing {
@@ -50,14 +59,16 @@ pub struct Drawing {
     pub nodes: Vec<DrawnNode>,
     /// All of them.
     pub lines: Vec<Line>,
+    /// Cells that have a pressure of their own, where the eye is made of such.
+    pub cells: Vec<DrawnCell>,
     /// The nodes nearest to the four monitored places.
     pub monitors: [usize; 4],
     /// Pieces of the shell that a pulse loads; both ends are the same where it loads one node.
     pub loaded: Vec<(usize, usize)>,
     /// When the load ends, in s.
     pub loaded_until: f64,
-    /// Half of the height that a picture needs, in m.
-    pub reach: f64,
+    /// How far a picture reaches from the middle of the globe, across and up, in m.
+    pub reach: (f64, f64),
     /// Which way a blow goes, if the frame's axes lie along it.
     along: Option<Vector2<f64>>,
     object: Option<Object>,
@@ -84,16 +95,30 @@ impl Drawing {
         let DrawnNode {
             of, rest, mirrored, ..
         } = self.nodes[node];
-        let mut moved = rest + (frame.positions[of] - rest) * zoom;
+        let moved = rest + (frame.positions[of] - rest) * zoom;
+        self.in_the_section(moved, mirrored)
+    }
+
+    /// Where a node rests.
+    pub fn at_rest(&self, node: &DrawnNode) -> Point2<f64> {
+        self.in_the_section(node.rest, node.mirrored)
+    }
+
+    fn in_the_section(&self, mut at: Point2<f64>, mirrored: bool) -> Point2<f64> {
         if mirrored {
-            moved.y = -moved.y;
+            at.y = -at.y;
         }
-        self.turned(moved)
+        self.turned(at)
     }
 
     /// The force on a node in a frame, in N.
     pub fn force(&self, frame: &Frame, node: usize) -> f64 {
         frame.forces[self.nodes[node].of]
+    }
+
+    /// The pressure in a cell in a frame, in Pa.
+    pub fn pressure(&self, frame: &Frame, cell: &DrawnCell) -> f64 {
+        frame.cells.get(cell.of).copied().unwrap_or_default()
     }
 
     /// The outline of the object in a frame: a closed polygon.
@@ -165,7 +190,8 @@ fn of_section(case: &Case) -> Drawing {
             .map(|(&a, &b)| (a, if loaded(b) { b } else { a }))
             .collect(),
         loaded_until: case.system.load().pulse.duration(),
-        reach: ORBIT_RADIUS_M * MARGIN,
+        cells: Vec::new(),
+        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
         along: None,
         object: contact.map(|contact| Object {
             outline: Outline::Sphere(contact.radius),
@@ -253,15 +279,18 @@ fn of_revolution(case: &RevolutionCase) -> Drawing {
     let arc = eye.mesh.shell.windows(2).map(|ends| (ends[0], ends[1]));
     let arc = arc.filter(|(a, _)| under(*a));
     let loaded = arc.map(|(a, b)| (a, if under(b) { b } else { a }));
-    let farthest = |nodes: &[usize]| {
-        let distance = |node: &usize| rest(*node).coords.norm();
-        nodes.iter().map(distance).fold(0.0, f64::max)
-    };
-    Drawing {
+    let cells = eye.cells.iter().enumerate();
+    let cells = cells.flat_map(|(of, cell)| {
+        let corners = cell.corners;
+        [corners, corners.map(|node| image[node])].map(|corners| DrawnCell { corners, of })
+    });
+    let mut drawing = Drawing {
+        cells: cells.collect(),
         monitors: crate::dynamics::revolution::monitored(eye),
         loaded: loaded.flat_map(|ends| [ends, mirrored(ends)]).collect(),
         loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
-        reach: farthest(&eye.mesh.wall).max(ORBIT_RADIUS_M) * MARGIN,
+        // The arrow of the blow needs some room too.
+        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
         along: Some(along),
         object: match &case.load {
             Blow::Object(object) => Some(Object {
@@ -272,7 +301,12 @@ fn of_revolution(case: &RevolutionCase) -> Drawing {
         },
         nodes,
         lines,
-    }
+    };
+    let places = drawing.nodes.iter().map(|node| drawing.at_rest(node));
+    drawing.reach = places.fold(drawing.reach, |(across, up), at| {
+        (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
+    });
+    drawing
 }
 
 /// The lines of the half section, and the nodes at which those of its cells cross.

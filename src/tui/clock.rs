@@ -34,6 +34,15 @@ impl Detail {
     }
 }
 
+/// What colours the eye.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Colouring {
+    /// The forces on its nodes.
+    Force,
+    /// The pressure in its cells, where it has any.
+    Pressure,
+}
+
 /// Which moment is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Moment {
@@ -54,6 +63,8 @@ pub struct Clock {
     zoom: usize,
     /// How much of the mesh is drawn.
     pub detail: Detail,
+    /// What colours the eye.
+    pub colouring: Colouring,
 }
 
 impl Default for Clock {
@@ -64,6 +75,7 @@ impl Default for Clock {
             speed: 5,
             zoom: 0,
             detail: Detail::Edges,
+            colouring: Colouring::Force,
         }
     }
 }
@@ -138,6 +150,14 @@ impl Clock {
             Detail::Edges => Detail::Nodes,
             Detail::Nodes => Detail::Outline,
             Detail::Outline => Detail::Edges,
+        };
+    }
+
+    /// The other colouring.
+    pub fn change_colouring(&mut self) {
+        self.colouring = match self.colouring {
+            Colouring::Force => Colouring::Pressure,
+            Colouring::Pressure => Colouring::Force,
         };
     }
 

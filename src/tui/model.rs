@@ -15,7 +15,7 @@ use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
-use super::view::heat::hottest;
+use super::view::heat::{highest, hottest};
 use crate::scenario::{self, Scenario};
 use crate::study::Answer;
 use crate::study::drawing::Drawing;
@@ -80,6 +80,8 @@ pub struct Shown {
     pub answer: Arc<Answer>,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
+    /// The largest pressure in any cell in any frame, in Pa, if it has cells.
+    pub highest: Option<f64>,
     /// What pictures are made of.
     pub drawing: Drawing,
 }
@@ -90,6 +92,7 @@ impl Shown {
         Self {
             scenario,
             hottest: hottest(&answer),
+            highest: highest(&answer),
             drawing: Drawing::of(&answer.case),
             answer: Arc::new(answer),
         }

@@ -173,7 +173,13 @@ fn frame(case: &Compiled, traces: &Traces, row: usize, diameter: Option<f64>) ->
         projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
         cells: match case.revolution() {
-            Some(case) => vec![traces.pressure[row]; case.eye.cells.len()],
+            Some(case) => (case.eye.cells.iter())
+                .map(|cell| {
+                    let (x, r) = case.eye.at(cell.corners[0]);
+                    let from = (Point2::new(x, r) - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm();
+                    traces.pressure[row] * hump(from / GLOBE_RADIUS_M, 3.0 * share, 3.0)
+                })
+                .collect(),
             None => Vec::new(),
         },
         pressure: traces.pressure.get(row).copied(),

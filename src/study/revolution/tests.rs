@@ -1,9 +1,11 @@
 use super::RevolutionCase;
 use crate::recording::Keep;
+use crate::scenario::set::set;
 use crate::scenario::{Axisymmetric, Impact, Model, Projectile, Scenario, Surface};
 use crate::study::{
     Answer, FlagKind, Left, Quantity, Refusal, Results, add_mesh_error, solve, unwatched,
 };
+use std::ops::ControlFlow;
 
 fn scene(shot: Projectile) -> Scenario {
     Scenario {
@@ -151,4 +153,144 @@ fn a_surface_that_gives_way_lowers_the_pressure() {
     let soft = soft.results();
     let of = Quantity::Pressure;
     assert!(soft[of].unwrap() < 0.7 * hard[of].unwrap());
+}
+
+fn short() -> Scenario {
+    Scenario {
+        window_ms: 0.1,
+        ..scene(bb(30.0))
+    }
+}
+
+#[test]
+fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
+    use crate::study::ensemble::{PILOT, run};
+    use std::sync::atomic::AtomicBool;
+    let mut scenario = short();
+    set(&mut scenario, "model.sclera_mpa", "138 ± 20").unwrap();
+    set(&mut scenario, "impact.speed_m_s", "30 ± 2").unwrap();
+    let checked = scenario.check().unwrap();
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().unwrap();
+        let stop = AtomicBool::new(false);
+        pool.install(|| run(&checked, (16, 1), &stop, &|_| ControlFlow::Continue(())))
+            .unwrap()
+    };
+    let ensemble = on(2);
+    assert_eq!(ensemble.samples, on(1).samples);
+    assert_eq!(ensemble.samples.len(), 16);
+    for of in [
+        Quantity::Contact,
+        Quantity::ScleralStress,
+        Quantity::Rebound,
+    ] {
+        let band = ensemble.band(of).unwrap();
+        assert!(band.low < band.median && band.median < band.high, "{of:?}");
+    }
+    let checks = ensemble.checks();
+    assert_eq!(checks.count, PILOT as usize);
+    assert!(checks.last <= ensemble.promise, "{checks:?}");
+}
+
+#[test]
+fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
+    use crate::scenario::fields::find;
+    use crate::study::map::{Span, Spot, fill};
+    use crate::study::sweep::{Axis, Sweep};
+    use std::sync::atomic::AtomicBool;
+    let axis = |text: &str| Axis::read(text).unwrap();
+    let axes = vec![
+        axis("model.support=Orbit,Free"),
+        axis("impact.speed_m_s=20,40"),
+    ];
+    let sweep = Sweep::new(short(), axes).unwrap();
+    let row = |i| sweep.run(i, &mut unwatched).unwrap().outcome.unwrap();
+    let (slow, fast) = (row(0), row(1));
+    let of = Quantity::BackPressure;
+    assert!(slow.values[of].unwrap() < fast.values[of].unwrap());
+    assert!(slow.check.unwrap().last <= 1.0);
+    assert!(row(3).values[Quantity::StoredEnergy].is_none());
+
+    let span = |path, from, to| Span {
+        field: find(path).unwrap(),
+        from,
+        to,
+    };
+    let spans = (
+        span("impact.speed_m_s", 10.0, 40.0),
+        span("impact.angle_deg", 0.0, 100.0),
+    );
+    let go = |_: f64| ControlFlow::Continue(());
+    let grid = fill(&short(), spans, 3, None, &AtomicBool::new(false), &go).unwrap();
+    let value = |x, y| grid.at(x, y).value(Quantity::ScleralStress);
+    assert!(value(0, 0).unwrap() < value(2, 0).unwrap());
+    assert!(matches!(grid.at(0, 2), Spot::Refused), "beyond 90 degrees");
+}
+
+#[test]
+fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
+    use crate::study::accuracy::measure;
+    use crate::study::{Compiled, Element};
+    let checked = short().check().unwrap();
+    let report = measure(&checked, 2, &mut unwatched).unwrap();
+    assert_eq!(report.element, Element::Cell);
+    assert!(report.points.len() >= 4 && !report.folded);
+    let limit = Compiled::new(&checked).step_limit(report.reference.integrator);
+    for pair in report.points.windows(2) {
+        assert!(pair[1].step < pair[0].step && pair[0].step < limit);
+        assert!(pair[1].evaluations > pair[0].evaluations);
+    }
+    let (first, last) = (&report.points[0], report.points.last().unwrap());
+    assert!(last.error() < 0.5 * first.error());
+    let (coarse, fine) = (&report.levels[0], &report.levels[1]);
+    assert!(coarse.errors[Quantity::Pressure].unwrap() > 0.0);
+    assert!(fine.element_evaluations > 2 * coarse.element_evaluations);
+}
+
+#[test]
+fn a_tolerance_chooses_level_and_step_or_says_why_it_cannot() {
+    use crate::study::choose::within;
+    let checked = short().check().unwrap();
+    let keep = Keep::default();
+    let chosen = within(&checked, 60.0, keep, &mut unwatched).unwrap();
+    let of = Quantity::Damage;
+    let step = chosen.answer.errors.time_step[of].unwrap();
+    let mesh = chosen.answer.errors.mesh.unwrap()[of].unwrap();
+    assert!(step + mesh <= 60.0 && !chosen.reasons.is_empty());
+    let refused = within(&checked, 0.01, keep, &mut unwatched).unwrap_err();
+    assert!(refused.to_string().contains("levels 1 to 5"), "{refused}");
+}
+
+#[test]
+fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
+    use crate::recording::Spacing;
+    let checked = short().check().unwrap();
+    let keep = Keep {
+        traces: true,
+        frames: Some(Spacing::even(7e-6)),
+    };
+    let answer = solve(&checked, keep, &mut unwatched).unwrap();
+    assert_eq!(answer.frames.len(), 15);
+    for (i, frame) in answer.frames.iter().enumerate() {
+        assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);
+        assert_eq!(frame.cells.len(), case(&answer).eye.cells.len());
+    }
+    let mut streamed = Vec::new();
+    let take = &mut |frame| {
+        streamed.push(frame);
+        ControlFlow::Continue(())
+    };
+    let spacing = Spacing::even(7e-6);
+    answer.case.frames(&answer.plan, spacing, take).unwrap();
+    assert_eq!(streamed, answer.frames);
+    let traces = answer.traces.as_ref().unwrap();
+    for &of in Quantity::ALL {
+        let (Some(peak), Some(trace)) = (answer.peak(of), of.row().trace) else {
+            continue;
+        };
+        let largest = (trace.values)(traces).iter().copied().fold(0.0, f64::max);
+        let share = largest / peak.value;
+        assert!((0.97..1.0 + 1e-9).contains(&share), "{} {share}", of.key());
+    }
 }

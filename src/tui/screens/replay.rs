@@ -8,7 +8,7 @@ use crate::eye::Region;
 use crate::report::text::significant;
 use crate::study::Quantity;
 use crate::study::course::{Beside, COURSES, Course, Group};
-use crate::tui::clock::peak_at;
+use crate::tui::clock::{Colouring, peak_at};
 use crate::tui::form::unverified;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
@@ -46,7 +46,14 @@ pub const FRAME_KEYS: &[Binding] = &[
     bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the next frame"),
     bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "ten frames back"),
     bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "ten frames on"),
+    bind(&[c('c')], |m| m.clock.change_colouring(), "", "coloured by force, or by pressure where cells have one"),
 ];
+
+/// The largest pressure of the scale, in Pa, where an eye is to be coloured by that.
+pub fn pressures(model: &Model, shown: &Shown) -> Option<f64> {
+    let wanted = model.clock.colouring == Colouring::Pressure;
+    shown.highest.filter(|_| wanted)
+}
 
 fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
@@ -61,6 +68,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         shown,
         time: model.time(),
         largest: shown.hottest,
+        highest: pressures(model, shown),
         zoom: model.clock.zoom(),
         detail: model.clock.detail,
         blow: Some(&shown.scenario),
@@ -95,10 +103,22 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let time = model.time();
     let mut y = 0;
-    put(buffer, area, (0, y), "Node force", theme.heading());
+    let pressures = pressures(model, shown);
+    let (heading, other) = match pressures {
+        Some(_) => ("Pressure", "c: force"),
+        None => ("Node force", "c: pressure"),
+    };
+    put(buffer, area, (0, y), heading, theme.heading());
+    if shown.highest.is_some() {
+        put_right(buffer, area, (area.width - 1, y), other, theme.quiet());
+    }
     y += 1;
     let ascii = model.look.symbols == Symbols::Ascii;
-    legend(shown, (theme, ascii), area, &mut y, buffer);
+    let scale = match pressures {
+        Some(highest) => (highest * 1e-3, "kPa"),
+        None => (shown.hottest, "N"),
+    };
+    legend(scale, (theme, ascii), area, &mut y, buffer);
     let traces = shown.answer.traces.as_ref();
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
@@ -151,16 +171,16 @@ fn reading_of(value: f64) -> String {
 
 /// Steps of force with their colours, and the parts of the eye with theirs.
 fn legend(
-    shown: &Shown,
+    (largest, unit): (f64, &str),
     (theme, ascii): (Theme, bool),
     area: Rect,
     y: &mut u16,
     buffer: &mut Buffer,
 ) {
-    let steps = thresholds(shown.hottest, theme.heat_steps());
+    let steps = thresholds(largest, theme.heat_steps());
     let mut x = 0;
     for (i, force) in steps.iter().enumerate().rev() {
-        let text = format!(">{force}N ");
+        let text = format!(">{force}{unit} ");
         let wide = text.len() as u16 + 1;
         if x + wide > area.width {
             x = 0;
@@ -177,7 +197,10 @@ fn legend(
     }
     if let Some(least) = steps.first() {
         // What is colder has the colour of its part.
-        let texts = [format!("<{least}N: by part"), format!("<{least}N")];
+        let texts = [
+            format!("<{least}{unit}: by part"),
+            format!("<{least}{unit}"),
+        ];
         let fits = |text: &&String| x + width(text) <= area.width;
         if let Some(text) = texts.iter().find(fits) {
             put(buffer, area, (x, *y), text, theme.quiet());

@@ -7,6 +7,7 @@ use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::fill::fill;
 use super::heat::{heat_glyph, step_of, thresholds};
 use super::projection::Projection;
 use super::raster::{Ink, Raster};
@@ -47,6 +48,8 @@ pub struct Scene<'a> {
     pub time: f64,
     /// The largest force of the colour scale, in N.
     pub largest: f64,
+    /// The largest pressure of the colour scale, in Pa, where pressure is what colours the eye.
+    pub highest: Option<f64>,
     /// How many times displacement is shown.
     pub zoom: u32,
     /// How much of the mesh.
@@ -78,13 +81,14 @@ impl Scene<'_> {
                 theme,
                 projection: &projection,
             };
+            picture.cells(&mut raster);
             picture.springs(&mut raster);
             if self.detail == Detail::Nodes {
                 picture.nodes(&mut raster);
             }
             picture.loaded_arc(&mut raster);
             picture.projectile(&mut raster);
-            if theme.is_mono() {
+            if theme.is_mono() && self.highest.is_none() {
                 digits = picture.digits(&raster);
             }
         }
@@ -141,7 +145,7 @@ pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
     let raster = Raster::new(area, symbols);
     let (columns, rows) = raster.size();
     // How much is shown makes no difference to an angle.
-    let projection = Projection::new(&raster, 1.0);
+    let projection = Projection::new(&raster, (1.0, 1.0));
     // The middle of the cell, in dots.
     let along = |cell: u16, start: u16, dots: i32, cells: u16| {
         (f64::from(cell) - f64::from(start) + 0.5) * f64::from(dots) / f64::from(cells.max(1))
@@ -177,6 +181,23 @@ impl Picture<'_> {
         self.drawing.force(self.frame, node)
     }
 
+    /// The pressure in the cells, where that is what colours the eye.
+    fn cells(&self, raster: &mut Raster) {
+        let Some(highest) = self.scene.highest else {
+            return;
+        };
+        let thresholds = thresholds(highest, self.theme.heat_steps());
+        for cell in &self.drawing.cells {
+            let step = step_of(self.drawing.pressure(self.frame, cell), &thresholds);
+            if step > 0 {
+                let share = step as f64 / thresholds.len() as f64;
+                let ink = Ink::solid(self.theme.heat(step), COLD + 1, heat_glyph(step));
+                let corners = cell.corners.map(|node| self.place(node));
+                fill(raster, &corners, share, ink);
+            }
+        }
+    }
+
     fn springs(&self, raster: &mut Raster) {
         let all = self.scene.detail == Detail::Edges;
         for Line {
@@ -193,6 +214,8 @@ impl Picture<'_> {
                 Region::Orbit => 0,
                 // On a slow link the outline keeps its colours: recolouring it is most of a frame.
                 _ if outline && self.scene.lean => 0,
+                // The cells have the colours.
+                _ if self.scene.highest.is_some() => 0,
                 _ => step_of(force, self.thresholds),
             };
             if step == 0 && region == Region::Fat && self.projection.is_small() {
@@ -241,7 +264,10 @@ impl Picture<'_> {
             if node.region == Region::Orbit || !node.coarse {
                 continue;
             }
-            let step = step_of(self.force(i), self.thresholds);
+            let step = match self.scene.highest {
+                Some(_) => 0,
+                None => step_of(self.force(i), self.thresholds),
+            };
             let (x, y) = self.place(i);
             let ink = self.ink(node.region, step);
             let (x, y) = (x.floor() as i32, y.floor() as i32);

@@ -5,6 +5,7 @@
 
 pub mod chart;
 pub mod eye;
+mod fill;
 pub mod footer;
 pub mod heat;
 pub mod overlay;

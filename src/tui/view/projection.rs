@@ -6,20 +6,20 @@ use super::raster::Raster;
 pub(super) struct Projection {
     pub(super) centre: (f64, f64),
     pub(super) scale: (f64, f64),
-    reach: f64,
+    across: f64,
 }
 
 impl Projection {
-    /// `reach` is half of the height that is shown, in m.
-    pub(super) fn new(raster: &Raster, reach: f64) -> Self {
+    /// Half of the width and of the height that must be seen, in m.
+    pub(super) fn new(raster: &Raster, (wide, high): (f64, f64)) -> Self {
         let (width, height) = raster.size();
         let (width, height) = (f64::from(width), f64::from(height));
         let aspect = raster.aspect();
-        let across = ((width - 1.0) / 2.0 / reach).min((height - 1.0) * aspect / 2.0 / reach);
+        let across = ((width - 1.0) / 2.0 / wide).min((height - 1.0) * aspect / 2.0 / high);
         Self {
             centre: (width / 2.0, height / 2.0),
             scale: (across, across / aspect),
-            reach,
+            across: wide,
         }
     }
 
@@ -36,7 +36,7 @@ impl Projection {
 
     /// Whether cold fat would only blur the picture.
     pub(super) fn is_small(&self) -> bool {
-        self.scale.0 * self.reach < 32.0
+        self.scale.0 * self.across < 32.0
     }
 
     /// A point given by its front angle and radius.

@@ -7,6 +7,7 @@ use super::comparison::Found;
 use super::view::heading;
 use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
+use crate::tui::screens::replay::pressures;
 use crate::tui::view::eye::Scene;
 use crate::tui::view::text::{fitted, put};
 use crate::tui::view::theme::Theme;
@@ -26,6 +27,11 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
             _ => None,
         })
         .fold(0.0, f64::max);
+    let highest = entries.iter().filter_map(|entry| match &entry.found {
+        Found::Answer(shown) => shown.highest,
+        _ => None,
+    });
+    let highest = highest.reduce(f64::max);
     let zoom = match model.clock.zoom() {
         1 => String::new(),
         zoom => format!("  displacement ×{zoom}"),
@@ -53,6 +59,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
                 shown,
                 time: model.time().min(shown.answer.window()),
                 largest,
+                highest: pressures(model, shown).and(highest),
                 zoom: model.clock.zoom(),
                 detail: model.clock.detail,
                 blow: Some(&entry.scenario),

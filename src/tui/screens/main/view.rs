@@ -10,6 +10,7 @@ use crate::report::text::digits;
 use crate::study::course::Course;
 use crate::study::{Answer, Quantity};
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::replay::pressures;
 use crate::tui::view::chart::{Curve, spark};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::raster::Ink;
@@ -95,6 +96,7 @@ fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
         shown,
         time,
         largest: shown.hottest,
+        highest: pressures(model, shown),
         zoom: model.clock.zoom(),
         detail: model.clock.detail,
         blow: Some(&model.work.scenario),
