@@ -92,7 +92,7 @@ pub enum Command {
     Coverage(CoverageArgs),
     /// Run published experiments again and print what was measured beside what the model gives
     Validate(ValidateArgs),
-    /// Repeat the fit of the Physiological model to published experiments
+    /// Repeat the fit of the one free number, the bulk modulus of orbital fat, to published experiments
     Calibrate(CalibrateArgs),
     /// Simulate several blows and print them side by side
     Compare(CompareArgs),
@@ -164,9 +164,6 @@ pub struct ValidateArgs {
 /// Arguments of `calibrate`.
 #[derive(Debug, Args)]
 pub struct CalibrateArgs {
-    /// Points of the first scan, from which the search starts
-    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub scan: u32,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,

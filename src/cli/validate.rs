@@ -23,13 +23,13 @@ pub fn run(args: &ValidateArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
 }
 
-/// Repeats the fit of the Physiological model and prints what it finds.
+/// Repeats the fit of the one free number and prints what it finds.
 ///
 /// # Errors
 /// Where the output cannot be written.
 pub fn fit(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut progress = Progress::new();
-    let fit = calibrate(args.scan, &mut |share| {
+    let fit = calibrate(&mut |share| {
         progress.show("fitting", share);
         ControlFlow::Continue(())
     });

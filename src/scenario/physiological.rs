@@ -32,7 +32,7 @@ pub struct Physiological {
 }
 
 impl Physiological {
-    /// Every part switched on, with what `contrecoup calibrate` found.
+    /// Every part switched on, with what was fitted to experiments on mesh level 1.
     pub const FITTED: Self = Self {
         slab: true,
         depth_mm: 16.0,

@@ -62,10 +62,10 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
 
 /// What the Physiological model takes.
 const FITTED: Physiological = Physiological::FITTED;
-/// What fits the experiments nearly as well, as `contrecoup calibrate` prints it: bulk modulus
+/// What fits the experiments nearly as well on mesh level 1 of this model: bulk modulus
 /// (`MPa`), stiffening of the sclera, stiffening of the fat.
 const NEARLY: [(f64, f64); 3] = [(133.0, 285.0), (0.78, 8.2), (6.4, 10.0)];
-const FIT_SOURCE: &str = "fits the published experiments nearly as well (contrecoup calibrate)";
+const FIT_SOURCE: &str = "fits published experiments nearly as well";
 
 /// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.
 pub static SLOPE: Field = Field {

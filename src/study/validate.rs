@@ -1,65 +1,65 @@
-//! Every published experiment run again, and what was read beside what was measured.
+//! Every published experiment run again on two neighbouring meshes, and what was read beside what was
+//! measured.
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
-use super::case::{Case, Refusal, unwatched};
-use super::experiments::{EXPERIMENTS, Experiment, Reading};
+use super::case::{Refusal, unwatched};
+use super::experiments::{Band, EXPERIMENTS, Experiment, Reading};
 use super::flags::FlagKind;
 use super::solve::{Answer, solve};
-use crate::eye::Eye;
-use crate::recording::{Keep, Recording, Spacing};
-use crate::scenario::{Model, Scenario};
+use crate::recording::Keep;
+use crate::scenario::{Axisymmetric, Model, Scenario};
 use rayon::prelude::*;
-
-/// Time between frames that the shortening is read from, in s.
-const FRAMES: f64 = 20e-6;
 
 /// One experiment, run.
 #[derive(Debug, Clone)]
 pub struct Row {
     /// The published experiment.
     pub experiment: &'static Experiment,
-    /// What the model gives, SI, or why it gives nothing.
-    pub predicted: Result<f64, String>,
-    /// What the next finer mesh gives, SI.
-    pub finer: Option<f64>,
-    /// Step error of the leading results, in %.
+    /// What the model gives on the mesh of the experiment and on the next finer one, in the unit of the
+    /// reading, or why it gives nothing.
+    pub predicted: [Result<f64, String>; 2],
+    /// Of a fitted row the same with all moduli as published.
+    pub published: Option<[Result<f64, String>; 2]>,
+    /// Largest step error of the leading results of the four runs, in %.
     pub step_error: Option<f64>,
-    /// What limits the result.
+    /// What limits the results of either mesh.
     pub flags: Vec<FlagKind>,
 }
 
 impl Row {
-    /// Predicted over measured.
-    pub fn ratio(&self) -> Option<f64> {
-        let predicted = self.predicted.as_ref().ok()?;
-        Some(predicted / self.experiment.measured.typical())
+    /// What is predicted on each mesh over what was measured.
+    pub fn ratios(&self) -> [Option<f64>; 2] {
+        let typical = self.experiment.measured.typical();
+        let ratio = |i: usize| Some(self.predicted[i].as_ref().ok()? / typical);
+        [ratio(0), ratio(1)]
     }
 
-    /// Whether that of the next finer mesh does.
-    pub fn finer_inside(&self) -> Option<bool> {
-        Some(self.experiment.measured.holds(self.finer?))
+    /// Whether the prediction of each mesh lies where the measurement says.
+    pub fn inside(&self) -> [bool; 2] {
+        let measured = self.experiment.measured;
+        let inside = |i: usize| self.predicted[i].as_ref().is_ok_and(|v| measured.holds(*v));
+        [inside(0), inside(1)]
     }
 
-    /// Whether the prediction lies where the measurement says.
-    pub fn inside(&self) -> bool {
-        self.predicted
-            .as_ref()
-            .is_ok_and(|value| self.experiment.measured.holds(*value))
+    /// Whether both do.
+    pub fn is_met(&self) -> bool {
+        self.inside() == [true, true]
+    }
+
+    /// By which factor the farther of the two misses what agrees; 1 where both agree, none where a run
+    /// gave nothing.
+    pub fn miss(&self) -> Option<f64> {
+        let (low, high) = self.experiment.measured.limits();
+        let of = |value: f64| (low / value).max(value / high).max(1.0);
+        let values = self.predicted.each_ref().map(|p| p.as_ref().ok().copied());
+        Some(of(values[0]?).max(of(values[1]?)))
     }
 }
 
-/// Runs every experiment, with its fitted model unless `change` gives it another.
+/// Runs every experiment, with its own model unless `change` gives it another.
 pub fn validate(change: impl Fn(Scenario) -> Scenario + Sync) -> Vec<Row> {
     rows_of(EXPERIMENTS.iter(), change)
-}
-
-fn keep(experiments: &[&Experiment]) -> Keep {
-    let frames = experiments.iter().any(|e| e.reading == Reading::Shortening);
-    Keep {
-        traces: true,
-        frames: frames.then_some(Spacing::even(FRAMES)),
-    }
 }
 
 /// Experiments that share a scenario, each with its place in the list.
@@ -77,7 +77,7 @@ fn by_scenario(
     groups
 }
 
-/// Runs each scenario once, with its step error and flags, in the order of `experiments`.
+/// Runs each scenario with its errors and flags, in the order of `experiments`.
 pub(super) fn rows_of(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario + Sync,
@@ -86,31 +86,28 @@ pub(super) fn rows_of(
         .into_par_iter()
         .flat_map_iter(|(scenario, members)| {
             let scenario = change(scenario);
-            let asked: Vec<_> = members.iter().map(|m| m.1).collect();
-            let answer = scenario
-                .check()
-                .map_err(Refusal::Scenario)
-                .and_then(|scenario| solve(&scenario, keep(&asked), &mut unwatched));
-            let finer = finer(&scenario, keep(&asked));
+            let fitted = members.iter().any(|(_, e)| e.fitted);
+            let published = fitted.then(|| both(&as_published(scenario.clone())));
+            let answers = both(&scenario);
             members.into_iter().map(move |(place, experiment)| {
-                let row = match &answer {
-                    Ok(answer) => Row {
-                        experiment,
-                        predicted: read_of(experiment.reading, answer)
-                            .ok_or_else(|| "the run does not reach it".to_owned()),
-                        finer: finer
-                            .as_ref()
-                            .and_then(|(eye, recording)| read(experiment.reading, eye, recording)),
-                        step_error: Some(answer.errors.time_step_percent()),
-                        flags: answer.flags.iter().map(|f| f.kind).collect(),
-                    },
-                    Err(refusal) => Row {
-                        experiment,
-                        predicted: Err(refusal.to_string()),
-                        finer: None,
-                        step_error: None,
-                        flags: Vec::new(),
-                    },
+                let read = |answers: &[Result<Answer, Refusal>; 2]| {
+                    answers.each_ref().map(|answer| read(experiment, answer))
+                };
+                let solved = || answers.iter().filter_map(|a| a.as_ref().ok());
+                let mut flags: Vec<FlagKind> = Vec::new();
+                for flag in solved().flat_map(|answer| &answer.flags) {
+                    if !flags.contains(&flag.kind) && limits(experiment.reading, flag.kind) {
+                        flags.push(flag.kind);
+                    }
+                }
+                let row = Row {
+                    experiment,
+                    predicted: read(&answers),
+                    published: published.as_ref().map(read),
+                    step_error: solved()
+                        .map(|answer| answer.errors.time_step_percent())
+                        .reduce(f64::max),
+                    flags,
                 };
                 (place, row)
             })
@@ -120,108 +117,86 @@ pub(super) fn rows_of(
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
-/// What is read of each experiment by a single run, without errors and flags; `None` where there is
-/// nothing to read.
+/// What is read of each experiment on both meshes.
 pub(super) fn readings(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario,
-) -> Vec<Option<f64>> {
-    let groups = by_scenario(experiments);
-    let mut found = vec![None; groups.iter().map(|g| g.1.len()).sum()];
-    for (scenario, members) in groups {
-        let asked: Vec<_> = members.iter().map(|m| m.1).collect();
-        let Ok((eye, recording)) = single(&change(scenario), keep(&asked)) else {
-            continue;
-        };
-        for (place, experiment) in members {
-            found[place] = read(experiment.reading, &eye, &recording);
-        }
+) -> Vec<[Option<f64>; 2]> {
+    experiments
+        .map(|experiment| {
+            let answers = both(&change((experiment.scenario)()));
+            answers.map(|answer| read(experiment, &answer).ok())
+        })
+        .collect()
+}
+
+/// `scenario` with the published bulk modulus of fat.
+fn as_published(mut scenario: Scenario) -> Scenario {
+    if let Model::Axisymmetric(model) = &mut scenario.model {
+        model.fat_bulk_mpa = Axisymmetric::PUBLISHED_FAT_BULK_MPA;
     }
-    found
+    scenario
 }
 
-/// What is read of an answer.
-fn read_of(reading: Reading, answer: &Answer) -> Option<f64> {
-    let recording = Recording {
-        extremes: *answer.left.section()?,
-        traces: answer.traces.clone(),
-        frames: answer.frames.clone(),
-    };
-    read(reading, &answer.case.section()?.eye, &recording)
+/// Answers of the scenario's own mesh and of the next finer one.
+fn both(scenario: &Scenario) -> [Result<Answer, Refusal>; 2] {
+    let level = scenario.eye.level;
+    [level, level + 1].map(|level| {
+        let mut scenario = scenario.clone();
+        scenario.eye.level = level;
+        let keep = Keep {
+            traces: true,
+            frames: None,
+        };
+        solve(&scenario.check()?, keep, &mut unwatched)
+    })
 }
 
-/// The same on the next finer mesh, if that runs.
-fn finer(scenario: &Scenario, keep: Keep) -> Option<(Eye, Recording)> {
-    let mut finer = scenario.clone();
-    finer.eye.level += 1;
-    single(&finer, keep).ok()
+/// Whether a flag matters to a reading. That at a way of the object is taken before its window ends, which
+/// cuts what comes after on purpose.
+fn limits(reading: Reading, kind: FlagKind) -> bool {
+    let ends = matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort);
+    !(ends && matches!(reading, Reading::ForceAt(_)))
 }
 
-fn single(scenario: &Scenario, keep: Keep) -> Result<(Eye, Recording), Refusal> {
-    let case = Case::new(&scenario.check()?);
-    let mut plan = case.plan(scenario)?;
-    // An answer takes a finer run as well; this one stands alone.
-    plan.step *= 0.5;
-    let solution = case.run(&plan, keep, &mut unwatched)?;
-    Ok((case.eye, solution.recording))
-}
-
-/// Reads one figure, SI.
-fn read(reading: Reading, eye: &Eye, recording: &Recording) -> Option<f64> {
-    let extremes = &recording.extremes;
-    let value = match reading {
-        Reading::ForceAtTravel(travel) => {
-            let traces = recording.traces.as_ref()?;
-            let after = traces.apex.iter().position(|&x| x >= travel)?;
+/// Reads one figure.
+fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
+    let answer = answer.as_ref().map_err(Refusal::to_string)?;
+    let value = match experiment.reading {
+        Reading::ForceAt(way) => answer.traces.as_ref().and_then(|traces| {
+            let after = traces.intrusion.iter().position(|&x| x >= 1e-3 * way)?;
+            let before = after.checked_sub(1)?;
+            let (x0, x1) = (traces.intrusion[before], traces.intrusion[after]);
             let force = &traces.contact_force;
-            if after == 0 {
-                force[0]
-            } else {
-                let (x0, x1) = (traces.apex[after - 1], traces.apex[after]);
-                let share = (travel - x0) / (x1 - x0);
-                force[after - 1] + share * (force[after] - force[after - 1])
-            }
-        }
-        Reading::PeakPressure => extremes.fluid?.pressure.value,
-        Reading::FarthestArea => {
-            let (least, most) = extremes.fluid?.area_ratio;
-            if 1.0 - least > most - 1.0 {
+            let share = (1e-3 * way - x0) / (x1 - x0);
+            Some(force[before] + share * (force[after] - force[before]))
+        }),
+        Reading::Of(quantity) => answer.result(quantity),
+        Reading::TimeOf(quantity) => answer.peak(quantity).map(|peak| 1e3 * peak.time),
+        Reading::Volume => answer.left.revolution().map(|left| {
+            let (least, most) = (left.least_volume, left.most_volume);
+            let far = if 1.0 - least > most - 1.0 {
                 least
             } else {
                 most
-            }
-        }
-        Reading::Apex => extremes.apex.value,
-        Reading::Widening => extremes.meridian_growth.value,
-        Reading::TimeOfWidening => extremes.meridian_growth.time,
-        Reading::Shortening => shortening(eye, recording)?,
+            };
+            1e2 * far
+        }),
     };
-    value.is_finite().then_some(value)
+    let finite = value.filter(|value| value.is_finite());
+    finite.ok_or_else(|| "the run does not reach it".to_owned())
 }
 
-/// Largest shortening between the corneal apex and the posterior pole, as a share of it.
-fn shortening(eye: &Eye, recording: &Recording) -> Option<f64> {
-    let marks = &eye.landmarks;
-    // The two nodes of the apex and the two opposite them, a straddle of the axis each.
-    let half = marks.shell.len() / 2;
-    let opposite = marks.apex.map(|node| {
-        let place = marks.shell.iter().position(|&n| n == node)?;
-        Some(marks.shell[(place + half) % marks.shell.len()])
-    });
-    let (front, back) = (marks.apex, [opposite[0]?, opposite[1]?]);
-    let length = |x: &dyn Fn(usize) -> f64| {
-        let mean = |pair: [usize; 2]| 0.5 * (x(pair[0]) + x(pair[1]));
-        mean(back) - mean(front)
+/// Squared distance of `value` from what was measured, in standard deviations. Where a source gives none,
+/// a factor of 1.3 counts as one.
+pub(super) fn squared_misfit(measured: Band, value: f64) -> f64 {
+    let logs = |limit: f64| (value / limit).ln() / 1.3f64.ln();
+    let z = match measured {
+        Band::Spread(mean, sd) => (value - mean) / sd,
+        Band::Single(single, _) => logs(single),
+        Band::Between(..) | Band::Below(_) | Band::Above(_) if measured.holds(value) => 0.0,
+        Band::Between(low, high) => logs(if value < low { low } else { high }),
+        Band::Below(limit) | Band::Above(limit) => logs(limit),
     };
-    let rest = length(&|node| eye.nodes[node].position.x);
-    let shares = recording.frames.iter().map(|frame| {
-        let now = length(&|node| frame.positions[node].x);
-        1.0 - now / rest
-    });
-    Some(shares.fold(0.0, f64::max))
-}
-
-/// Whether an experiment's scenario has the model that was fitted.
-pub fn uses_the_fit(experiment: &Experiment) -> bool {
-    matches!((experiment.scenario)().model, Model::Physiological(_))
+    z * z
 }

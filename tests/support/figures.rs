@@ -112,7 +112,7 @@ pub static FIGURES: &[Figures] = &[
         name: "evidence-in-short",
         command: VALIDATE,
         form: Form::Of(VALIDATE),
-        excerpt: |text| only(&before(text, "\nFiner"), |line| !is_note(line)),
+        excerpt: |text| only(&before(text, "\nEach row"), |line| !is_note(line)),
     },
     Figures {
         name: "doubt",
