@@ -18,9 +18,9 @@
 //!   its energy and its share of the stability bound, and keeps its state in [`Readings`].
 //! * An eye of nodes and springs on the grid needs nothing here: it is another [`crate::eye::Eye`]. One
 //!   of other elements, as a body of revolution made of solid cells, brings its own rows, forces and
-//!   march, because those of here are made for springs. It joins at [`SceneKind`]: a variant more, for
-//!   which `study::rules` asks its integrators and how its error is told, and `study::Case` what it
-//!   compiles and runs instead of a [`System`].
+//!   march, because those of here are made for springs. What it keeps is that of [`Traces`] and [`Frame`].
+//!   It joins at `study::Compiled`, a variant more, and brings its row of `study::rules`: its integrators,
+//!   and how its error is told.
 //!
 //! The orbit is rigid and never integrated. Left out, as in the paper: rupture.
 

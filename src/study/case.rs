@@ -188,6 +188,8 @@ pub(super) trait Moved {
     fn step_limit(&self, integrator: Integrator) -> f64;
     /// What each evaluation of the forces computes.
     fn elements_per_evaluation(&self) -> usize;
+    /// How many springs take as long as one of these.
+    fn springs_an_element(&self) -> f64;
     /// Simulated time, in s.
     fn window(&self) -> f64;
 
@@ -209,6 +211,10 @@ impl Moved for Case {
 
     fn elements_per_evaluation(&self) -> usize {
         self.system.springs_per_evaluation()
+    }
+
+    fn springs_an_element(&self) -> f64 {
+        1.0
     }
 
     fn window(&self) -> f64 {
@@ -352,8 +358,8 @@ pub(super) fn plan_by(
         multiple: 1.0,
         local_tolerance: LOCAL_TOLERANCE,
     };
-    let elements = eye.elements_per_evaluation() as f64;
-    let work = elements * integrator.method().evaluations() as f64 * (eye.window() / step + 1.0);
+    let springs = eye.elements_per_evaluation() as f64 * eye.springs_an_element();
+    let work = springs * integrator.method().evaluations() as f64 * (eye.window() / step + 1.0);
     if work > MAX_SPRING_EVALUATIONS {
         let (steps, share) = (eye.window() / step, work / MAX_SPRING_EVALUATIONS);
         return Err(match scenario.numerics.step_us {

@@ -16,6 +16,9 @@ use crate::study::rules::{REVOLUTION, Rules};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
+/// A cell with its share of shell and nodes takes some 40 ns, a spring a little more than one.
+const SPRINGS_A_CELL: f64 = 30.0;
+
 /// An eye of revolution ready to be hit.
 #[derive(Debug, Clone)]
 pub struct RevolutionCase {
@@ -46,6 +49,10 @@ impl Moved for RevolutionCase {
 
     fn elements_per_evaluation(&self) -> usize {
         self.eye.cells.len()
+    }
+
+    fn springs_an_element(&self) -> f64 {
+        SPRINGS_A_CELL
     }
 
     fn window(&self) -> f64 {
