@@ -1,4 +1,5 @@
-//! What the program is made of: licences that let anybody use it, one source, no crate twice.
+//! What the program is made of: licences that let anybody use it, one source, no crate twice, and a
+//! package that holds what it is built from.
 //!
 //! This asks cargo itself. `cargo deny` asks the same of the same data, but has to be built first.
 
@@ -96,4 +97,35 @@ fn the_program_holds_no_crate_twice() {
     };
     assert!(tree("--no-dedupe").contains("ratatui"));
     assert_eq!(tree("--duplicates"), "");
+}
+
+#[test]
+fn the_package_holds_what_the_program_is_built_from_and_no_more() {
+    let output = Command::new(env!("CARGO"))
+        .args(["package", "--list", "--allow-dirty", "--offline"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let files = String::from_utf8(output.stdout).unwrap();
+    let files: Vec<&str> = files.lines().collect();
+    for file in [
+        "README.md",
+        "LICENSE-MIT",
+        "LICENSE-APACHE",
+        "presets/paper-300n.ron",
+        "src/main.rs",
+        "src/guide/install.md",
+        "tests/pictures/main.svg",
+    ] {
+        assert!(files.contains(&file), "{file} is missing");
+    }
+    let folders = ["src/", "presets/", "examples/", "tests/pictures/"];
+    for file in &files {
+        let is_of = |folder: &&str| file.starts_with(folder);
+        assert!(
+            !file.contains('/') || folders.iter().any(is_of),
+            "{file} is no part of the program"
+        );
+    }
 }
