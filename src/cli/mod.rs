@@ -18,6 +18,7 @@ mod guide;
 mod interrupt;
 mod presets;
 mod progress;
+mod report;
 mod run;
 mod stability;
 mod sweep;
@@ -96,6 +97,8 @@ pub enum Command {
     Calibrate(CalibrateArgs),
     /// Simulate several blows and print them side by side
     Compare(CompareArgs),
+    /// Write a page of one blow or several, to read, print and send
+    Report(ReportArgs),
     /// Run many samples over what is not known of the inputs: median, band and what drives it
     Ensemble(EnsembleArgs),
     /// Run a grid over some fields, in shards for a cluster, and go on after a kill
@@ -291,6 +294,17 @@ pub struct CompareArgs {
     pub json: bool,
 }
 
+/// Arguments of `report`.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// What to simulate.
+    #[command(flatten)]
+    pub scenarios: ScenariosArgs,
+    /// The file to write or replace: a page if it ends in .html, words and tables in .md, a picture in .svg
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
 /// Arguments of `threshold`.
 #[derive(Debug, Args)]
 pub struct ThresholdArgs {
@@ -385,6 +399,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
         Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Ensemble(args)) => ensemble::run(args, out),
         Some(Command::Compare(args)) => compare::run(args, out),
+        Some(Command::Report(args)) => report::run(args, out),
         Some(Command::Sweep(args)) => sweep::run(args, out),
         Some(Command::Threshold(args)) => threshold::run(args, out),
         Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),

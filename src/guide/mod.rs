@@ -46,6 +46,7 @@ topics! {
     injury = "injury",
     doubt = "doubt",
     sweeps = "sweeps",
+    report = "report",
     speed = "speed",
 }
 

@@ -16,7 +16,7 @@ use crate::study::quantity::Read;
 use crate::study::{Answer, Quantity};
 
 /// Narrowest column of a result.
-const NARROWEST: usize = 7;
+const NARROWEST: usize = 8;
 /// Widest name of a blow.
 const WIDEST_NAME: usize = 20;
 
@@ -32,14 +32,14 @@ pub struct Table {
     pub remarks: Vec<String>,
 }
 
-/// A value with no digit finer than a tenth of its error, in %, allows.
+/// A value with no digit finer than the first one of its error, given in %.
 pub fn within(value: f64, error: Option<f64>) -> String {
     let Some(error) = error.filter(|error| *error > 0.0) else {
         return significant(value);
     };
-    // An error of 100 % leaves one digit, one of 10 % two.
-    let count = (3.0 - error.log10()).floor().clamp(1.0, 4.0) as i32;
-    digits(value, count)
+    let place = |size: f64| size.abs().log10().floor();
+    let count = place(value) - place(value * error / 100.0) + 1.0;
+    digits(value, count.clamp(1.0, 4.0) as i32)
 }
 
 fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
@@ -63,6 +63,11 @@ pub fn cell(answer: &Answer, of: Quantity) -> String {
 /// What speaks against the risks by energy of a blow.
 fn caution(entry: &Entry) -> Option<Caution> {
     Blow::of(&entry.scenario)?.caution()
+}
+
+/// Text that stays text in a table of Markdown.
+pub fn escaped(text: &str) -> String {
+    text.replace('|', "\\|").replace('<', "&lt;")
 }
 
 impl Table {
@@ -162,7 +167,6 @@ impl Table {
     /// # Errors
     /// Whatever `out` reports.
     pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
-        let safe = |text: &str| text.replace('|', "\\|").replace('<', "&lt;");
         let units = self.heads.iter().zip(&self.units);
         let heads: Vec<String> = units
             .map(|(head, unit)| format!("{head}, {unit}"))
@@ -170,12 +174,12 @@ impl Table {
         writeln!(out, "| blow | {} |", heads.join(" | "))?;
         writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
         for (name, cells) in &self.rows {
-            let cells: Vec<String> = cells.iter().map(|cell| safe(cell)).collect();
-            writeln!(out, "| {} | {} |", safe(name), cells.join(" | "))?;
+            let cells: Vec<String> = cells.iter().map(|cell| escaped(cell)).collect();
+            writeln!(out, "| {} | {} |", escaped(name), cells.join(" | "))?;
         }
         writeln!(out)?;
         for remark in &self.remarks {
-            writeln!(out, "- {}", safe(remark))?;
+            writeln!(out, "- {}", escaped(remark))?;
         }
         writeln!(out, "\nResearch and education, not diagnosis.")
     }
@@ -239,7 +243,8 @@ mod tests {
     fn digits_end_where_the_error_begins() {
         assert_eq!(within(26.4184, None), "26.42");
         assert_eq!(within(26.4184, Some(1e-6)), "26.42");
-        assert_eq!(within(26.4184, Some(5.0)), "26");
+        assert_eq!(within(3.2184, Some(15.0)), "3.2");
+        assert_eq!(within(0.0, Some(5.0)), "0");
         assert_eq!(within(26.4184, Some(40.0)), "26");
     }
 }

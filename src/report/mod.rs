@@ -1,12 +1,14 @@
 //! Results for people and for programs. It only prints what it is given.
 
 pub mod accuracy;
+pub mod command;
 pub mod compare;
 pub mod coverage;
 pub mod ensemble;
 pub mod errors;
 pub mod injury;
 pub mod json;
+pub mod page;
 mod revolution;
 pub mod stability;
 pub mod sweep;

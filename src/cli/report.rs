@@ -1,0 +1,75 @@
+//! `contrecoup report`: a page of one blow or several, to read, print and send.
+
+use std::io::{BufWriter, Write};
+use std::sync::{Mutex, PoisonError};
+
+use super::interrupt;
+use super::progress::Progress;
+use super::{CliError, ReportArgs};
+use crate::plain_text::{printable, quoted};
+use crate::report::command::line;
+use crate::report::page::{Form, keep, write};
+use crate::study::Refusal;
+use crate::study::comparison::compare;
+use crate::whole_file;
+
+/// Simulates every blow and writes the page, in the place of whatever the file held.
+///
+/// # Errors
+/// Where a scenario is refused, the file cannot be written, or the work was interrupted.
+pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let name = printable(&args.output.display().to_string()).into_owned();
+    let Some(form) = Form::of(&args.output) else {
+        let name = quoted(&args.output.display().to_string());
+        return Err(CliError::Input(format!(
+            "-o {name}: the end of the name says what to write: allowed .html, .md, .svg"
+        )));
+    };
+    let asked = args.scenarios.scenarios()?;
+    let command = repeating(args);
+    let stop = interrupt::flag()?;
+    let progress = Mutex::new(Progress::new());
+    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let entries = compare(
+        asked,
+        |scenario| keep(scenario),
+        &stop,
+        |share| {
+            lock().show("simulating", share);
+        },
+    );
+    lock().clear();
+    let entries = entries.map_err(|refusal| match refusal {
+        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
+        other => other.into(),
+    })?;
+    let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
+    let mut file = whole_file::beside(&args.output).map_err(failed)?;
+    let mut writer = BufWriter::new(&mut file);
+    write(form, &entries, Some(&command), &mut writer)
+        .and_then(|()| writer.flush())
+        .map_err(failed)?;
+    drop(writer);
+    whole_file::put(file, &args.output, true).map_err(failed)?;
+    writeln!(out, "{name}: written")?;
+    Ok(())
+}
+
+/// What was typed, as a shell takes it.
+fn repeating(args: &ReportArgs) -> String {
+    let changes = &args.scenarios.changes;
+    let mut words = args.scenarios.sources.clone();
+    for set in &changes.assignments {
+        words.extend(["--set".to_owned(), format!("{}={}", set.path, set.text)]);
+    }
+    let flags = [
+        ("--level", &changes.level),
+        ("--integrator", &changes.integrator),
+        ("--step-us", &changes.step_us),
+    ];
+    for (flag, text) in flags {
+        words.extend(text.iter().flat_map(|text| [flag.to_owned(), text.clone()]));
+    }
+    words.extend(["-o".to_owned(), args.output.display().to_string()]);
+    printable(&line("report", &words)).into_owned()
+}

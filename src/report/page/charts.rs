@@ -1,0 +1,265 @@
+//! Curves on axes, as SVG inside a page.
+
+use std::ops::Range;
+
+use plotters::prelude::*;
+
+use super::super::text::significant;
+use crate::injury::Verdict;
+use crate::study::course::{Beside, Course, Group};
+use crate::study::{Answer, Quantity};
+
+const SIZE: (u32, u32) = (460, 210);
+/// Points of a curve, beyond which each stands for the extremes of several.
+const MOST_POINTS: usize = 500;
+/// Colours that people tell apart whatever their sight (Okabe and Ito).
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
+
+/// A curve and what it is called.
+pub struct Curve {
+    pub name: String,
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A chart.
+pub struct Chart {
+    pub across: &'static str,
+    pub up: String,
+    pub curves: Vec<Curve>,
+    /// Whether the names of the curves stand to the left.
+    pub names_left: bool,
+    /// Points that stand out, each in the colour of its curve.
+    pub marks: Vec<(usize, (f64, f64))>,
+}
+
+/// The range of numbers, 0 among them, with some room above.
+fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+    let span = if high > low { high - low } else { 1.0 };
+    let low = if low < 0.0 { low - 0.04 * span } else { 0.0 };
+    low..high.max(low + span) + 0.04 * span
+}
+
+impl Chart {
+    /// Draws it; nothing if there is nothing to draw.
+    pub fn svg(&self) -> Option<String> {
+        if self.curves.iter().all(|curve| curve.points.is_empty()) {
+            return None;
+        }
+        let mut text = String::new();
+        // A string takes whatever is drawn.
+        self.draw(&mut text).ok()?;
+        // Within a page the width is that of its column.
+        let (width, height) = SIZE;
+        let fixed = format!("<svg width=\"{width}\" height=\"{height}\"");
+        Some(text.replacen(&fixed, "<svg", 1))
+    }
+
+    fn draw(&self, text: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let marks = || self.marks.iter().map(|(_, point)| point);
+        let across = points().chain(marks()).map(|(x, _)| *x);
+        let across = across.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+        let up = range(points().chain(marks()).map(|(_, y)| *y));
+        let root = SVGBackend::with_string(text, SIZE).into_drawing_area();
+        let mut chart = ChartBuilder::on(&root)
+            .margin(6)
+            .x_label_area_size(32)
+            .y_label_area_size(52)
+            .build_cartesian_2d(across.0..across.1, up)?;
+        chart
+            .configure_mesh()
+            .disable_x_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(BLACK.mix(0.12))
+            .x_desc(self.across)
+            .y_desc(&self.up)
+            .x_labels(8)
+            .y_labels(5)
+            .x_label_formatter(&|x| short(*x))
+            .y_label_formatter(&|y| short(*y))
+            .draw()?;
+        for (i, curve) in self.curves.iter().enumerate() {
+            let colour = COLOURS[i % COLOURS.len()];
+            chart
+                .draw_series(LineSeries::new(
+                    curve.points.iter().copied(),
+                    colour.stroke_width(2),
+                ))?
+                .label(&curve.name)
+                .legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2))
+                });
+        }
+        let dots = self
+            .marks
+            .iter()
+            .map(|(curve, point)| Circle::new(*point, 4, COLOURS[curve % COLOURS.len()].filled()));
+        chart.draw_series(dots)?;
+        chart
+            .configure_series_labels()
+            .position(if self.names_left {
+                SeriesLabelPosition::UpperLeft
+            } else {
+                SeriesLabelPosition::UpperRight
+            })
+            .background_style(WHITE.mix(0.85))
+            .border_style(TRANSPARENT)
+            .draw()?;
+        root.present()?;
+        Ok(())
+    }
+}
+
+/// A number on an axis.
+fn short(value: f64) -> String {
+    if value.abs() < 1e-12 {
+        return "0".to_owned();
+    }
+    let text = significant(value);
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+/// The course of something in an answer, in ms and its unit, thinned without losing a peak.
+fn curve(answer: &Answer, course: Course) -> Option<Curve> {
+    let traces = answer.traces.as_ref()?;
+    let (row, values) = (course.row(), course.values(traces));
+    if values.iter().all(|value| *value == 0.0) {
+        return None;
+    }
+    let all: Vec<(f64, f64)> = traces
+        .time
+        .iter()
+        .zip(values)
+        .map(|(t, value)| (t * 1e3, value * row.factor))
+        .collect();
+    let each = (2 * all.len()).div_ceil(MOST_POINTS).max(1);
+    let mut points = Vec::new();
+    for part in all.chunks(each) {
+        let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let mut ends: Vec<_> = part.iter().min_by(by).into_iter().collect();
+        ends.extend(part.iter().max_by(by));
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ends.dedup();
+        points.extend(ends.into_iter().copied());
+    }
+    Some(Curve {
+        name: course.label(traces).to_owned(),
+        points,
+    })
+}
+
+/// What drives the eye, and the forces of the monitored nodes.
+pub fn forces(answer: &Answer) -> Chart {
+    let nodes = crate::study::course::COURSES.iter().copied();
+    let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
+    let courses = [Course::Beside(Beside::Drive)].into_iter().chain(nodes);
+    Chart {
+        across: "ms",
+        up: "force, N".to_owned(),
+        curves: courses.filter_map(|course| curve(answer, course)).collect(),
+        names_left: false,
+        marks: Vec::new(),
+    }
+}
+
+/// The pressure where the eye has one, else how far the apex moved.
+pub fn motion(answer: &Answer) -> Chart {
+    let of = [Quantity::Pressure, Quantity::Apex];
+    let found = of.into_iter().find_map(|of| {
+        let name = format!("{}, {}", of.row().label, of.row().unit);
+        Some((name, curve(answer, Course::Of(of))?))
+    });
+    let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
+    Chart {
+        across: "ms",
+        up,
+        curves,
+        names_left: false,
+        marks: Vec::new(),
+    }
+}
+
+/// What drives the eye in each of several answers.
+pub fn drives(answers: &[(String, &Answer)]) -> Chart {
+    let one = |(name, answer): &(String, &Answer)| {
+        let curve = curve(answer, Course::Beside(Beside::Drive))?;
+        Some(Curve {
+            name: name.clone(),
+            ..curve
+        })
+    };
+    Chart {
+        across: "ms",
+        up: "force on the eye, N".to_owned(),
+        curves: answers.iter().filter_map(one).collect(),
+        names_left: false,
+        marks: Vec::new(),
+    }
+}
+
+/// The published curves, each over its measure as a share of what brings 50 %, with the blow on it.
+pub fn injuries(answer: &Answer) -> Chart {
+    let (mut curves, mut marks) = (Vec::new(), Vec::new());
+    // The gravest first, and no more than can be told apart.
+    let verdicts = answer.verdicts();
+    let used = verdicts.iter().flat_map(Verdict::believed);
+    for (i, risk) in used.take(COLOURS.len()).enumerate() {
+        let half = risk.curve.half();
+        let at = (risk.value / half).min(2.0);
+        let point = |k: u32| {
+            let share = 0.02 * f64::from(k);
+            (share, 100.0 * risk.curve.risk(share * half))
+        };
+        curves.push(Curve {
+            name: format!(
+                "{}, {}",
+                risk.curve.injury.name(),
+                risk.curve.measure.short()
+            ),
+            points: (0..=100).map(point).collect(),
+        });
+        marks.push((i, (at, 100.0 * risk.curve.risk(at * half))));
+    }
+    Chart {
+        across: "measure, as a share of that of 50 %",
+        up: "risk, %".to_owned(),
+        curves,
+        names_left: true,
+        marks,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chart_is_drawn_with_its_names_and_nothing_is_drawn_of_nothing() {
+        let chart = |points: Vec<(f64, f64)>| Chart {
+            across: "ms",
+            up: "force, N".to_owned(),
+            curves: vec![Curve {
+                name: "a < b".to_owned(),
+                points,
+            }],
+            names_left: false,
+            marks: vec![(0, (1.0, 2.0))],
+        };
+        let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();
+        assert!(svg.starts_with("<svg viewBox=") && svg.contains("force, N"));
+        assert!(svg.contains("a &lt; b"), "{svg}");
+        assert!(chart(Vec::new()).svg().is_none());
+    }
+}

@@ -1,0 +1,185 @@
+//! The page for a browser.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::eye::{Picture, STYLE};
+use super::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
+use crate::plain_text::printable;
+use crate::report::compare::Table;
+use crate::report::text::{capital, percent};
+use crate::scenario::load::to_ron;
+use crate::study::Answer;
+use crate::study::comparison::{Entry, columns};
+
+/// Nothing is loaded from anywhere, whatever a name holds.
+const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// The whole page.
+pub fn page(entries: &[Entry], command: Option<&str>) -> String {
+    let names: Vec<_> = entries
+        .iter()
+        .map(|entry| printable(&entry.scenario.name))
+        .collect();
+    let whole = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(RULES);
+                meta name="viewport" content="width=device-width";
+                title { (names.join(", ")) " - contrecoup" }
+                style { (PreEscaped(include_str!("page.css"))) (PreEscaped(STYLE)) }
+            }
+            body {
+                @if entries.len() > 1 { (comparison(entries)) }
+                @for entry in entries { (blow(entry)) }
+                footer { (foot(entries, command)) }
+                script { (PreEscaped(include_str!("replay.js"))) }
+            }
+        }
+    };
+    whole.into_string()
+}
+
+fn figure(caption: &str, chart: &charts::Chart) -> Markup {
+    html! {
+        @if let Some(svg) = chart.svg() {
+            figure { figcaption { (caption) } (PreEscaped(svg)) }
+        }
+    }
+}
+
+/// All blows in one table and one chart.
+fn comparison(entries: &[Entry]) -> Markup {
+    let table = Table::of(entries, &columns(entries, None));
+    let answered = |entry: &'_ Entry| entry.outcome.is_ok();
+    let answers: Vec<(String, &Answer)> = entries
+        .iter()
+        .filter(|entry| answered(entry))
+        .filter_map(|entry| {
+            let name = printable(&entry.source).into_owned();
+            Some((name, entry.outcome.as_ref().ok()?))
+        })
+        .collect();
+    html! {
+        section.comparison {
+            h1 { "Side by side" }
+            @for entry in entries {
+                @if let Ok(answer) = &entry.outcome {
+                    @if let Some((name, words)) = verdicts(answer).into_iter().next() {
+                        p.verdict { strong { (printable(&entry.source)) } ": " (name) ": " (words) }
+                    }
+                }
+            }
+            div.wide {
+                table {
+                    thead { tr {
+                        th { "blow" }
+                        @for (head, unit) in table.heads.iter().zip(&table.units) {
+                            th { (head) br; small { (unit) } }
+                        }
+                    } }
+                    tbody { @for (name, cells) in &table.rows {
+                        tr { th { (name) } @for cell in cells { td { (cell) } } }
+                    } }
+                }
+            }
+            (figure("Force on the eye", &charts::drives(&answers)))
+        }
+    }
+}
+
+/// One blow: what to believe, what moved, what came of it, and how far to trust that.
+fn blow(entry: &Entry) -> Markup {
+    let scenario = &entry.scenario;
+    html! {
+        section.blow {
+            h1 { (printable(&scenario.name)) }
+            @match &entry.outcome {
+                Err(why) => p.flag { "No answer: " (printable(why)) },
+                Ok(answer) => {
+                    p.model { (mesh(answer, scenario)) }
+                    @for (name, words) in verdicts(answer) {
+                        p.verdict { strong { (name) } ": " (words) }
+                    }
+                    @for flag in &answer.flags {
+                        p.flag { strong { (flag.kind.name()) } ": " (flag.message) }
+                    }
+                    @let motion = charts::motion(answer);
+                    div.columns {
+                        div { (eye(answer)) (asked(entry)) }
+                        div { (results(answer)) }
+                    }
+                    div.charts {
+                        (figure("Forces", &charts::forces(answer)))
+                        (figure(&capital(&motion.up), &motion))
+                        (figure("Published injury curves that are believed, and this blow on them",
+                            &charts::injuries(answer)))
+                    }
+                }
+            }
+            details.screen {
+                summary { "The scenario as a file" }
+                pre { (to_ron(scenario)) }
+            }
+        }
+    }
+}
+
+fn eye(answer: &Answer) -> Markup {
+    let Some(picture) = Picture::of(answer) else {
+        return html! {};
+    };
+    let time = format!("{:.3} ms", picture.time() * 1e3);
+    let label = format!("The eye at {time}, when its apex is deepest");
+    html! {
+        figure.replay {
+            figcaption { "The eye at " output { (time) } }
+            (picture.markup(&label))
+            div.screen {
+                button type="button" { "Play" }
+                input type="range" min="0" aria-label="time";
+            }
+            script type="application/json" { (PreEscaped(picture.motion().to_string())) }
+        }
+    }
+}
+
+fn asked(entry: &Entry) -> Markup {
+    html! {
+        table.inputs { tbody {
+            @for (label, text) in inputs(&entry.scenario) {
+                tr { th { (label) } td { (text) } }
+            }
+        } }
+    }
+}
+
+fn results(answer: &Answer) -> Markup {
+    let balance = percent(answer.errors.energy_balance);
+    html! {
+        table {
+            thead { tr {
+                th { "result" } th { "value" } th {} th { "at" } th { "step ±" } th { "mesh ±" }
+            } }
+            tbody { @for row in rows(answer) {
+                tr {
+                    th { (row.name) } td { (row.value) } td.unit { (row.unit) } td { (row.at) }
+                    td { (row.step) } td { (row.mesh) }
+                }
+            } }
+        }
+        p.note { "The damage index is no probability. Energy is balanced within " (balance) "; \
+            - : no error is known." }
+    }
+}
+
+fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
+    html! {
+        @if let Some(command) = command {
+            p { "The same again: " code { (command) } }
+        }
+        ol { @for source in sources(entries) { li { (source) } } }
+        p { (version()) ". " (DISCLAIMER) }
+    }
+}

@@ -1,0 +1,68 @@
+//! The page as Markdown: words and tables.
+
+use std::io::{self, Write};
+
+use super::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::plain_text::printable;
+use crate::report::compare::{Table, escaped};
+use crate::study::comparison::{Entry, columns};
+
+/// Writes it.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
+    if entries.len() > 1 {
+        writeln!(out, "# Side by side\n")?;
+        Table::of(entries, &columns(entries, None)).markdown(out)?;
+        writeln!(out)?;
+    }
+    for entry in entries {
+        blow(entry, out)?;
+    }
+    writeln!(out, "## Sources\n")?;
+    for source in sources(entries) {
+        writeln!(out, "- {}", escaped(source))?;
+    }
+    if let Some(command) = command {
+        writeln!(out, "\nThe same again:\n\n    {command}")?;
+    }
+    writeln!(out, "\n{}. {DISCLAIMER}", version())
+}
+
+fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "# {}\n", escaped(&printable(&entry.scenario.name)))?;
+    let answer = match &entry.outcome {
+        Ok(answer) => answer,
+        Err(why) => return writeln!(out, "No answer: {}\n", escaped(&printable(why))),
+    };
+    writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
+    for (name, words) in verdicts(answer) {
+        writeln!(out, "- **{name}**: {}", escaped(&words))?;
+    }
+    for flag in &answer.flags {
+        writeln!(
+            out,
+            "- FLAG `{}`: {}",
+            flag.kind.name(),
+            escaped(&flag.message)
+        )?;
+    }
+    writeln!(
+        out,
+        "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|"
+    )?;
+    for row in rows(answer) {
+        let (step, mesh) = (escaped(&row.step), escaped(&row.mesh));
+        writeln!(
+            out,
+            "| {} | {} | {} | {} | {step} | {mesh} |",
+            row.name, row.value, row.unit, row.at
+        )?;
+    }
+    writeln!(out, "\n| input | value |\n|---|---|")?;
+    for (label, text) in inputs(&entry.scenario) {
+        writeln!(out, "| {label} | {} |", escaped(&text))?;
+    }
+    writeln!(out)
+}

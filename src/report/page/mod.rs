@@ -1,0 +1,185 @@
+//! One page that holds an answer whole: to read, to print, to send and to repeat.
+//!
+//! HTML is one file that needs nothing else: pictures are drawn in it, the replay is a small script in it, and its
+//! own rules forbid it to load anything. Markdown has the words and tables, SVG the picture alone.
+//!
+//! Left out: bands over the inputs, which take minutes (`contrecoup ensemble`).
+
+mod charts;
+mod eye;
+mod html;
+mod markdown;
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::injury::{Verdict, lines};
+use crate::plain_text::printable;
+use crate::recording::{Keep, Spacing};
+use crate::report::compare::cell;
+use crate::report::text::{capital, percent};
+use crate::scenario::Scenario;
+use crate::scenario::fields::{FIELDS, Kind};
+use crate::study::comparison::Entry;
+use crate::study::{Answer, Quantity};
+
+/// Where the model comes from.
+const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
+    Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
+const DISCLAIMER: &str = "Research and education, not diagnosis.";
+/// Frames of the replay, half of them in the time in which most happens, in s.
+const FRAMES: f64 = 80.0;
+const LIVELY: f64 = 0.6e-3;
+
+/// What a page is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A page for a browser.
+    Html,
+    /// Text and tables.
+    Markdown,
+    /// A picture.
+    Svg,
+}
+
+impl Form {
+    /// By the end of a file's name.
+    pub fn of(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "html" | "htm" => Some(Self::Html),
+            "md" => Some(Self::Markdown),
+            "svg" => Some(Self::Svg),
+            _ => None,
+        }
+    }
+}
+
+/// What a page needs of a run.
+pub fn keep(scenario: &Scenario) -> Keep {
+    let window = scenario.window_ms * 1e-3;
+    let early = LIVELY.min(0.5 * window);
+    let half = 0.5 * FRAMES;
+    Keep {
+        traces: true,
+        frames: Some(Spacing {
+            early: half as u32,
+            early_every: early / half,
+            every: (window - early) / half,
+        }),
+    }
+}
+
+/// Writes a page of one blow or several; `command` repeats it, if one can.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write(
+    form: Form,
+    entries: &[Entry],
+    command: Option<&str>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match form {
+        Form::Html => out.write_all(html::page(entries, command).as_bytes()),
+        Form::Markdown => markdown::write(entries, command, out),
+        Form::Svg => out.write_all(eye::pictures(entries).as_bytes()),
+    }
+}
+
+/// The version that answered.
+fn version() -> String {
+    let commit = option_env!("CONTRECOUP_COMMIT").map(|commit| format!(", commit {commit}"));
+    format!(
+        "contrecoup {}{}",
+        env!("CARGO_PKG_VERSION"),
+        commit.unwrap_or_default()
+    )
+}
+
+/// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.
+fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
+    let mut usual = Scenario::default();
+    // The usual parts are those of the same model.
+    let model = FIELDS.iter().find(|field| field.path == "model");
+    if let Some(Kind::Choice(models)) = model.map(|field| &field.kind)
+        && let Some(name) = models.get(scenario)
+    {
+        models.set(&mut usual, name);
+    }
+    let worth = |path: &str, text: &String| {
+        let own = path == "model" || path.starts_with("impact");
+        let other = FIELDS.iter().find(|field| field.path == path);
+        own || other
+            .and_then(|field| field.text(&usual))
+            .is_none_or(|usual| usual != *text)
+    };
+    let asked = FIELDS.iter().filter(|field| field.path != "name");
+    asked
+        .filter_map(|field| {
+            let text = field
+                .text(scenario)
+                .filter(|text| worth(field.path, text))?;
+            let text = format!("{} {}", printable(&text), field.unit);
+            Some((field.label, text.trim_end().to_owned()))
+        })
+        .collect()
+}
+
+/// A result as a row: name, value with as many digits as its errors allow, when, and both errors.
+struct Row {
+    name: String,
+    value: String,
+    unit: &'static str,
+    at: String,
+    step: String,
+    mesh: String,
+}
+
+fn rows(answer: &Answer) -> Vec<Row> {
+    let errors = &answer.errors;
+    let row = |(of, _): (Quantity, f64)| {
+        let mesh = errors.mesh.as_ref();
+        let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
+        Row {
+            name: capital(of.row().label),
+            value: cell(answer, of),
+            unit: of.row().unit,
+            at: answer
+                .peak(of)
+                .map_or_else(String::new, |p| format!("{:.3} ms", p.time * 1e3)),
+            step: known(errors.time_step[of]),
+            mesh: known(mesh.and_then(|errors| errors[of])),
+        }
+    };
+    answer.results().present().map(row).collect()
+}
+
+/// What is to be believed of each injury: its name and the words.
+fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
+    let verdicts: Vec<Verdict> = answer.verdicts();
+    lines(&verdicts)
+}
+
+/// Everything that the page rests on, each once.
+fn sources(entries: &[Entry]) -> Vec<&'static str> {
+    let mut sources = vec![SOURCE];
+    let answers = entries
+        .iter()
+        .filter_map(|entry| entry.outcome.as_ref().ok());
+    for risk in answers.flat_map(Answer::risks) {
+        if !sources.contains(&risk.curve.source) {
+            sources.push(risk.curve.source);
+        }
+    }
+    sources
+}
+
+/// What the mesh is, in words.
+fn mesh(answer: &Answer, scenario: &Scenario) -> String {
+    let model = FIELDS.iter().find(|field| field.path == "model");
+    let model = model
+        .and_then(|field| field.text(scenario))
+        .unwrap_or_default();
+    format!("{model} model, mesh level {}", answer.case.level())
+}
