@@ -60,7 +60,7 @@ impl Spacing {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
     /// Traces: in a section of every step (thinned beyond 100,000 steps), at the eye of revolution of
-    /// the first step after each two thousandth of the window.
+    /// the first step after each thousandth of the window.
     pub traces: bool,
     /// Frames, so far apart.
     pub frames: Option<Spacing>,

@@ -26,7 +26,7 @@ const GROWTH: f64 = 1.05;
 /// Balances of energy taken over a window.
 const BALANCES: f64 = 100.0;
 /// Values of a trace that a window is divided into.
-const TRACE_POINTS: f64 = 2000.0;
+const TRACE_POINTS: f64 = 1000.0;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone this far, in
 /// m, or its pulse is over.
 const GONE: f64 = 0.5e-3;
