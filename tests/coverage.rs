@@ -6,7 +6,7 @@
 
 #![cfg(feature = "app")]
 
-use contrecoup::study::coverage::{MAX_SCENES, check, coverage, misses};
+use contrecoup::study::coverage::{Drawn, MAX_SCENES, check, coverage, misses};
 use contrecoup::study::{Quantity, Refusal};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -21,7 +21,7 @@ fn unwatched(_: f64) -> ControlFlow<()> {
 fn nineteen_of_twenty_claims_hold_and_are_no_more_than_ten_times_the_truth() {
     // Without optimisation two hundred would take an hour.
     let scenes = if cfg!(debug_assertions) { 4 } else { 200 };
-    let checked = check(scenes, SEED, &unwatched).unwrap();
+    let checked = check(Drawn::Pulses, scenes, SEED, &unwatched).unwrap();
     let folded = checked.iter().filter(|c| c.folded).count();
     assert!(2 * folded < checked.len(), "{folded} scenes fold");
     for miss in misses(&checked) {
@@ -46,10 +46,35 @@ fn nineteen_of_twenty_claims_hold_and_are_no_more_than_ten_times_the_truth() {
 }
 
 #[test]
+fn nineteen_of_twenty_claims_about_objects_at_the_eye_of_revolution_hold() {
+    let scenes = if cfg!(debug_assertions) { 1 } else { 12 };
+    let checked = check(Drawn::Objects, scenes, SEED, &unwatched).unwrap();
+    assert!(checked.iter().all(|c| !c.folded), "{checked:?}");
+    let claims = checked.iter().flat_map(|c| c.claimed.leading());
+    let claimed = claims.count();
+    assert!(claimed >= 6 * checked.len(), "{claimed}");
+    let leads = |of: Quantity| checked[0].claimed.leading().any(|(other, _)| other == of);
+    let missed: Vec<_> = misses(&checked)
+        .into_iter()
+        .filter(|miss| leads(miss.quantity))
+        .collect();
+    assert!(20 * missed.len() <= claimed, "{missed:?}");
+    let most = checked.iter().map(|c| c.claimed.headline());
+    let most = most.fold(0.0, f64::max);
+    assert!(
+        most < 2.0,
+        "steps were shortened to a step error of {most} %"
+    );
+}
+
+#[test]
 fn the_number_of_threads_changes_no_bit() {
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let checked = pool.build().unwrap().install(|| check(3, 7, &unwatched));
+        let checked = pool
+            .build()
+            .unwrap()
+            .install(|| check(Drawn::Pulses, 3, 7, &unwatched));
         let bits = |c: contrecoup::study::coverage::Checked| {
             let numbers = c.claimed.present().chain(c.truth.present());
             let bits: Vec<u64> = numbers.map(|(_, number)| number.to_bits()).collect();
@@ -63,7 +88,7 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn the_watch_hears_of_every_scene_and_may_stop() {
     let heard = Mutex::new(Vec::new());
-    check(2, SEED, &|share| {
+    check(Drawn::Pulses, 2, SEED, &|share| {
         heard.lock().unwrap().push(share);
         ControlFlow::Continue(())
     })
@@ -71,7 +96,7 @@ fn the_watch_hears_of_every_scene_and_may_stop() {
     let mut heard = heard.into_inner().unwrap();
     heard.sort_by(f64::total_cmp);
     assert_eq!(heard, [0.5, 1.0]);
-    let stopped = check(MAX_SCENES, SEED, &|_| ControlFlow::Break(()));
+    let stopped = check(Drawn::Pulses, MAX_SCENES, SEED, &|_| ControlFlow::Break(()));
     assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
 }
 

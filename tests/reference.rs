@@ -284,11 +284,11 @@ fn a_folded_mesh_is_flagged_with_its_time() {
 #[test]
 fn stopping_early_changes_no_result_in_random_scenes() {
     use contrecoup::study::Case;
-    use contrecoup::study::coverage::scene;
+    use contrecoup::study::coverage::Drawn;
     let mut stopped = [0, 0];
     // The second mesh has its own proof for the shell.
     for (index, level) in (0..40).map(|i| (i, 1)).chain((0..16).map(|i| (i, 2))) {
-        let mut scenario = scene(index, 7);
+        let mut scenario = Drawn::Pulses.scene(index, 7);
         scenario.eye.level = level;
         let case = Case::new(&scenario.check().unwrap());
         let plan = case.plan(&scenario).unwrap();

@@ -7,8 +7,8 @@ use std::sync::{Mutex, PoisonError};
 use super::progress::Progress;
 use super::{CliError, CoverageArgs};
 use crate::plain_text::write_json;
-use crate::report::coverage::{json, text};
-use crate::study::coverage::check;
+use crate::report::coverage::{Asked, json, text};
+use crate::study::coverage::{Drawn, check};
 use crate::study::mesh_coverage;
 
 /// Solves random scenes, each with its reference, and prints how the claims compare.
@@ -22,16 +22,25 @@ pub fn run(args: &CoverageArgs, out: &mut dyn Write) -> Result<(), CliError> {
         lock().show("checking scenes", share);
         ControlFlow::Continue(())
     };
+    let asked = Asked {
+        drawn: if args.objects {
+            Drawn::Objects
+        } else {
+            Drawn::Pulses
+        },
+        seed: args.seed,
+        mesh: args.mesh,
+    };
     let checked = match args.mesh {
-        Some(level) => mesh_coverage::check(args.scenes, args.seed, level, &watch),
-        None => check(args.scenes, args.seed, &watch),
+        Some(level) => mesh_coverage::check(asked.drawn, args.scenes, args.seed, level, &watch),
+        None => check(asked.drawn, args.scenes, args.seed, &watch),
     };
     lock().clear();
     let checked = checked?;
     if args.json {
-        write_json(out, &json(&checked, args.seed, args.mesh))?;
+        write_json(out, &json(&checked, asked))?;
     } else {
-        text(&checked, args.seed, args.mesh, out)?;
+        text(&checked, asked, out)?;
     }
     Ok(())
 }

@@ -209,6 +209,9 @@ pub struct CoverageArgs {
     /// Which scenes: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u32,
+    /// Throw random objects at the eye of revolution, in place of pulses at the Paper model
+    #[arg(long)]
+    pub objects: bool,
     /// Check mesh errors in place of step errors, of answers at this level [without K: 1], until so many
     /// scenes have folded on no mesh
     #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "1",

@@ -2,10 +2,9 @@
 
 use super::json::by_result;
 use super::text::{WIDTH, wrapped};
-use crate::study::coverage::{
-    Checked, Coverage, Miss, REFERENCE_FINENESS, coverage, misses, scene,
-};
-use crate::study::{FINEST_LEVEL, Quantity, witnesses};
+use crate::study::coverage::{Checked, Coverage, Drawn, Miss, coverage, misses};
+use crate::study::mesh_coverage::reference;
+use crate::study::{Quantity, witnesses};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -45,35 +44,63 @@ fn without_claim(checked: &[Checked]) -> impl Iterator<Item = (Quantity, usize)>
     counted.filter(|(_, count)| *count > 0)
 }
 
-/// Prints the table of `checked`, scenes of `seed`, and every claim that did not hold. The claims are
-/// mesh errors of answers at the level `mesh`, or step errors.
+/// What was checked.
+#[derive(Debug, Clone, Copy)]
+pub struct Asked {
+    /// What the scenes are.
+    pub drawn: Drawn,
+    /// Which of them.
+    pub seed: u32,
+    /// The level whose mesh errors are the claims; none if they are step errors.
+    pub mesh: Option<u32>,
+}
+
+impl Asked {
+    fn scenes(self) -> &'static str {
+        match self.drawn {
+            Drawn::Pulses => "random pulses",
+            Drawn::Objects => "random objects",
+        }
+    }
+
+    fn promised_nothing(self) -> &'static str {
+        match self.drawn {
+            Drawn::Pulses => "as a mesh folded",
+            Drawn::Objects => "as a mesh folded or the object went through",
+        }
+    }
+}
+
+/// Prints the table of `checked` and every claim that did not hold.
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn text(
-    checked: &[Checked],
-    seed: u32,
-    mesh: Option<u32>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub fn text(checked: &[Checked], asked: Asked, out: &mut dyn Write) -> io::Result<()> {
+    let Asked { drawn, seed, mesh } = asked;
+    let (scenes, why) = (asked.scenes(), asked.promised_nothing());
     let folded = folded(checked).len();
     let count = checked.len();
-    match mesh {
-        None => writeln!(
-            out,
-            "Stated step errors of {count} random scenes of seed {seed}, each against a reference\n\
-             that takes {REFERENCE_FINENESS} times as many steps. Promised nothing, as the mesh folded: {folded}.\n"
-        )?,
+    let head = match mesh {
+        None => format!(
+            "Stated step errors of {count} {scenes} of seed {seed}, each against a reference \
+             that takes {} times as many steps. Promised nothing, {why}: {folded}.",
+            drawn.fineness()
+        ),
         Some(level) => {
-            let [coarser, finer] = witnesses(level);
-            writeln!(
-                out,
-                "Stated mesh errors at level {level} of {} random scenes of seed {seed}, each against\n\
-                 level {FINEST_LEVEL}. Passed over, as a mesh of level {level}, {coarser}, {finer} or {FINEST_LEVEL} folds: {folded}.\n",
+            let [coarser, finer] = witnesses(&drawn.scene(0, seed).model, level);
+            let reference = reference(drawn);
+            format!(
+                "Stated mesh errors at level {level} of {} {scenes} of seed {seed}, each against \
+                 level {reference}. Passed over at level {level}, {coarser}, {finer} or \
+                 {reference}, {why}: {folded}.",
                 count - folded
-            )?;
+            )
         }
+    };
+    for line in wrapped(&head, WIDTH) {
+        writeln!(out, "{line}")?;
     }
+    writeln!(out)?;
     writeln!(
         out,
         "{:<20}{:>11}{:>16}{:>16}{:>16}",
@@ -119,18 +146,19 @@ pub fn text(
     Ok(())
 }
 
-fn miss(of: &Miss, seed: u32) -> Value {
+fn miss(of: &Miss, asked: Asked) -> Value {
     json!({
         "scene": of.index,
         "result": of.quantity.key(),
         "claimed_percent": of.claimed,
         "true_percent": of.truth,
-        "scenario": scene(of.index, seed),
+        "scenario": asked.drawn.scene(of.index, asked.seed),
     })
 }
 
 /// The same as one object. A miss comes with its scenario, to be run again.
-pub fn json(checked: &[Checked], seed: u32, mesh: Option<u32>) -> Value {
+pub fn json(checked: &[Checked], asked: Asked) -> Value {
+    let Asked { drawn, seed, mesh } = asked;
     let misses = misses(checked);
     let missed = |quantity: Quantity| misses.iter().filter(|m| m.quantity == quantity).count();
     let results: Vec<Value> = coverage(checked)
@@ -148,10 +176,11 @@ pub fn json(checked: &[Checked], seed: u32, mesh: Option<u32>) -> Value {
         .collect();
     json!({
         "scenes": checked.len(),
+        "drawn": asked.scenes(),
         "seed": seed,
         "mesh_level": mesh,
-        "reference_level": mesh.map(|_| FINEST_LEVEL),
-        "reference_fineness": mesh.is_none().then_some(REFERENCE_FINENESS),
+        "reference_level": mesh.map(|_| reference(drawn)),
+        "reference_fineness": mesh.is_none().then_some(drawn.fineness()),
         "without_claim": without_claim(checked)
             .map(|(of, count)| (of.key().to_owned(), count.into()))
             .collect::<Map<String, Value>>(),
@@ -163,6 +192,6 @@ pub fn json(checked: &[Checked], seed: u32, mesh: Option<u32>) -> Value {
             "claimed_percent": by_result(&c.claimed),
             "true_percent": by_result(&c.truth),
         })).collect::<Vec<_>>(),
-        "misses": misses.iter().map(|m| miss(m, seed)).collect::<Vec<_>>(),
+        "misses": misses.iter().map(|m| miss(m, asked)).collect::<Vec<_>>(),
     })
 }

@@ -42,12 +42,13 @@ pub fn solve_all(scenarios: &[CheckedScenario]) -> Vec<Result<Outcome, Refusal>>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::coverage::scene;
+    use crate::study::coverage::Drawn;
 
     #[test]
     fn a_batch_gives_the_same_bits_on_any_number_of_threads() {
-        let scenarios: Vec<CheckedScenario> =
-            (0..12).map(|i| scene(i, 3).check().unwrap()).collect();
+        let scenarios: Vec<CheckedScenario> = (0..12)
+            .map(|i| Drawn::Pulses.scene(i, 3).check().unwrap())
+            .collect();
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)

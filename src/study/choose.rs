@@ -7,7 +7,7 @@
 
 use super::case::{Refusal, Watch};
 use super::compiled::Compiled;
-use super::mesh_error::{OnMesh, at_level, told, told_by};
+use super::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use super::quantity::Quantity;
 use super::results::Results;
 use super::rules::{Automatic, share_for};
@@ -59,8 +59,8 @@ pub fn within(
         Model::Paper | Model::Physiological(_) => FINEST_TRIED,
     };
     for level in 1..=finest {
-        let levels = told_by(&scenario.model, level);
-        while ladder.len() < levels.iter().copied().fold(level, u32::max) as usize {
+        let levels = witnesses(&scenario.model, level);
+        while ladder.len() < levels[1] as usize {
             ladder.push(at_level(scenario, ladder.len() as u32 + 1, watch)?);
         }
         let on = |level: u32| ladder[level as usize - 1];
@@ -74,8 +74,8 @@ pub fn within(
                 ),
             });
         }
-        let by: Vec<OnMesh> = levels.into_iter().map(on).collect();
-        let mesh = told(&scenario.model, level, &own, &by);
+        let [coarser, finer] = levels.map(on);
+        let mesh = MeshError::of(&scenario.model, level, &own, [&coarser, &finer]);
         let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
             reasons.push(format!("level {level}: finer meshes show no limit"));
             continue;

@@ -93,6 +93,16 @@ impl Compiled {
         }
     }
 
+    /// The same on the mesh of a level, which for the eye of revolution may be any.
+    pub(super) fn at_level(self, level: u32) -> Self {
+        match self {
+            Self::Revolution(case) if case.eye.level != level => {
+                Self::Revolution(Box::new(case.at_level(level)))
+            }
+            same => same,
+        }
+    }
+
     /// That of a section.
     pub fn section(&self) -> Option<&Case> {
         match self {

@@ -5,9 +5,9 @@
 //! itself: it may be off by what fine levels scatter by.
 
 use super::case::{Refusal, unwatched};
-use super::coverage::{Checked, MAX_SCENES, scene};
+use super::coverage::{Checked, Drawn, MAX_SCENES};
 use super::mesh_error::{FINEST_LEVEL, MeshError, at_level, witnesses};
-use super::results::Results;
+use crate::dynamics::revolution;
 use crate::study::mesh_error::OnMesh;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -15,6 +15,14 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// The finest level whose claims can be checked: its witnesses are coarser than the finest mesh.
 pub const FINEST_CHECKED: u32 = 5;
+/// The level that claims are compared with: one that no witness has.
+pub fn reference(drawn: Drawn) -> u32 {
+    match drawn {
+        Drawn::Pulses => FINEST_LEVEL,
+        Drawn::Objects => 8,
+    }
+}
+
 /// Scenes that are begun together.
 const BLOCK: u32 = 16;
 
@@ -25,6 +33,7 @@ const BLOCK: u32 = 16;
 /// # Errors
 /// Whatever a scene refuses; none should. [`Refusal::Cancelled`] if the watch stopped it.
 pub fn check(
+    drawn: Drawn,
     count: u32,
     seed: u32,
     level: u32,
@@ -36,7 +45,7 @@ pub fn check(
     let mut first = 0;
     while left > 0 && first < MAX_SCENES {
         let one = |index: u32| {
-            let checked = check_one(index, seed, level)?;
+            let checked = check_one(drawn, index, seed, level)?;
             let found = u32::from(!checked.folded);
             let done = unfolded.fetch_add(found, Ordering::Relaxed) + found;
             match watch(f64::from(done.min(count)) / f64::from(count)) {
@@ -58,25 +67,23 @@ pub fn check(
     Ok(checked)
 }
 
-fn check_one(index: u32, seed: u32, level: u32) -> Result<Checked, Refusal> {
-    let scene = scene(index, seed);
-    let folded = Checked {
-        index,
-        claimed: Results::from_fn(|_| None),
-        truth: Results::from_fn(|_| None),
-        folded: true,
-    };
-    let [coarser, finer] = witnesses(level);
+fn check_one(drawn: Drawn, index: u32, seed: u32, level: u32) -> Result<Checked, Refusal> {
+    let scene = drawn.scene(index, seed);
+    let folded = Checked::nothing(index);
+    let [coarser, finer] = witnesses(&scene.model, level);
     let mut found: Vec<OnMesh> = Vec::with_capacity(4);
     // The cheap ones first: where one folds the finest mesh need not be moved.
-    for level in [level, coarser, finer, FINEST_LEVEL] {
-        let on = at_level(&scene, level, &mut unwatched)?;
+    for level in [level, coarser, finer, reference(drawn)] {
+        let on = match at_level(&scene, level, &mut unwatched) {
+            Err(Refusal::Revolution(revolution::Refusal::Through(_))) => return Ok(folded),
+            on => on?,
+        };
         if on.folded.is_some() {
             return Ok(folded);
         }
         found.push(on);
     }
-    let mesh = MeshError::of(&found[0], level, [&found[1], &found[2]]);
+    let mesh = MeshError::of(&scene.model, level, &found[0], [&found[1], &found[2]]);
     Ok(Checked {
         index,
         claimed: mesh.errors,

@@ -4,11 +4,12 @@
 //! lie round a limit with no order that could be extrapolated: the shell crumples a little differently on
 //! each. With d(a) and d(b) the results of the two levels after the answer's, b the finer,
 //!
-//!   limit = d(b), known to 2 |d(a) - d(b)| + 3 s/b |d(b)|;  error = |d - limit| + what it is known to.
+//!   limit = d(b), known to 2 |d(a) - d(b)| + s f |d(b)|;  error = |d - limit| + what it is known to.
 //!
 //! Two levels may agree by chance, so s, the scatter of the result, is what level 3 may be off by in any
-//! case. The factor 2 and the shares s were read off 144 random scenes, in which the error of the damage
-//! index at levels 1 to 3 then holds in 99 % or more; they are checked on others, see
+//! case, and f the width of the cells of level b over those of level 3. The factor 2 and the shares s were
+//! read off 144 random scenes, in which the error of the damage index at levels 1 to 3 then holds in 99 % or
+//! more, and for the eye of revolution off random objects; they are checked on others, see
 //! [`super::mesh_coverage`].
 //!
 //! A result has no limit, and no error is stated, where d(a) and d(b) are far apart, where the error is
@@ -18,12 +19,11 @@
 use super::case::{Refusal, Watch};
 use super::compiled::Compiled;
 use super::flags::{Flag, FlagKind};
-use super::quantity::Family;
+use super::quantity::{Family, MeshScatter, Quantity};
 use super::results::{PerQuantity, Results};
-use super::revolution::mesh_error as of_revolution;
 use super::solve::Answer;
 use crate::recording::Keep;
-use crate::scenario::{Model, NumericsInput, Scenario};
+use crate::scenario::{FINEST_AXISYMMETRIC_LEVEL, Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 
 /// The finest level a scenario may ask for.
@@ -59,10 +59,11 @@ pub(super) struct OnMesh {
 /// Results of `scenario` on the mesh of `level`.
 pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
     let mut other = scenario.clone();
-    other.eye.level = level;
     // The mesh error is far larger than the step error of the automatic step.
     other.numerics = NumericsInput::default();
-    let case = Compiled::new(&other.check()?);
+    // A witness may be finer than what anyone may ask for.
+    other.eye.level = level.min(finest(&scenario.model));
+    let case = Compiled::new(&other.check()?).at_level(level);
     let plan = case.plan_alone(&other)?;
     let left = case.run(&plan, Keep::default(), watch)?.left;
     Ok(OnMesh {
@@ -71,44 +72,55 @@ pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
     })
 }
 
-/// The two levels that tell the error of `level`, the finer last; at the finest levels one of them is
-/// `level` itself.
-pub fn witnesses(level: u32) -> [u32; 2] {
-    let finest = (level + 2).min(FINEST_LEVEL);
-    [finest - 1, finest]
-}
-
-/// The levels whose results tell the error of `level` in this model, the finest last.
-pub(super) fn told_by(model: &Model, level: u32) -> Vec<u32> {
+/// The finest level a scenario with this model may ask for.
+fn finest(model: &Model) -> u32 {
     match model {
-        Model::Axisymmetric(_) => vec![of_revolution::neighbour(level)],
-        Model::Paper | Model::Physiological(_) => witnesses(level).to_vec(),
+        Model::Paper | Model::Physiological(_) => FINEST_LEVEL,
+        Model::Axisymmetric(_) => FINEST_AXISYMMETRIC_LEVEL,
     }
 }
 
-/// The error of `own`, on the mesh of `level`, by the results of the levels that tell it.
-pub(super) fn told(model: &Model, level: u32, own: &OnMesh, by: &[OnMesh]) -> MeshError {
-    match (model, by) {
-        (Model::Axisymmetric(_), [.., other]) => of_revolution::of(own, level, other),
-        (_, [.., coarser, finer]) => MeshError::of(own, level, [coarser, finer]),
-        _ => MeshError::of(own, level, [own, own]),
+/// The two levels that tell the error of `level`, the finer last. At the finest levels of a section one of them
+/// is `level` itself; those of the eye of revolution are always finer.
+pub fn witnesses(model: &Model, level: u32) -> [u32; 2] {
+    let finest = match model {
+        Model::Paper | Model::Physiological(_) => (level + 2).min(FINEST_LEVEL),
+        Model::Axisymmetric(_) => level + 2,
+    };
+    [finest - 1, finest]
+}
+
+/// How a result of a model behaves as the mesh gets finer.
+fn scatter(model: &Model, of: Quantity) -> MeshScatter {
+    let row = of.row();
+    match model {
+        Model::Paper | Model::Physiological(_) => row.scatter,
+        Model::Axisymmetric(_) => row.scatter_of_revolution,
+    }
+}
+
+/// How many times as fine as [`SCATTER_LEVEL`] a level is, by the width of its cells.
+fn fineness(model: &Model, level: u32) -> f64 {
+    match model {
+        Model::Paper | Model::Physiological(_) => f64::from(level) / SCATTER_LEVEL,
+        // Level k has 2 k + 4 cells in half a side of its core.
+        Model::Axisymmetric(_) => (f64::from(level) + 2.0) / (SCATTER_LEVEL + 2.0),
     }
 }
 
 /// The limit that two levels show, the finer last, which is `finest`.
-fn limit(levels: [&Results; 2], finest: u32) -> Limits {
-    let fineness = SCATTER_LEVEL / f64::from(finest);
+fn limit(model: &Model, levels: [&Results; 2], finest: u32) -> Limits {
+    let fineness = fineness(model, finest);
     Limits::from_fn(|quantity| {
-        let row = quantity.row();
+        let scatter = scatter(model, quantity);
         let [coarser, finer] = levels.map(|results| results[quantity]);
         let (coarser, value) = (coarser?, finer?);
         let gap = (coarser - value).abs();
         let size = coarser.abs().max(value.abs());
-        let near = gap <= (row.scatter.apart * size).max(row.scatter.least);
-        (near && row.family != Family::Unstated).then(|| Limit {
+        let near = gap <= (scatter.apart * size).max(scatter.least);
+        (near && quantity.row().family != Family::Unstated).then(|| Limit {
             value,
-            error: SAFETY * gap
-                + (fineness * row.scatter.share * value.abs()).max(row.scatter.least),
+            error: SAFETY * gap + (scatter.share * value.abs() / fineness).max(scatter.least),
         })
     })
 }
@@ -145,13 +157,14 @@ pub struct MeshError {
 
 impl MeshError {
     /// Of `own`, on the mesh of `level`, by the results of its [`witnesses`].
-    pub(super) fn of(own: &OnMesh, level: u32, witness: [&OnMesh; 2]) -> Self {
-        let mut folds = witnesses(level).into_iter().zip(witness);
+    pub(super) fn of(model: &Model, level: u32, own: &OnMesh, witness: [&OnMesh; 2]) -> Self {
+        let levels = witnesses(model, level);
+        let mut folds = levels.into_iter().zip(witness);
         let first = folds.find_map(|(at, on)| Some((at, on.folded?)));
         let limits = if first.is_some() || own.folded.is_some() {
             Limits::from_fn(|_| None)
         } else {
-            limit(witness.map(|on| &on.results), witnesses(level)[1])
+            limit(model, witness.map(|on| &on.results), levels[1])
         };
         let flag = first.filter(|_| own.folded.is_none());
         Self {
@@ -186,23 +199,27 @@ impl MeshQuery {
     /// # Errors
     /// As for any run.
     pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
-        let levels = told_by(&scenario.model, self.level);
+        let levels = witnesses(&scenario.model, self.level);
         // A run takes about the cube of its level.
         let cost = |level: u32| f64::from(level.pow(3));
-        let whole = levels.iter().copied().map(cost).sum::<f64>();
+        let whole = levels.map(cost).iter().sum::<f64>();
         let mut done = 0.0;
-        let mut found = Vec::with_capacity(levels.len());
-        for level in levels {
+        let mut found = [self.own; 2];
+        for (on, level) in found.iter_mut().zip(levels) {
             let share = cost(level) / whole;
-            found.push(if level == self.level {
-                self.own
-            } else {
+            if level != self.level {
                 let mut part = |within: f64| -> ControlFlow<()> { watch(done + share * within) };
-                at_level(scenario, level, &mut part)?
-            });
+                *on = at_level(scenario, level, &mut part)?;
+            }
             done += share;
         }
-        Ok(told(&scenario.model, self.level, &self.own, &found))
+        let witness = [&found[0], &found[1]];
+        Ok(MeshError::of(
+            &scenario.model,
+            self.level,
+            &self.own,
+            witness,
+        ))
     }
 }
 
@@ -246,7 +263,12 @@ mod tests {
 
     #[test]
     fn agreement_by_chance_is_no_convergence() {
-        let mesh = MeshError::of(&on(20.0, 50.0), 1, [&on(20.0, 50.0), &on(20.0, 90.0)]);
+        let mesh = MeshError::of(
+            &Model::Paper,
+            1,
+            &on(20.0, 50.0),
+            [&on(20.0, 50.0), &on(20.0, 90.0)],
+        );
         let damage = mesh.errors[Quantity::Damage].unwrap();
         assert!((damage - 5.5).abs() < 1e-12, "{damage}");
         // Two levels that far apart tell nothing, whatever the third says.
@@ -257,7 +279,12 @@ mod tests {
 
     #[test]
     fn the_error_is_the_way_to_the_limit_and_what_that_is_known_to() {
-        let mesh = MeshError::of(&on(25.0, 50.0), 2, [&on(20.5, 50.0), &on(20.0, 50.0)]);
+        let mesh = MeshError::of(
+            &Model::Paper,
+            2,
+            &on(25.0, 50.0),
+            [&on(20.5, 50.0), &on(20.0, 50.0)],
+        );
         let limit = mesh.limits[Quantity::Damage].unwrap();
         assert_eq!(
             (limit.value, limit.error),
@@ -273,17 +300,22 @@ mod tests {
             folded: Some(1e-4),
             ..on(20.0, 50.0)
         };
-        let mesh = MeshError::of(&on(20.0, 50.0), 1, [&on(20.0, 50.0), &folded]);
+        let mesh = MeshError::of(
+            &Model::Paper,
+            1,
+            &on(20.0, 50.0),
+            [&on(20.0, 50.0), &folded],
+        );
         assert!(mesh.errors.present().next().is_none());
         assert!(mesh.flag.unwrap().message.contains("level 3"));
-        let mesh = MeshError::of(&folded, 1, [&folded, &folded]);
+        let mesh = MeshError::of(&Model::Paper, 1, &folded, [&folded, &folded]);
         assert!(mesh.errors.present().next().is_none() && mesh.flag.is_none());
     }
 
     #[test]
     fn the_finest_levels_are_their_own_witnesses() {
         assert_eq!(
-            [1, 6, 7, 8].map(witnesses),
+            [1, 6, 7, 8].map(|level| witnesses(&Model::Paper, level)),
             [[2, 3], [7, 8], [7, 8], [7, 8]]
         );
     }

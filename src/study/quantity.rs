@@ -148,8 +148,10 @@ pub struct Row {
     pub leads: Leads,
     /// What its step error hangs together with.
     pub family: Family,
-    /// How far a finer mesh may be trusted with it.
+    /// How far a finer mesh of a section may be trusted with it.
     pub scatter: MeshScatter,
+    /// And one of the eye of revolution.
+    pub scatter_of_revolution: MeshScatter,
     /// The whole of its scale on a map, in the unit; without one the largest value there.
     pub whole: Option<f64>,
     /// How it is read.
@@ -181,6 +183,7 @@ impl Quantity {
             Self::ShellGrowth => Row {
                 factor: 1e2,
                 scatter: SHELL_SCATTER,
+                scatter_of_revolution: within(0.09, 0.3),
                 read: Read::Peak(|e| Some(e.shell_growth)),
                 revolution: ReadRevolution::Peak(|e| Some(e.meridian_growth)),
                 trace: Some(trace(
@@ -360,6 +363,7 @@ impl Quantity {
                     |t| &t.scleral_stress,
                     (Group::Fluid, 3),
                 )),
+                scatter_of_revolution: within(0.08, 0.3),
                 ..number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
             },
             Self::Shortening => Row {
@@ -526,6 +530,7 @@ const fn number(
         leads: Leads::Never,
         family: Family::Motion,
         scatter: within(0.04, 0.3),
+        scatter_of_revolution: within(0.04, 0.3),
         whole: None,
         read: Read::Number(|_| None),
         revolution: ReadRevolution::Nowhere,
@@ -539,6 +544,8 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
         rounding: FORCE_ROUNDING,
         leads: Leads::WithoutProjectile,
         family: Family::ShellForces,
+        // Accelerations over 20 us follow each wave, and each mesh has its own.
+        scatter_of_revolution: within(0.25, 0.3),
         ..number(key, label, short, "N")
     }
 }

@@ -209,10 +209,7 @@ pub(super) static REVOLUTION: Rules = Rules {
         floor: Floor::Percent(0.05),
         family: (Family::Motion, 0.1),
     },
-    refinement: Refinement {
-        attempts: 0,
-        ..REFINEMENT
-    },
+    refinement: REFINEMENT,
 };
 
 const REVOLUTION_ANSWER: Automatic = Automatic {

@@ -88,6 +88,16 @@ impl RevolutionCase {
         })
     }
 
+    /// The same on a mesh of another level.
+    pub(in crate::study) fn at_level(&self, level: u32) -> Self {
+        let eye = RevolutionEye::new(&self.eye.parameters, level);
+        Self {
+            limit: engine::step_limit(&eye, &self.load),
+            eye,
+            ..self.clone()
+        }
+    }
+
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
     fn share(&self, plan: &Plan) -> f64 {
         plan.step / plan.multiple / self.limit

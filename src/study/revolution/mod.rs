@@ -1,11 +1,13 @@
 //! Scenarios with the axisymmetric model: `case` compiles and moves one, `flags` says what limits its results,
-//! `mesh_error` how far its mesh may be off. Its step error is told as any, by its row of [`super::rules`].
+//! `random` draws some. Its step error is told as any, by its row of [`super::rules`], and so is its mesh
+//! error.
 
 mod case;
 pub(super) mod flags;
-pub(super) mod mesh_error;
+mod random;
 
 pub use case::RevolutionCase;
+pub(super) use random::random_object;
 
 #[cfg(test)]
 mod tests;
