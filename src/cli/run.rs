@@ -6,12 +6,13 @@ use super::progress::Progress;
 use super::{CliError, RunArgs};
 use crate::plain_text::write_json;
 use crate::recording::Keep;
-use crate::report::{json, text};
+use crate::report::{json, text, verdict};
 use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
 ///
-/// On a terminal the results appear at once and the mesh error, which takes a finer mesh, follows.
+/// On a terminal the results appear at once, and the mesh error, which takes a finer mesh, follows with the
+/// verdicts that it changes.
 ///
 /// # Errors
 /// Where the scenario is refused, the simulation fails or the output cannot be written.
@@ -40,23 +41,24 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     } else {
         solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
-    let known = answer.errors.mesh.is_some();
+    if args.mesh_error && answer.errors.mesh.is_none() {
+        add_mesh_error(&scenario, &mut answer, &mut watch)?;
+    }
     if args.json {
-        if args.mesh_error && !known {
-            add_mesh_error(&scenario, &mut answer, &mut watch)?;
-        }
         write_json(out, &json::answer(&scenario, &answer, &reasons))?;
         return Ok(());
     }
     progress.clear();
     text::results(&scenario, &answer, out)?;
-    if !known && (args.mesh_error || io::stdout().is_terminal()) {
+    if answer.errors.mesh.is_none() && io::stdout().is_terminal() {
         out.flush()?;
+        let before = answer.verdicts();
         let mut progress = Progress::new();
         add_mesh_error(&scenario, &mut answer, &mut |share| {
             progress.simulated(share)
         })?;
         progress.clear();
+        verdict::corrected(&before, &answer.verdicts(), out)?;
     }
     text::trust(&answer, &reasons, out)?;
     Ok(())

@@ -260,6 +260,24 @@ impl Verdict {
         })
     }
 
+    /// The range, its word, and what it rests on, for narrow places.
+    pub fn brief(&self) -> Option<String> {
+        let (percent, word) = (self.percent()?, self.word()?);
+        Some(format!("{percent}, {word}, by {}", self.rests_on()))
+    }
+
+    /// The believed measures in words.
+    fn rests_on(&self) -> String {
+        let mut names: Vec<&str> = Vec::new();
+        for risk in self.believed() {
+            let name = risk.curve.measure.short();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names.join(" and ")
+    }
+
     /// Which measures are not valid here, and why, each reason once.
     fn not_valid(&self) -> Vec<String> {
         let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
@@ -292,14 +310,7 @@ impl Verdict {
         let (Some(word), Some(percent)) = (self.word(), self.percent()) else {
             return self.silence.clone();
         };
-        let mut names: Vec<&str> = Vec::new();
-        for risk in self.believed() {
-            let name = risk.curve.measure.short();
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        let mut text = format!("{word} ({percent}), by {}", names.join(" and "));
+        let mut text = format!("{word} ({percent}), by {}", self.rests_on());
         if let Some(why) = self.doubt() {
             text.extend([" ", why]);
         }
@@ -343,154 +354,4 @@ pub fn lines(verdicts: &[Verdict]) -> Vec<(&'static str, String)> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::risk::{Blow, Computed, Measures, assess};
-    use super::*;
-
-    const BB: Blow = Blow {
-        mass: 0.345e-3,
-        diameter: 4.5e-3,
-        speed: 56.0,
-    };
-    const SQUASH: Blow = Blow {
-        mass: 24e-3,
-        diameter: 40e-3,
-        speed: 40.0,
-    };
-
-    fn of(blow: Option<Blow>, pressure: f64, stress: f64, validity: &Validity) -> Vec<Verdict> {
-        let computed = |value: f64| (value > 0.0).then_some(Computed { value, error: 0.02 });
-        let measures = Measures {
-            blow,
-            pressure: computed(pressure),
-            stress: computed(stress),
-        };
-        verdicts(&assess(&measures), validity)
-    }
-
-    fn rupture(blow: Option<Blow>, pressure: f64, stress: f64) -> Verdict {
-        of(blow, pressure, stress, &Validity::default()).swap_remove(0)
-    }
-
-    fn names(verdict: &Verdict) -> Vec<&str> {
-        verdict
-            .believed()
-            .map(|r| r.curve.measure.short())
-            .collect()
-    }
-
-    #[test]
-    fn what_the_eye_felt_is_believed_and_energy_of_a_large_object_is_not_valid() {
-        let verdict = rupture(Some(SQUASH), 1.1e6, 21e6);
-        assert_eq!(names(&verdict), ["scleral stress", "pressure"]);
-        let (low, high) = verdict.range.unwrap();
-        for risk in verdict.believed() {
-            assert!(low <= risk.band.0 && risk.band.1 <= high);
-        }
-        let words = verdict.words();
-        for part in [
-            "likely",
-            "by scleral stress and pressure",
-            "energy not valid here: object larger than the orbit's opening",
-        ] {
-            assert!(words.contains(part), "{words}");
-        }
-        assert!(!words.contains("memory"), "{words}");
-    }
-
-    #[test]
-    fn a_measure_off_by_more_than_the_factor_is_named_with_its_reason_and_changes_nothing() {
-        let verdict = rupture(Some(BB), 0.59e6, 16.8e6);
-        assert_eq!(names(&verdict), ["scleral stress"]);
-        let alone = rupture(None, 0.0, 16.8e6);
-        assert_eq!(verdict.range, alone.range);
-        assert!(
-            verdict
-                .words()
-                .contains("; pressure says 12 %, a mean over the globe")
-        );
-        // Energy says 88 %, which is within the factor.
-        assert!(!verdict.words().contains("energy"));
-    }
-
-    #[test]
-    fn eyes_of_another_species_count_after_what_knows_the_object_only() {
-        let all = of(Some(BB), 0.585e6, 16.8e6, &Validity::default());
-        let hyphema = all.iter().find(|v| v.injury == Injury::Hyphema).unwrap();
-        assert_eq!(names(hyphema), ["energy"]);
-        assert!(
-            hyphema
-                .words()
-                .contains("pressure says 8 %, measured on pigs' eyes")
-        );
-        let all = of(Some(SQUASH), 0.59e6, 16.8e6, &Validity::default());
-        let hyphema = all.iter().find(|v| v.injury == Injury::Hyphema).unwrap();
-        assert!(hyphema.words().contains("by pressure of pigs' eyes"));
-    }
-
-    #[test]
-    fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
-        let spoiled = Validity {
-            computes: true,
-            spoiled: Some("mesh folded at 0.480 ms".to_owned()),
-            ..Validity::default()
-        };
-        let rupture = |blow| of(Some(blow), 1.1e6, 21e6, &spoiled).swap_remove(0);
-        assert_eq!(names(&rupture(BB)), ["energy"]);
-        let none = rupture(SQUASH);
-        assert_eq!(none.range, None);
-        assert!(none.words().starts_with("no measure is usable: "));
-        assert!(none.words().contains("mesh folded at 0.480 ms"));
-        assert!(none.words().contains("finer mesh"));
-        let paper = of(Some(SQUASH), 0.0, 0.0, &Validity::default()).swap_remove(0);
-        assert!(paper.words().ends_with("take the model Physiological"));
-    }
-
-    #[test]
-    fn where_nothing_speaks_one_line_says_so() {
-        let silent = Validity {
-            silence: "no measure is usable: a test",
-            ..Validity::default()
-        };
-        let all = of(None, 0.0, 0.0, &silent);
-        let silence = "no measure is usable: a test".to_owned();
-        assert_eq!(lines(&all), [("injuries", silence)]);
-        assert_eq!(lines(&of(Some(BB), 0.0, 0.0, &silent)).len(), all.len());
-    }
-
-    #[test]
-    fn a_peak_that_the_end_of_the_run_cut_off_gives_a_least_risk() {
-        let cut = Validity {
-            cut: true,
-            ..Validity::default()
-        };
-        let verdict = of(None, 0.8e6, 16e6, &cut).swap_remove(0);
-        assert_eq!(verdict.range.unwrap().1, 1.0);
-        assert!(verdict.words().contains("at least"), "{}", verdict.words());
-        let energy = of(Some(BB), 0.0, 0.0, &cut).swap_remove(0);
-        assert!(!energy.at_least);
-    }
-
-    #[test]
-    fn a_word_covers_the_range_as_it_is_printed() {
-        let of = |low: f64, high: f64| Verdict {
-            injury: Injury::GlobeRupture,
-            parts: Vec::new(),
-            range: Some((low, high)),
-            at_least: false,
-            silence: String::new(),
-        };
-        for (low, high, word, percent) in [
-            (0.0, 0.004, "unlikely", "under 1 %"),
-            (0.01, 0.04, "unlikely", "1-4 %"),
-            (0.70, 0.95, "likely", "70-95 %"),
-            (0.25, 0.74, "possible to likely", "25-74 %"),
-            (0.02, 0.98, "unclear", "2-98 %"),
-            (0.999, 1.0, "almost certain", "over 99 %"),
-        ] {
-            let verdict = of(low, high);
-            assert_eq!(verdict.word().unwrap(), word);
-            assert_eq!(verdict.percent().unwrap(), percent);
-        }
-    }
-}
+mod tests;

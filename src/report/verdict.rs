@@ -12,14 +12,33 @@ use super::text::{WIDTH, wrapped};
 /// # Errors
 /// Whatever `out` reports.
 pub fn text(verdicts: &[Verdict], mesh: bool, out: &mut dyn Write) -> io::Result<()> {
-    for (name, words) in lines(verdicts) {
+    print(&lines(verdicts), out)?;
+    if !mesh && verdicts.iter().any(Verdict::rests_on_the_run) {
+        writeln!(out, "    (without the mesh error, which --mesh-error adds)")?;
+    }
+    Ok(())
+}
+
+/// Prints the lines that the mesh error has changed.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn corrected(before: &[Verdict], after: &[Verdict], out: &mut dyn Write) -> io::Result<()> {
+    let known = lines(before);
+    let mut changed = lines(after);
+    changed.retain(|line| !known.contains(line));
+    if !changed.is_empty() {
+        writeln!(out, "\nWith the mesh error:")?;
+    }
+    print(&changed, out)
+}
+
+fn print(lines: &[(&str, String)], out: &mut dyn Write) -> io::Result<()> {
+    for (name, words) in lines {
         let line = format!("{name}: {words}");
         for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {
             writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
         }
-    }
-    if !mesh && verdicts.iter().any(Verdict::rests_on_the_run) {
-        writeln!(out, "    (without the mesh error, which --mesh-error adds)")?;
     }
     Ok(())
 }

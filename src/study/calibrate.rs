@@ -3,8 +3,8 @@
 //! One number is free: the bulk modulus of orbital fat. Published is a Young's modulus of 47 kPa; with a
 //! Poisson ratio of 0.49 that makes 0.78 `MPa`, but in so soft a material the last digit of the Poisson
 //! ratio decides (0.48 would make 0.39). Fitted are the two tests of an impactor in the orbit: the first
-//! wants it stiffer, the second softer. Of the values on a grid of [`STEP`] the one with most of the four
-//! figures (two tests on two meshes) inside what was measured is taken, of several the one with the least
+//! wants it stiffer, the second softer. Of the values on a grid of [`STEP`] the one with most of the six
+//! figures (two tests on three meshes) inside what was measured is taken, of several the one with the least
 //! sum of squared misfits. The data tell no finer: [`Fit::nearly`] shows how wide the valley is.
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.

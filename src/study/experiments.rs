@@ -13,8 +13,8 @@
 
 use super::quantity::Quantity;
 use crate::scenario::{
-    Axisymmetric, EyeInput, Impact, Model, Outline, Projectile, ProjectileStiffness, Scenario,
-    Species, Support, Surface,
+    Axisymmetric, Impact, Model, Outline, Projectile, ProjectileStiffness, Scenario, Species,
+    Support, Surface,
 };
 
 /// What is read from a run to be compared.
@@ -113,7 +113,7 @@ pub struct Experiment {
     pub key: &'static str,
     /// What was done and measured.
     pub what: &'static str,
-    /// The same as a scenario, on the coarser of the two meshes that are compared.
+    /// The same as a scenario, on the coarsest of the meshes that are compared.
     pub scenario: fn() -> Scenario,
     /// What is compared.
     pub reading: Reading,
@@ -130,9 +130,6 @@ pub struct Experiment {
     /// Why it is not met, where it is not.
     pub because: &'static str,
 }
-
-/// The mesh of every experiment but that of the Paper model; the next finer one is run too.
-const LEVEL: u32 = 2;
 
 fn eye(species: Species, support: Support) -> Axisymmetric {
     Axisymmetric {
@@ -158,10 +155,6 @@ fn shot(
             ..Projectile::default()
         }),
         window_ms,
-        eye: EyeInput {
-            level: LEVEL,
-            ..EyeInput::default()
-        },
         ..Scenario::default()
     }
 }
@@ -476,7 +469,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         fitted: false,
         mark: Mark::Published,
         species: "the paper's own claim",
-        source: "the paper, figure 9; here mesh levels 1 and 2",
+        source: "the paper, figure 9",
         because: "",
     },
 ];

@@ -1,4 +1,4 @@
-//! Every published experiment run again on two neighbouring meshes, and what was read beside what was
+//! Every published experiment run again on three neighbouring meshes, and what was read beside what was
 //! measured.
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
@@ -11,49 +11,54 @@ use crate::recording::Keep;
 use crate::scenario::{Axisymmetric, Model, Scenario};
 use rayon::prelude::*;
 
+/// How many meshes: that of the experiment and the next finer ones.
+pub const MESHES: usize = 3;
+
+/// Something on each mesh, or why there is nothing.
+pub type OnEach<T, E = String> = [Result<T, E>; MESHES];
+
 /// One experiment, run.
 #[derive(Debug, Clone)]
 pub struct Row {
     /// The published experiment.
     pub experiment: &'static Experiment,
-    /// What the model gives on the mesh of the experiment and on the next finer one, in the unit of the
-    /// reading, or why it gives nothing.
-    pub predicted: [Result<f64, String>; 2],
+    /// What the model gives, in the unit of the reading.
+    pub predicted: OnEach<f64>,
     /// Of a fitted row the same with all moduli as published.
-    pub published: Option<[Result<f64, String>; 2]>,
-    /// Largest step error of the leading results of the four runs, in %.
+    pub published: Option<OnEach<f64>>,
+    /// Largest step error of the leading results of the runs, in %.
     pub step_error: Option<f64>,
-    /// What limits the results of either mesh.
+    /// What limits the results of any mesh.
     pub flags: Vec<FlagKind>,
 }
 
 impl Row {
     /// What is predicted on each mesh over what was measured.
-    pub fn ratios(&self) -> [Option<f64>; 2] {
+    pub fn ratios(&self) -> [Option<f64>; MESHES] {
         let typical = self.experiment.measured.typical();
-        let ratio = |i: usize| Some(self.predicted[i].as_ref().ok()? / typical);
-        [ratio(0), ratio(1)]
+        let ratio = |value: &Result<f64, String>| Some(value.as_ref().ok()? / typical);
+        self.predicted.each_ref().map(ratio)
     }
 
     /// Whether the prediction of each mesh lies where the measurement says.
-    pub fn inside(&self) -> [bool; 2] {
+    pub fn inside(&self) -> [bool; MESHES] {
         let measured = self.experiment.measured;
-        let inside = |i: usize| self.predicted[i].as_ref().is_ok_and(|v| measured.holds(*v));
-        [inside(0), inside(1)]
+        let inside = |value: &Result<f64, String>| value.as_ref().is_ok_and(|v| measured.holds(*v));
+        self.predicted.each_ref().map(inside)
     }
 
-    /// Whether both do.
+    /// Whether all do.
     pub fn is_met(&self) -> bool {
-        self.inside() == [true, true]
+        self.inside() == [true; MESHES]
     }
 
-    /// By which factor the farther of the two misses what agrees; 1 where both agree, none where a run
-    /// gave nothing.
+    /// By which factor the farthest of them misses what agrees; 1 where all agree, none where a run gave
+    /// nothing.
     pub fn miss(&self) -> Option<f64> {
         let (low, high) = self.experiment.measured.limits();
-        let of = |value: f64| (low / value).max(value / high).max(1.0);
-        let values = self.predicted.each_ref().map(|p| p.as_ref().ok().copied());
-        Some(of(values[0]?).max(of(values[1]?)))
+        let of = |value: &f64| (low / value).max(value / high).max(1.0);
+        let each = self.predicted.iter().map(|p| p.as_ref().ok().map(of));
+        each.reduce(|a, b| Some(a?.max(b?)))?
     }
 }
 
@@ -87,10 +92,10 @@ pub(super) fn rows_of(
         .flat_map_iter(|(scenario, members)| {
             let scenario = change(scenario);
             let fitted = members.iter().any(|(_, e)| e.fitted);
-            let published = fitted.then(|| both(&as_published(scenario.clone())));
-            let answers = both(&scenario);
+            let published = fitted.then(|| answers(&as_published(scenario.clone())));
+            let answers = answers(&scenario);
             members.into_iter().map(move |(place, experiment)| {
-                let read = |answers: &[Result<Answer, Refusal>; 2]| {
+                let read = |answers: &OnEach<Answer, Refusal>| {
                     answers.each_ref().map(|answer| read(experiment, answer))
                 };
                 let solved = || answers.iter().filter_map(|a| a.as_ref().ok());
@@ -117,15 +122,14 @@ pub(super) fn rows_of(
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
-/// What is read of each experiment on both meshes.
+/// What is read of each experiment on each mesh.
 pub(super) fn readings(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario,
-) -> Vec<[Option<f64>; 2]> {
+) -> Vec<[Option<f64>; MESHES]> {
     experiments
         .map(|experiment| {
-            let answers = both(&change((experiment.scenario)()));
-            answers.map(|answer| read(experiment, &answer).ok())
+            answers(&change((experiment.scenario)())).map(|answer| read(experiment, &answer).ok())
         })
         .collect()
 }
@@ -138,12 +142,11 @@ fn as_published(mut scenario: Scenario) -> Scenario {
     scenario
 }
 
-/// Answers of the scenario's own mesh and of the next finer one.
-fn both(scenario: &Scenario) -> [Result<Answer, Refusal>; 2] {
-    let level = scenario.eye.level;
-    [level, level + 1].map(|level| {
+/// Answers of the scenario's own mesh and of the next finer ones.
+fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
+    std::array::from_fn(|finer| {
         let mut scenario = scenario.clone();
-        scenario.eye.level = level;
+        scenario.eye.level += finer as u32;
         let keep = Keep {
             traces: true,
             frames: None,

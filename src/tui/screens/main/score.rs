@@ -1,10 +1,11 @@
-//! The damage index as a gauge, its three parts against their thresholds, errors and flags.
+//! What to believe of the injuries, the damage index as a gauge, its three parts against their thresholds,
+//! errors and flags.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::injury::{ENERGY, Injury, MERIDIAN, SHELL, Term, Verdict, lines};
 use crate::report::errors::{of_damage, worst};
 use crate::report::text::{digits, significant};
 use crate::study::{Flag, Quantity};
@@ -16,11 +17,16 @@ use crate::tui::view::theme::Theme;
 /// How many rows it takes of so many.
 pub fn height(of: u16) -> u16 {
     match of {
-        ..20 => 7,
-        20..28 => 8,
-        _ => 10,
+        ..20 => 8,
+        20..28 => 9,
+        _ => ROOM + ANSWERS,
     }
 }
+
+/// Rows without verdicts where there is room, and how many of those there are then; else there is one,
+/// of the gravest injury.
+const ROOM: u16 = 10;
+const ANSWERS: u16 = Injury::ALL.len() as u16;
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
@@ -49,15 +55,26 @@ const SHORTEST: u16 = 4;
 pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let index = &shown.answer.index;
-    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
     for x in 0..area.width {
-        put(buffer, line(0), (x, 0), "─", theme.line());
+        put(buffer, area, (x, 0), "─", theme.line());
     }
     let heading = match model.stale() {
         Some(why) => format!(" {why} "),
         None => String::new(),
     };
-    put(buffer, line(0), (1, 0), &heading, theme.warning());
+    put(buffer, area, (1, 0), &heading, theme.warning());
+    let rows = if area.height >= ROOM + ANSWERS {
+        ANSWERS
+    } else {
+        1
+    };
+    answers(shown, rows, theme, area, buffer);
+    let area = Rect {
+        y: area.y + rows,
+        height: area.height.saturating_sub(rows),
+        ..area
+    };
+    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
 
     let damage = index.damage();
     put(buffer, line(1), (0, 0), "Damage", theme.heading());
@@ -89,6 +106,28 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     }
     errors(shown, model.idle, theme, line(5), buffer);
     flags(shown, theme, area, buffer);
+}
+
+/// What to believe of each injury, the gravest first, in so many rows from the second on.
+fn answers(shown: &Shown, rows: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let verdicts = shown.answer.verdicts();
+    let said = lines(&verdicts);
+    let room = usize::from(area.width);
+    let texts: Vec<String> = if let [(name, words)] = &said[..] {
+        let mut whole = wrapped(&format!("{name}: {words}"), room);
+        let rest = whole.split_off(whole.len().min(usize::from(rows) - 1));
+        whole.push(rest.join(" "));
+        whole
+    } else {
+        let brief = |verdict: &Verdict| match verdict.brief() {
+            Some(words) => format!("{} {words}", verdict.injury.name()),
+            None => format!("{}: {}", verdict.injury.name(), verdict.words()),
+        };
+        verdicts.iter().map(brief).collect()
+    };
+    for (y, text) in (1..=rows).zip(&texts) {
+        put(buffer, area, (0, y), &fitted(text, room), theme.strong());
+    }
 }
 
 /// The errors of the index that the gauge shows, and how far the apex moved where there is room.
