@@ -1,7 +1,79 @@
-//! The command that repeats a blow.
+//! The command that repeats a blow: what it began as, and every field that is not as it was there.
+
+use crate::scenario::Scenario;
+use crate::scenario::fields::FIELDS;
+use crate::scenario::set::set;
+
+/// The arguments after the program's name and the subcommand: the source, and `--set` for each field that differs
+/// from it. `None` where no such list gives the scenario, as for a curve that was recorded.
+pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Option<Vec<String>> {
+    let mut arguments = vec![source.to_owned()];
+    let mut built = original.clone();
+    for field in FIELDS.iter().filter(|field| field.path != "name") {
+        let wanted = field.text(scenario);
+        let Some(text) = wanted.filter(|text| field.text(&built).as_ref() != Some(text)) else {
+            continue;
+        };
+        set(&mut built, field.path, &text).ok()?;
+        arguments.extend(["--set".to_owned(), format!("{}={text}", field.path)]);
+    }
+    // The name says what was set, and nothing follows from it.
+    let named = Scenario {
+        name: scenario.name.clone(),
+        ..built
+    };
+    let checked = |scenario: &Scenario| scenario.check().map(Scenario::from).ok();
+    (named == *scenario || checked(&named) == Some(scenario.clone())).then_some(arguments)
+}
 
 /// The whole command as a shell takes it.
 pub fn line(subcommand: &str, arguments: &[String]) -> String {
     let words = ["contrecoup", subcommand].into_iter();
     shell_words::join(words.chain(arguments.iter().map(String::as_str)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::{built_in, find};
+
+    #[test]
+    fn what_was_set_on_any_preset_is_said_and_set_again_gives_the_same() {
+        let sets = [
+            ("impact.angle_deg", "12"),
+            ("model", "Axisymmetric"),
+            ("model.sclera_mpa", "20 +- 3"),
+            ("window_ms", "2"),
+        ];
+        for preset in built_in() {
+            let original = preset.scenario().unwrap();
+            let mut scenario = original.clone();
+            for (path, text) in sets {
+                set(&mut scenario, path, text).unwrap();
+            }
+            let said = arguments(&preset.name, &original, &scenario).unwrap();
+            let mut again = original;
+            for pair in said[1..].chunks(2) {
+                let (path, text) = pair[1].split_once('=').unwrap();
+                set(&mut again, path, text).unwrap();
+            }
+            assert_eq!(again, scenario, "{said:?}");
+        }
+    }
+
+    #[test]
+    fn an_unchanged_preset_is_its_name_alone_and_odd_words_are_quoted() {
+        let bb = find("bb-56").unwrap().scenario().unwrap();
+        let said = arguments("my blow.ron", &bb, &bb).unwrap();
+        assert_eq!(line("run", &said), "contrecoup run 'my blow.ron'");
+    }
+
+    #[test]
+    fn from_another_preset_it_is_said_whole_or_not_at_all() {
+        let (a, b) = (find("paper-300n").unwrap(), find("bb-56").unwrap());
+        let (a, b) = (a.scenario().unwrap(), b.scenario().unwrap());
+        if let Some(said) = arguments("paper-300n", &a, &b) {
+            assert!(said.contains(&"impact=Projectile".to_owned()), "{said:?}");
+        }
+    }
 }

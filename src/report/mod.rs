@@ -11,6 +11,7 @@ pub mod json;
 pub mod page;
 mod revolution;
 pub mod stability;
+pub mod summary;
 pub mod sweep;
 pub mod text;
 pub mod threshold;

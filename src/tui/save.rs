@@ -4,7 +4,7 @@
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::plain_text::is_unprintable;
 use crate::scenario::library::is_plain;
@@ -87,6 +87,35 @@ pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), 
     })
 }
 
+/// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives the path.
+///
+/// # Errors
+/// Says what went wrong; then there is no such file.
+pub fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
+    let failed = |error: io::Error| SaveError::Failed(error.to_string());
+    let mut name = stem.to_owned();
+    loop {
+        let taken = |name: &str| {
+            folder
+                .join(format!("{name}.html"))
+                .symlink_metadata()
+                .is_ok()
+        };
+        if check_name(&name).is_err() || taken(&name) {
+            name = free_name(stem, taken);
+        }
+        let path = folder.join(format!("{name}.html"));
+        let mut file = whole_file::beside(&path).map_err(failed)?;
+        file.write_all(text).map_err(failed)?;
+        match whole_file::put(file, &path, false) {
+            Ok(()) => return Ok(path),
+            // Somebody was faster: the next number.
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(failed(error)),
+        }
+    }
+}
+
 fn save_by(
     folder: &Path,
     name: &str,
@@ -125,6 +154,20 @@ mod tests {
             .collect();
         names.sort();
         names
+    }
+
+    #[test]
+    fn pages_take_the_next_free_name() {
+        let folder = tempfile::tempdir().unwrap();
+        for expected in ["bb-56.html", "bb-56-2.html", "bb-56-3.html"] {
+            let path = page(folder.path(), "bb-56", b"page").unwrap();
+            assert_eq!(path, folder.path().join(expected));
+            assert_eq!(fs::read(path).unwrap(), b"page");
+        }
+        let odd = page(folder.path(), "my blow", b"page").unwrap();
+        assert_eq!(odd, folder.path().join("my-blow-2.html"));
+        assert!(page(&folder.path().join("none"), "x", b"").is_err());
+        assert_eq!(names(folder.path()).len(), 4);
     }
 
     #[test]

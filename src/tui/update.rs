@@ -42,6 +42,8 @@ pub enum Message {
     Saved(String, Result<(), SaveError>),
     /// These can be opened now.
     Choices(Vec<Choice>),
+    /// What came of something that was done outside.
+    Said(String),
 }
 
 /// Something to do outside.
@@ -53,6 +55,10 @@ pub enum Effect {
     Stop(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
+    /// Write a page: the beginning of its file's name, and its text.
+    Page(String, Vec<u8>),
+    /// Put this on the clipboard.
+    Copy(String),
     /// Stop the process until it is continued.
     Suspend,
     /// Have the mouse reported, or no longer.
@@ -80,6 +86,7 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         Message::News(report) => hear(model, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
         Message::Choices(choices) => model.choices = choices,
+        Message::Said(words) => model.notice = Some(words),
     }
     attend(model);
     std::mem::take(&mut model.out.effects)

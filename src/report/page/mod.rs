@@ -155,6 +155,11 @@ fn rows(answer: &Answer) -> Vec<Row> {
     answer.results().present().map(row).collect()
 }
 
+/// A result with its unit, and as many digits as its errors allow.
+pub fn cell_with_unit(answer: &Answer, of: Quantity) -> String {
+    format!("{} {}", cell(answer, of), of.row().unit)
+}
+
 /// What is to be believed of each injury: its name and the words.
 fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
     let verdicts: Vec<Verdict> = answer.verdicts();

@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn what_is_printed_reads_back_as_it_was() {
         let own = "(color: \"256\", symbols: \"ascii\", fps: 30, mouse: true, idle: false, start: \"map\",\n\
-                   keys: (undo: [\"Ctrl-X\", \"F12\"], save: \"w\", redraw: []))";
+                   keys: (undo: [\"Ctrl-X\", \"F12\"], save: \"W\", redraw: []))";
         for text in ["", "()", " // nothing\n", own] {
             let config = Config::read(text, "").unwrap();
             let printed = config.to_ron();

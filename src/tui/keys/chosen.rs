@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn what_gave_its_key_away_may_be_followed() {
         let mut keys = Keys::default();
-        keys.choose(binding("save"), vec![Press::read("w").unwrap()]);
+        keys.choose(binding("save"), vec![Press::read("W").unwrap()]);
         keys.choose(binding("undo"), vec![Press::read("s").unwrap()]);
         assert_eq!(keys.clash(), None);
     }

@@ -6,6 +6,7 @@ use crossterm::event::KeyCode;
 use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shift};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::SCREENS;
+use crate::tui::take_away;
 use crate::tui::update::{self, PAGE, presets, scroll, time};
 
 pub(crate) const UP: Press = plain(KeyCode::Up);
@@ -47,6 +48,8 @@ pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
     named("redo", bind(&[c('r'), ctrl('r')], |m| update::travel(m, false), "", "redo")),
     named("save", bind(&[c('s')], presets::ask_for_name, "save", "save as a preset of your own")),
     named("presets", bind(&[c('p')], presets::open_picker, "presets", "open a preset")),
+    named("page", bind(&[c('w')], take_away::page, "page", "write a page of this for a browser")),
+    named("copy", bind(&[c('y')], take_away::copy, "", "copy a summary and its command")),
     named("cancel", bind(&[ESC], update::cancel, "", "cancel a long run")),
     named("mouse", bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer")),
     named("redraw", bind(&[ctrl('l')], update::repaint, "", "draw everything afresh")),

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::study::Answer;
 use crate::tui::keys::{KeyTable, TimeKeys};
-use crate::tui::model::{Model, Work};
+use crate::tui::model::{Model, Shown, Work};
 use crate::tui::step::Step;
 use crate::tui::task::Report;
 use crate::tui::update::time;
@@ -59,6 +59,8 @@ pub struct Screen {
     pub mouse: fn(&mut Model, Mouse, Rect) -> bool,
     /// The answer through whose time its clock goes, and the end of that time in s.
     pub timed: fn(&Model) -> Option<(&Answer, f64)>,
+    /// The answers on show, each by its name: what is taken away from here.
+    pub answers: fn(&Model) -> Vec<(String, &Shown)>,
 }
 
 impl Screen {
@@ -86,8 +88,15 @@ impl Screen {
                 false
             },
             timed: own_time,
+            answers: own_answer,
         }
     }
+}
+
+/// That of the form.
+pub(super) fn own_answer(model: &Model) -> Vec<(String, &Shown)> {
+    let named = |shown| (model.work.name().to_owned(), shown);
+    model.shown.iter().map(named).collect()
 }
 
 /// That of the form.

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::clipboard::{Clipboard, clipboard, copied};
 use super::event::Event;
 use super::input::{Input, Parser};
 use super::jobs::Jobs;
@@ -21,7 +22,7 @@ use crate::scenario::library;
 use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
-use crate::tui::save::{SaveError, save};
+use crate::tui::save::{SaveError, page, save};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
 
@@ -339,6 +340,17 @@ impl App {
         for effect in effects {
             match effect {
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
+                Effect::Page(stem, text) => {
+                    let said = match page(std::path::Path::new("."), &stem, &text) {
+                        Ok(path) => {
+                            let name = path.file_name().unwrap_or_default().to_string_lossy();
+                            format!("written here: {name}")
+                        }
+                        Err(error) => error.to_string(),
+                    };
+                    self.tell(Message::Said(said))?;
+                }
+                Effect::Copy(text) => self.copy(&text)?,
                 Effect::Suspend => self.suspend()?,
                 Effect::Mouse(listen) => self.session.listen_to_mouse(listen)?,
                 Effect::Repaint => self.repaint(),
@@ -361,6 +373,19 @@ impl App {
             self.tell(Message::Choices(choices()))?;
         }
         Ok(())
+    }
+
+    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as well, since
+    /// tmux may pass on one or the other.
+    fn copy(&mut self, text: &str) -> io::Result<()> {
+        let said = match clipboard(|name| std::env::var(name).ok()) {
+            Clipboard::None => "this terminal has no clipboard",
+            way => {
+                self.session.write(copied(text, way).as_bytes())?;
+                "summary sent to the clipboard"
+            }
+        };
+        self.tell(Message::Said(said.to_owned()))
     }
 
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal

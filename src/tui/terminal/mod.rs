@@ -6,6 +6,7 @@
 
 mod app;
 pub mod caps;
+mod clipboard;
 mod event;
 pub mod input;
 mod jobs;

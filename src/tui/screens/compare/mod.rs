@@ -34,6 +34,7 @@ pub(crate) const SCREEN: Screen = Screen {
     hear,
     mouse,
     timed,
+    answers,
     ..Screen::new(
         "Compare",
         "compare presets",
@@ -151,6 +152,21 @@ fn hear(model: &mut Model, report: &mut Option<Report>) {
         None => Found::Refused(why.unwrap_or_default()),
     };
     compare.take(&asked.name, found);
+}
+
+/// Those of the marked entries, or of the form where none is.
+fn answers(model: &Model) -> Vec<(String, &Shown)> {
+    let entries = model.screens.compare.entries.iter();
+    let marked = entries.filter_map(|entry| match &entry.found {
+        Found::Answer(shown) => Some((entry.name.clone(), shown.as_ref())),
+        _ => None,
+    });
+    let marked: Vec<_> = marked.collect();
+    if marked.is_empty() {
+        screen::own_answer(model)
+    } else {
+        marked
+    }
 }
 
 /// Through the time of the first entry, as far as the longest of them goes.

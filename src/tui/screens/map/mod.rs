@@ -47,7 +47,7 @@ const KEYS: KeyTable = KeyTable::new("Map", &[
     bind(&[SHIFT_DOWN, c('J')], |m| m.screens.map.step(Step::MUCH_LESS, false), "", "the cursor far down"),
     bind(&[ENTER], adopt, "adopt", "give the scenario the values under the cursor"),
     bind(&[c('x')], |m| m.screens.map.turn(&m.work.scenario, true), "across", "the next input across"),
-    bind(&[c('y')], |m| m.screens.map.turn(&m.work.scenario, false), "up", "the next input up"),
+    bind(&[c('X')], |m| m.screens.map.turn(&m.work.scenario, false), "up", "the next input up"),
     bind(&[c('+'), c('=')], |m| m.screens.map.zoom(&m.work.scenario, true), "range", "wider ranges"),
     bind(&[c('-')], |m| m.screens.map.zoom(&m.work.scenario, false), "&", "narrower ranges"),
     bind(&[c('v')], |m| m.screens.map.next_result(&m.work.scenario), "result", "the next result that the scene has"),

@@ -1,0 +1,70 @@
+//! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
+
+use super::errors::of_damage;
+use super::page::cell_with_unit;
+use crate::injury::lines;
+use crate::plain_text::printable;
+use crate::scenario::Scenario;
+use crate::study::{Answer, Quantity};
+
+/// The three lines, and the command that repeats the blow as a fourth, if one does.
+pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> String {
+    let name = printable(&scenario.name);
+    let first = lines(&answer.verdicts()).into_iter().next();
+    let verdict = first.map_or_else(String::new, |(injury, words)| format!("{injury}: {words}"));
+    let shown = [Quantity::Apex, Quantity::Pressure, Quantity::Contact];
+    let figures = shown.iter().filter_map(|of| {
+        answer.result(*of)?;
+        Some(format!(
+            "; {} {}",
+            of.row().label,
+            cell_with_unit(answer, *of)
+        ))
+    });
+    let figures: String = figures.collect();
+    let mesh = answer
+        .errors
+        .mesh
+        .as_ref()
+        .map_or_else(|| "not estimated".to_owned(), of_damage);
+    let index = cell_with_unit(answer, Quantity::Damage);
+    let step = of_damage(&answer.errors.time_step);
+    let flags: Vec<&str> = answer.flags.iter().map(|flag| flag.kind.name()).collect();
+    let flags = match flags.join(", ") {
+        none if none.is_empty() => "no flags".to_owned(),
+        some => format!("flags: {some}"),
+    };
+    let command = command.map_or_else(String::new, |command| format!("{command}\n"));
+    format!(
+        "{name}: {verdict}\n\
+         damage index {index}, no probability (step ± {step}, mesh ± {mesh}){figures}\n\
+         {flags}; research and education, not diagnosis\n{command}"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Keep;
+    use crate::study::{solve, unwatched};
+
+    #[test]
+    fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {
+        let mut bb = crate::scenario::library::find("bb-56")
+            .unwrap()
+            .scenario()
+            .unwrap();
+        bb.window_ms = 0.2;
+        let answer = solve(&bb.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+        let text = text(&bb, &answer, Some("contrecoup run bb-56"));
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 4, "{text}");
+        assert!(
+            lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "),
+            "{text}"
+        );
+        assert!(lines[1].contains("mesh ± not estimated") && lines[1].contains("peak pressure"));
+        assert!(lines[2].starts_with("flags: mesh_folded"), "{text}");
+        assert_eq!(lines[3], "contrecoup run bb-56");
+    }
+}
