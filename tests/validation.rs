@@ -65,17 +65,13 @@ fn json_has_every_mesh_of_every_row_and_the_same_figures_on_any_threads() {
     }
 }
 
-/// The whole grid takes longer; its neighbours and the published value must not fit better.
+/// The whole grid takes longer; its neighbours must not fit better.
 #[test]
 fn the_default_of_the_fitted_number_is_what_the_fit_takes() {
     let taken = Axisymmetric::default().fat_bulk_mpa;
     let here = tried(taken);
     assert_eq!(here.inside, 2 * MESHES);
-    for other in [
-        taken - STEP,
-        taken + STEP,
-        Axisymmetric::PUBLISHED_FAT_BULK_MPA,
-    ] {
+    for other in [taken - STEP, taken + STEP] {
         let there = tried(other);
         let better =
             there.inside > here.inside || there.inside == here.inside && there.misfit < here.misfit;
