@@ -26,7 +26,7 @@ use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{self, Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Impact, Physiological, Scenario, set};
+use crate::scenario::{Axisymmetric, Impact, Physiological, Scenario, set};
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,6 +173,13 @@ pub static SPREADS: &[Spread] = &[
         nominal: 1.0,
         shape: Shape::Normal(1.0, 0.14 / 0.53),
         source: "0.53 ± 0.14 mm at the limbus, 0.39 ± 0.17 mm at the equator (Olsen 1998)",
+        unless: "",
+    },
+    Spread {
+        path: "model.fat_bulk_mpa",
+        nominal: 0.4,
+        shape: Shape::LogUniform(0.4, Axisymmetric::PUBLISHED_FAT_BULK_MPA),
+        source: "fitted (contrecoup calibrate) to published, 47 kPa with a Poisson ratio of 0.48 to 0.49",
         unless: "",
     },
     Spread {
