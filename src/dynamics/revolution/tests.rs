@@ -422,3 +422,151 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
         }
     }
 }
+
+#[test]
+fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
+    let mut shell = ShellParameters::human();
+    shell.limbus = 0.0;
+    for point in &mut shell.sclera_thickness {
+        point.1 = 0.5e-3;
+    }
+    let parameters = Parameters {
+        shell,
+        surround: None,
+        ..Parameters::default()
+    };
+    let eye = RevolutionEye::new(&parameters, 2);
+    let chain = Shell::new(&eye);
+    let nodes = &eye.mesh.shell;
+    let n = nodes.len();
+    let (x0, r0): (Vec<f64>, Vec<f64>) = nodes.iter().map(|&node| eye.at(node)).unzip();
+    let mut mass = vec![0.0; n];
+    for i in 0..n - 1 {
+        let length = (x0[i + 1] - x0[i]).hypot(r0[i + 1] - r0[i]);
+        let along = 1100.0 * 0.5e-3 * std::f64::consts::PI * length / 3.0;
+        mass[i] += along * (2.0 * r0[i] + r0[i + 1]);
+        mass[i + 1] += along * (r0[i] + 2.0 * r0[i + 1]);
+    }
+    // Of a thin shell without a content: w^2 = 2 E/((1 - nu) rho R^2).
+    let frequency = f64::sqrt(2.0 * 138e6 / (0.51 * 1100.0)) / 12e-3;
+    let period = 2.0 * std::f64::consts::PI / frequency;
+    let step = period / 2000.0;
+    let grown = |of: &[f64]| of.iter().map(|x| 1.0001 * x).collect::<Vec<f64>>();
+    let (mut x, mut r) = (grown(&x0), grown(&r0));
+    let (mut vx, mut vr) = (vec![0.0; n], vec![0.0; n]);
+    // Released at its largest, it passes its rest after a quarter of a period.
+    let equator = n / 2;
+    let mut passed = None;
+    for count in 1..2000 {
+        let (mut fx, mut fr) = (vec![0.0; n], vec![0.0; n]);
+        chain.forces(&x, &r, &mut fx, &mut fr);
+        for i in 0..n {
+            let kick = if count == 1 { 0.5 * step } else { step } / mass[i];
+            vx[i] += kick * fx[i];
+            vr[i] += if r0[i] == 0.0 { 0.0 } else { kick * fr[i] };
+            x[i] += step * vx[i];
+            r[i] += step * vr[i];
+        }
+        if r[equator] < r0[equator] {
+            passed = Some(f64::from(count) * step);
+            break;
+        }
+    }
+    let quarter = passed.expect("it swings back");
+    assert!(
+        (4.0 * quarter / period - 1.0).abs() < 0.02,
+        "{quarter:e} {period:e}"
+    );
+}
+
+/// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts. A leapfrog
+/// whose damping c lags half a step is stable as long as (h w/2)^2 + h c/2 <= 1.
+#[test]
+fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
+    use nalgebra::SMatrix;
+    for surround in [None, Parameters::default().surround] {
+        let parameters = Parameters {
+            surround,
+            ..Parameters::default()
+        };
+        let eye = RevolutionEye::new(&parameters, 1);
+        for cell in &eye.cells {
+            let rest = Rest::new(&eye, cell);
+            let at: Vec<f64> = cell
+                .corners
+                .iter()
+                .flat_map(|&node| [eye.at(node).0, eye.at(node).1])
+                .collect();
+            let p = corners(&at);
+            let centre = (
+                0.25 * p.iter().map(|p| p.0).sum::<f64>(),
+                0.25 * p.iter().map(|p| p.1).sum::<f64>(),
+            );
+            let middle = |a: (f64, f64), b: (f64, f64)| (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+            // 1/sqrt(mass) of each coordinate; none on the axis, where r is held.
+            let root: Vec<f64> = (0..8)
+                .map(|k| {
+                    let (i, point) = (k / 2, p[k / 2]);
+                    let (after, before) = (p[(i + 1) % 4], p[(i + 3) % 4]);
+                    let quarter = [point, middle(point, after), centre, middle(point, before)];
+                    let mass = rest.density * volume(quarter).0;
+                    let held = k % 2 == 1 && point.1 == 0.0;
+                    if held { 0.0 } else { 1.0 / mass.sqrt() }
+                })
+                .collect();
+            let force = |at: &[f64], v: &[f64]| -> Vec<f64> {
+                let response = rest.respond(corners(at), corners(v));
+                response.force.iter().flat_map(|f| [f.0, f.1]).collect()
+            };
+            let still = [0.0; 8];
+            let largest = |slope: &dyn Fn(usize) -> Vec<f64>| {
+                let columns: Vec<Vec<f64>> = (0..8).map(slope).collect();
+                let matrix = SMatrix::<f64, 8, 8>::from_fn(|i, k| {
+                    0.5 * (columns[k][i] + columns[i][k]) * root[i] * root[k]
+                });
+                matrix.symmetric_eigenvalues().max()
+            };
+            let changed = |of: &[f64], k: usize, by: f64| {
+                let mut other = of.to_vec();
+                other[k] += by;
+                other
+            };
+            let (dx, dv) = (1e-8, 1e-6);
+            let square = largest(&|k| {
+                let (a, b) = (
+                    force(&changed(&at, k, -dx), &still),
+                    force(&changed(&at, k, dx), &still),
+                );
+                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dx)).collect()
+            });
+            let damping = largest(&|k| {
+                let (a, b) = (
+                    force(&at, &changed(&still, k, -dv)),
+                    force(&at, &changed(&still, k, dv)),
+                );
+                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dv)).collect()
+            });
+            let h = rest.respond(p, [(0.0, 0.0); 4]).limit;
+            let used = 0.25 * h * h * square + 0.5 * h * damping;
+            assert!(used <= 1.0, "{:?} {used}", cell.corners);
+        }
+    }
+}
+
+#[test]
+fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
+    let free = free_eye(1);
+    let held = RevolutionEye::new(&Parameters::default(), 1);
+    let globe = |eye: &RevolutionEye| {
+        let cells = eye.cells.iter();
+        cells
+            .filter(|c| c.region == crate::eye::revolution::Region::Globe)
+            .count()
+    };
+    assert_eq!(globe(&free), free.cells.len());
+    assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
+    let mut cells = Rows::new(&free);
+    assert_eq!(cells.pressures().len(), free.cells.len());
+    let mut state = cells.rest();
+    assert!(cells.forces(&mut state).loss == 0.0);
+}
