@@ -137,7 +137,14 @@ fn the_results_of_a_blow() {
     says("run_projectile", &["run", "bb-56"]);
     says(
         "run_missed",
-        &["run", "bb-56", "--set", "impact.offset_mm=40"],
+        &[
+            "run",
+            "bb-56",
+            "--set",
+            "model=Physiological",
+            "--set",
+            "impact.offset_mm=40",
+        ],
     );
 }
 

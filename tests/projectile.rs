@@ -425,9 +425,16 @@ fn stated_step_errors_hold_against_a_run_ten_times_finer() {
     }
 }
 
+/// An object of the library at the eye in section, which is 35 mm open.
 fn soft(name: &str) -> Scenario {
     let found = library::built_in().into_iter().find(|p| p.name == name);
-    found.unwrap().scenario().unwrap()
+    let mut scenario = Scenario {
+        doubt: Scenario::default().doubt,
+        ..found.unwrap().scenario().unwrap()
+    };
+    scenario.model = Model::Physiological(Physiological::default());
+    scenario.eye.opening_deg = 61.0;
+    scenario
 }
 
 #[test]

@@ -257,10 +257,10 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&["fist"], "jjjjj.3\r\x1b2"),
-        &["Now", "contact", "Physiological model"],
+        &["Now", "contact", "Axisymmetric model"],
     );
     said(
-        &after(&["bb-56"], "\x1b3vvvvvvv"),
+        &after(&["tests/scenarios/section-bb.ron"], "\x1b3vvvvvvv"),
         &["pressure, MPa", "vitreous area, %"],
     );
     let mut model = model(&[], Depth::Mono);

@@ -205,6 +205,8 @@ pub(super) struct Motion<'a, C> {
     /// Of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
     pub window: f64,
+    /// When what acts was last seen to be gone, s.
+    pub over_since: Option<f64>,
     pub keep: Keep,
     pub energy_before: f64,
     /// Most energy that has come in, and most that the balance was off, J.
@@ -285,6 +287,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             force_mean: ForceMean::new(),
             filters: [LowPass::default(); 2],
             window,
+            over_since: None,
             keep,
             came: 0.0,
             missing: 0.0,
@@ -412,7 +415,7 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 
     /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
-    fn settled(&self, time: f64) -> bool {
+    fn settled(&mut self, time: f64) -> bool {
         if self.keep != Keep::default() {
             return false;
         }
@@ -429,7 +432,14 @@ impl<'a, C: Cells> Motion<'a, C> {
                 .any(|s| s.piece == Piece::Nothing && time > s.start),
             _ => false,
         };
-        over && self.extremes.last_growth() < time - self.swing
+        // An eye that was let go swings back: its growth may begin only now.
+        let since = if over {
+            *self.over_since.get_or_insert(time)
+        } else {
+            self.over_since = None;
+            time
+        };
+        over && self.extremes.last_growth().max(since) < time - self.swing
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
