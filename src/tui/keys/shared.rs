@@ -125,7 +125,7 @@ static PICKER: KeyTable = KeyTable::new("List of presets", &[
     bind(&[HOME], |m| scroll(m, -i16::MAX), "", "the first preset"),
     bind(&[END], |m| scroll(m, i16::MAX), "", "the last preset"),
     bind(&[ENTER], update::accept, "open", "open it"),
-    bind(&[ESC, c('p'), c('q')], update::cancel, "close", "close the list"),
+    bind(&[ESC], update::cancel, "close", "close the list; no letter leaves it"),
     LEAVE,
     #[cfg(unix)]
     STOP,

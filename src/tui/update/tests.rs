@@ -165,7 +165,8 @@ fn lists_of_presets_have_a_first_and_a_last() {
     assert!(matches!(model.overlay, Some(Overlay::Picker(row)) if row == last - 10));
     press(&mut model, "\x1b[H\x1b[6~");
     assert!(matches!(model.overlay, Some(Overlay::Picker(10))));
-    press(&mut model, "q\x1b4\x1b[F");
+    press(&mut model, "\x1b");
+    press(&mut model, "\x1b4\x1b[F");
     assert_eq!(model.screens.compare.row, last + 1);
     press(&mut model, "\x1b[H");
     assert_eq!(model.screens.compare.row, 0);
@@ -378,4 +379,19 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     ensemble::start(&mut model, ensemble::MANY);
     let asked = model.ensemble.task.job.as_ref().unwrap().question.count;
     assert_eq!(asked, crate::tui::guest::MOST_SAMPLES);
+}
+
+#[test]
+fn no_letter_leaves_the_list_of_presets_or_does_anything_behind_it() {
+    let mut model = model();
+    press(&mut model, "p");
+    let before = model.work.clone();
+    for typed in "squash ball, wyr?1".chars() {
+        assert!(press(&mut model, &typed.to_string()).is_empty(), "{typed}");
+        let in_front = matches!(model.overlay, Some(Overlay::Picker(_)));
+        assert!(in_front && model.form.typing.is_none(), "{typed}");
+    }
+    assert!(model.work == before && model.screen == 0);
+    press(&mut model, "\x1b");
+    assert!(model.overlay.is_none());
 }
