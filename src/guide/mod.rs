@@ -38,6 +38,7 @@ topics! {
     config = "config",
     ssh = "ssh",
     scenarios = "scenarios",
+    objects = "objects",
     model = "model",
     glossary = "glossary",
     accuracy = "accuracy",
