@@ -34,8 +34,8 @@ fn a_page_holds_the_answer_and_loads_nothing() {
     let page = read(&written(folder.path(), "one.html", &short));
     for words in [
         "globe rupture</strong>",
-        "by energy",
-        "mesh_folded",
+        "by scleral stress",
+        "window_short",
         "Corneal apex",
         "0.345 g",
         "contrecoup report bb-56 --set 'window_ms=0.3'",

@@ -64,7 +64,10 @@ mod tests {
             "{text}"
         );
         assert!(lines[1].contains("mesh ± not estimated") && lines[1].contains("peak pressure"));
-        assert!(lines[2].starts_with("flags: mesh_folded"), "{text}");
+        assert!(
+            lines[2].starts_with("flags: ") && lines[2].contains("window_short"),
+            "{text}"
+        );
         assert_eq!(lines[3], "contrecoup run bb-56");
     }
 }
