@@ -120,7 +120,6 @@ const PIECES: &[&str] = &[
     "ForcePulse",
     "Projectile",
     "Physiological",
-    "Axisymmetric",
     "Paper",
     "doubt",
     "eye",
@@ -262,7 +261,6 @@ fn typed(dice: &mut Dice) -> String {
             .one(&[b.min, b.max, b.fine, b.min - b.fine, b.max * 2.0])
             .to_string(),
         Kind::Integer(min, max, _) => dice.one(&[*min, *max, max + 1]).to_string(),
-        Kind::Toggle(_) => dice.one(&["yes", "off", "maybe"]).to_owned(),
         Kind::Choice(choices) => dice.one(&choices.names()).to_owned(),
         Kind::Integers(..) => "2, 3".to_owned(),
         Kind::Text(..) => "name".to_owned(),

@@ -3,9 +3,7 @@
 use contrecoup::dynamics::{Body, Contact, Observer, Piece, State, Survey, System, march};
 use contrecoup::recording::{Frame, Keep, ShotExtremes, Spacing};
 use contrecoup::scenario::library;
-use contrecoup::scenario::{
-    Impact, Model, Physiological, Projectile, ProjectileStiffness, Scenario,
-};
+use contrecoup::scenario::{Impact, Model, Projectile, ProjectileStiffness, Scenario};
 use contrecoup::study::{Answer, Case, FlagKind, Quantity, solve, unwatched};
 use nalgebra::{Point2, Vector2};
 
@@ -18,18 +16,11 @@ fn bb(speed_m_s: f64) -> Projectile {
     }
 }
 
-fn physiological(shot: Projectile) -> Scenario {
+/// At the eye of the paper, which is the default.
+fn at(shot: Projectile) -> Scenario {
     Scenario {
-        model: Model::Physiological(Physiological::default()),
         impact: Impact::Projectile(shot),
         ..Scenario::default()
-    }
-}
-
-fn paper(shot: Projectile) -> Scenario {
-    Scenario {
-        model: Model::Paper,
-        ..physiological(shot)
     }
 }
 
@@ -242,9 +233,9 @@ impl Observer for Ledger {
 
 #[test]
 fn momentum_and_energy_balance_with_the_projectile_counted_in() {
-    for scenario in [physiological(bb(62.5)), paper(bb(30.0))] {
+    for scenario in [at(bb(62.5)), at(bb(30.0))] {
         let case = Case::new(&scenario.check().unwrap());
-        let contact = case.system.coupled().unwrap().contact.unwrap();
+        let contact = case.system.coupled().unwrap().contact;
         let mut plan = case.plan(&scenario).unwrap();
         let mut ledger = Ledger {
             mass: contact.mass,
@@ -281,22 +272,21 @@ fn nothing_tunnels_at_any_level() {
     };
     for level in 1..=3 {
         for input in [bb(150.0), grain.clone()] {
-            for mut scenario in [physiological(input.clone()), paper(input.clone())] {
-                scenario.eye.level = level;
-                scenario.window_ms = 0.5;
-                let answer = answer(&scenario);
-                let share = shot(&answer).penetration_share;
-                assert!(share > 0.0 && share < 0.02, "level {level}: {share}");
-                assert!(!has(&answer, FlagKind::DeepPenetration));
-                assert!(shot(&answer).rebound_speed > -75.0);
-            }
+            let mut scenario = at(input);
+            scenario.eye.level = level;
+            scenario.window_ms = 0.5;
+            let answer = answer(&scenario);
+            let share = shot(&answer).penetration_share;
+            assert!(share > 0.0 && share < 0.02, "level {level}: {share}");
+            assert!(!has(&answer, FlagKind::DeepPenetration));
+            assert!(shot(&answer).rebound_speed > -75.0);
         }
     }
 }
 
 #[test]
 fn a_shot_head_on_gives_a_symmetric_answer() {
-    let scenario = physiological(bb(15.0));
+    let scenario = at(bb(15.0));
     let keep = Keep {
         traces: true,
         frames: Some(Spacing::even(1e-4)),
@@ -311,11 +301,9 @@ fn a_shot_head_on_gives_a_symmetric_answer() {
             assert!((a.x - b.x).abs() < 1e-9 && (a.y + b.y).abs() < 1e-9);
         }
         assert!(frame.projectile.unwrap().y.abs() < 1e-9);
-        assert!(frame.pressure.is_some());
     }
     let traces = answer.traces.as_ref().unwrap();
     assert_eq!(traces.contact_force.len(), traces.time.len());
-    assert_eq!(traces.pressure.len(), traces.time.len());
 }
 
 #[test]
@@ -325,25 +313,25 @@ fn what_is_too_large_meets_the_rim_and_what_flies_past_misses() {
         diameter_mm: 74.0,
         ..bb(20.0)
     };
-    let stopped = answer(&physiological(baseball));
+    let stopped = answer(&at(baseball));
     assert!(has(&stopped, FlagKind::RimStops) && has(&stopped, FlagKind::EyeMissed));
     assert!((shot(&stopped).rebound_speed - 20.0).abs() < 0.01);
     assert_eq!(stopped.left.section().unwrap().apex.value, 0.0);
 
-    let past = answer(&physiological(Projectile {
+    let past = answer(&at(Projectile {
         offset_mm: 30.0,
         ..bb(20.0)
     }));
     assert!(has(&past, FlagKind::EyeMissed) && !has(&past, FlagKind::RimStops));
 
-    let mut cut = physiological(bb(20.0));
-    cut.window_ms = 0.1;
+    let mut cut = at(bb(20.0));
+    cut.window_ms = 0.03;
     assert!(has(&answer(&cut), FlagKind::ContactCut));
 }
 
 #[test]
 fn the_same_shot_gives_the_same_bits() {
-    let scenario = physiological(Projectile {
+    let scenario = at(Projectile {
         angle_deg: 13.0,
         offset_mm: -1.0,
         ..bb(40.0)
@@ -359,8 +347,6 @@ fn a_force_on_the_papers_eye_does_none_of_this_work() {
     let cost = answer.cost;
     assert!(cost.evaluations > 0);
     assert_eq!(cost.contact_tests, 0);
-    assert_eq!(cost.pressure_evaluations, 0);
-    assert_eq!(cost.dashpot_evaluations, 0);
     assert!(
         answer.case.section().unwrap().system.coupled().is_none()
             && answer.case.section().unwrap().system.mirrored()
@@ -368,14 +354,12 @@ fn a_force_on_the_papers_eye_does_none_of_this_work() {
     assert!(answer.left.section().unwrap().shot.is_none());
 
     let shot = solve(
-        &paper(bb(20.0)).check().unwrap(),
+        &at(bb(20.0)).check().unwrap(),
         Keep::default(),
         &mut unwatched,
     )
     .unwrap();
     assert!(shot.cost.contact_tests > 0);
-    assert_eq!(shot.cost.pressure_evaluations, 0);
-    assert_eq!(shot.cost.dashpot_evaluations, 0);
 }
 
 #[test]
@@ -393,15 +377,7 @@ fn stated_step_errors_hold_against_a_run_ten_times_finer() {
         offset_mm: 2.0,
         ..bb(12.0)
     };
-    let mut pulse = physiological(bb(1.0));
-    pulse.impact = Scenario::default().impact;
-    for scenario in [
-        physiological(bb(62.5)),
-        physiological(aside),
-        paper(squash),
-        paper(bb(25.0)),
-        pulse,
-    ] {
+    for scenario in [at(bb(62.5)), at(aside), at(squash), at(bb(25.0))] {
         let answer = answer(&scenario);
         let mut plan = answer.plan;
         plan.step *= 0.1;
@@ -432,7 +408,7 @@ fn soft(name: &str) -> Scenario {
         doubt: Scenario::default().doubt,
         ..found.unwrap().scenario().unwrap()
     };
-    scenario.model = Model::Physiological(Physiological::default());
+    scenario.model = Model::Paper;
     scenario.eye.opening_deg = 61.0;
     scenario
 }
@@ -441,12 +417,12 @@ fn soft(name: &str) -> Scenario {
 fn a_soft_ball_wedged_in_the_rim_keeps_its_energy_at_any_step() {
     let mut scenario = soft("squash-ball");
     let mut damage = Vec::new();
-    for step_us in [0.6, 1.2, 2.4] {
+    for step_us in [0.45, 0.9, 1.8] {
         scenario.numerics.step_us = Some(step_us);
         let answer = answer(&scenario);
         let energies = answer.left.section().unwrap().energy_residual;
         assert!(energies < 1e-3, "{step_us} us: {energies}");
-        assert!(shot(&answer).rebound_speed > 30.0, "{step_us} us");
+        assert!(shot(&answer).rebound_speed > 25.0, "{step_us} us");
         damage.push(answer.index.damage());
     }
     assert!((damage[2] / damage[0] - 1.0).abs() < 0.05, "{damage:?}");
@@ -470,9 +446,9 @@ fn an_object_lighter_than_a_node_or_behind_the_bone_is_flagged() {
         mass_g: 10_000.0,
         ..bb(56.0)
     };
-    let through = answer(&physiological(sphere));
+    let through = answer(&at(sphere));
     assert!(has(&through, FlagKind::ThroughBone));
-    let usual = answer(&physiological(bb(56.0)));
+    let usual = answer(&at(bb(56.0)));
     assert!(!has(&usual, FlagKind::ThroughBone) && !has(&usual, FlagKind::ObjectLight));
 }
 
@@ -483,7 +459,7 @@ fn an_object_that_misses_has_exact_results_and_no_curve_of_its_energy() {
             offset_mm,
             ..bb(56.0)
         };
-        let answer = answer(&paper(aside));
+        let answer = answer(&at(aside));
         assert!(has(&answer, FlagKind::EyeMissed), "{offset_mm}");
         assert!(!has(&answer, FlagKind::Unconverged), "{offset_mm}");
         assert_eq!(answer.errors.time_step_percent(), 0.0);
@@ -495,7 +471,7 @@ fn an_object_that_misses_has_exact_results_and_no_curve_of_its_energy() {
 /// moves on at the speed that the object brought.
 #[test]
 fn eye_and_object_together_keep_their_momentum() {
-    let mut scenario = paper(bb(30.0));
+    let mut scenario = at(bb(30.0));
     scenario.eye.fat_kpa = 1e-3;
     scenario.eye.globe_drag_ns_m = 0.0;
     scenario.eye.fat_drag_ns_m = 0.0;
@@ -537,7 +513,7 @@ fn an_eye_that_was_missed_shows_no_rounding_and_no_injury() {
         stiffness: ProjectileStiffness::Linear { n_per_m: 2.0e4 },
         ..bb(56.0)
     };
-    let answer = answer(&physiological(beside));
+    let answer = answer(&at(beside));
     assert!(has(&answer, FlagKind::EyeMissed));
     for (quantity, value) in answer.results().present() {
         assert!(
@@ -555,6 +531,6 @@ fn an_object_narrower_than_the_mesh_is_flagged() {
         diameter_mm: 1.0,
         ..bb(5.0)
     };
-    let flagged = |shot| has(&answer(&paper(shot)), FlagKind::ObjectUnresolved);
+    let flagged = |shot| has(&answer(&at(shot)), FlagKind::ObjectUnresolved);
     assert!(flagged(needle) && !flagged(bb(5.0)));
 }

@@ -124,7 +124,7 @@ fn browsed(browser: &str, folder: &Path, arguments: &[&str], page: &str) -> (Str
 fn in_a_browser_the_replay_moves_without_a_complaint() {
     let Some(browser) = browser() else { return };
     let folder = tempfile::tempdir().unwrap();
-    let blow = ["bb-56", "--set", "model=Axisymmetric"];
+    let blow = ["bb-56", "--set", "model=Physiological"];
     let page = written(folder.path(), "one.html", &blow);
     let page = format!("file://{}", page.display());
     let dump = ["--virtual-time-budget=2500", "--dump-dom"];
@@ -149,7 +149,7 @@ fn in_a_browser_the_replay_moves_without_a_complaint() {
 fn a_blow_is_printed_on_one_page_of_a4() {
     let Some(browser) = browser() else { return };
     let folder = tempfile::tempdir().unwrap();
-    let squash = ["squash-ball", "--set", "model=Axisymmetric"];
+    let squash = ["squash-ball", "--set", "model=Physiological"];
     for blow in [&["paper-300n"][..], &squash] {
         let page = written(folder.path(), "one.html", blow);
         let pdf = folder.path().join("one.pdf");

@@ -206,7 +206,12 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
             let line = words
                 .lines()
                 .position(|line| line.trim().starts_with(field));
-            let above = words.lines().nth(line.unwrap() - 1).unwrap();
+            // What has no spring of its own is rigid behind its surface.
+            let Some(line) = line else {
+                assert_eq!(field, "stiffness", "{name}");
+                continue;
+            };
+            let above = words.lines().nth(line - 1).unwrap();
             assert!(
                 above.trim().starts_with("//"),
                 "{name}: {field} has no source"

@@ -98,12 +98,11 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
     let mut roomy = Scenario::default();
     roomy.eye.opening_deg = 120.0;
     let mut other = roomy.clone();
-    set(&mut other, "model", "Physiological").unwrap();
     set(&mut other, "impact", "Projectile").unwrap();
     set(&mut other, "impact.stiffness", "Linear").unwrap();
-    // Of the axisymmetric model, each support and each surface; the cylinder is wide, with a sharp edge.
+    // Of the Physiological model, each support and each surface; the cylinder is wide, with a sharp edge.
     let mut orbit = other.clone();
-    set(&mut orbit, "model", "Axisymmetric").unwrap();
+    set(&mut orbit, "model", "Physiological").unwrap();
     set(&mut orbit, "impact.diameter_mm", "200").unwrap();
     set(&mut orbit, "impact.outline", "Cylinder(edge_mm: 0.02)").unwrap();
     set(&mut orbit, "impact.surface", "Inflated").unwrap();
@@ -123,7 +122,7 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
             Kind::Integer(min, max, _) | Kind::Integers(min, max, ..) => {
                 [(*min, min - 1), (*max, max + 1)].map(|(a, b)| (a.to_string(), b.to_string()))
             }
-            Kind::Toggle(_) | Kind::Choice(_) | Kind::Text(..) => continue,
+            Kind::Choice(_) | Kind::Text(..) => continue,
         };
         for (inside, outside) in ends {
             let mut scenario = roomy.clone();
@@ -158,7 +157,6 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
             ]
             .boxed(),
             Kind::Integer(min, max, _) => (*min..=*max).prop_map(|n| n.to_string()).boxed(),
-            Kind::Toggle(_) => any::<bool>().prop_map(|b| b.to_string()).boxed(),
             Kind::Choice(choices) => prop::sample::select(choices.names())
                 .prop_map(str::to_owned)
                 .boxed(),
@@ -179,7 +177,7 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
 /// Mends what each field allows and rules that join two of them do not.
 fn keep_rules(scenario: &mut Scenario) {
     scenario.eye.opening_deg = 120.0;
-    if let Model::Axisymmetric(_) = scenario.model {
+    if let Model::Physiological(_) = scenario.model {
         scenario.eye.level = scenario.eye.level.min(5);
         scenario.numerics = NumericsInput::default();
         match &mut scenario.impact {

@@ -213,8 +213,7 @@ fn map_screens() {
 fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
     screen("main_projectile", &["bb-56"], "");
     screen("replay_projectile", &["golf-ball"], "\x1b2");
-    let section = "tests/scenarios/section-bb.ron";
-    state("forces_pressure", &[section], "\x1b3vvvvvvv");
+    state("forces_pressure", &["bb-56"], "\x1b3vvvvvvvv");
     screen("injury", &["bb-56"], "\x1b8jjjjj");
     pictures("injury_large", &["soccer-ball"], &SIZES[..2], |model| {
         press(model, "\x1b8");

@@ -5,7 +5,7 @@
 mod common;
 
 use common::json;
-use contrecoup::scenario::Axisymmetric;
+use contrecoup::scenario::Physiological;
 use contrecoup::study::calibrate::{STEP, tried};
 use contrecoup::study::experiments::EXPERIMENTS;
 use contrecoup::study::validate::{MESHES, Row, validate};
@@ -68,7 +68,7 @@ fn json_has_every_mesh_of_every_row_and_the_same_figures_on_any_threads() {
 /// The whole grid takes longer; its neighbours must not fit better.
 #[test]
 fn the_default_of_the_fitted_number_is_what_the_fit_takes() {
-    let taken = Axisymmetric::default().fat_bulk_mpa;
+    let taken = Physiological::default().fat_bulk_mpa;
     let here = tried(taken);
     assert_eq!(here.inside, 2 * MESHES);
     for other in [taken - STEP, taken + STEP] {

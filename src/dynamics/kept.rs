@@ -84,7 +84,7 @@ pub struct Frame {
     pub projectile: Option<Point2<f64>>,
     /// How much it is squeezed along its flight, in m.
     pub squeezed: f64,
-    /// Intraocular pressure, in Pa, where the scene has a fluid or cells.
+    /// Intraocular pressure, in Pa, where the eye has cells.
     pub pressure: Option<f64>,
 }
 
@@ -124,8 +124,6 @@ pub struct Traces {
     pub lens: Vec<f64>,
     /// Way of an object's surface into it, m.
     pub intrusion: Vec<f64>,
-    /// Area of the globe over its area at rest.
-    pub area_ratio: Vec<f64>,
     /// Force of contact, mean over 100 us, N.
     pub contact_force: Vec<f64>,
     /// Centre of the projectile, x and y, m.

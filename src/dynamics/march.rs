@@ -53,10 +53,6 @@ pub struct Cost {
     pub evaluations: usize,
     /// Segments tested against a projectile.
     pub contact_tests: usize,
-    /// Evaluations of the pressure.
-    pub pressure_evaluations: usize,
-    /// Dashpots computed.
-    pub dashpot_evaluations: usize,
 }
 
 /// A march that could not be finished.

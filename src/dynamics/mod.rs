@@ -6,8 +6,8 @@
 //! the step. `plain` is the same physics as a simple loop over an edge list: the tested reference of
 //! the kernel and the baseline of the benchmarks.
 //!
-//! A scene with a projectile, a fluid or dashpots has them in `coupled` (`contact`, `fluid`,
-//! `dashpots`) and is moved by `verlet`; any other does none of their work. `scene` tells which it is.
+//! A scene with a projectile has it in `coupled` (`contact`) and is moved by `verlet`; any other does none
+//! of its work. `scene` tells which it is. `revolution` is the engine of the other eye, made of cells.
 //!
 //! Where further things plug in, and what the compiler then asks for:
 //!
@@ -17,10 +17,10 @@
 //!   on an [`ArcLoad`]; a body that the eye pushes back is a part of [`Coupled`], which takes its force,
 //!   its energy and its share of the stability bound, and keeps its state in [`Readings`].
 //! * An eye of nodes and springs on the grid needs nothing here: it is another [`crate::eye::Eye`]. One
-//!   of other elements, as a body of revolution made of solid cells, brings its own rows, forces and
-//!   march, because those of here are made for springs. What it keeps is that of [`Traces`] and [`Frame`].
-//!   It joins at `study::Compiled`, a variant more, and brings its row of `study::rules`: its integrators,
-//!   and how its error is told.
+//!   of other elements, such as [`revolution`], brings its own rows, forces and march, because those of
+//!   here are made for springs. What it keeps is that of [`Traces`] and [`Frame`]. It joins at
+//!   `study::Compiled`, a variant more, and brings its row of `study::rules`: its integrators, and how its
+//!   error is told.
 //!
 //! The orbit is rigid and never integrated. Left out, as in the paper: rupture.
 
@@ -28,8 +28,6 @@ mod aligned;
 mod composition;
 mod contact;
 mod coupled;
-mod dashpots;
-mod fluid;
 mod kept;
 mod kernel;
 mod lanes;
@@ -62,7 +60,6 @@ pub use method::{Drag, Method};
 pub use {
     contact::{Body, Contact},
     coupled::{Coupled, Readings},
-    fluid::{Fluid, PA_PER_MMHG, area},
     kernel::{Survey, name as kernel_name, vector_sets, vectors_name},
     load::{ArcLoad, Piece, Pulse, Segment},
     march::{Observer, march},

@@ -27,7 +27,7 @@
 //!   by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step stays
 //!   under the first gap.
 //!
-//! Scenes with a projectile, a fluid or dashpots have one integrator, and its limit in `verlet`.
+//! Scenes with a projectile have one integrator, and its limit in `verlet`.
 
 use super::method::Drag;
 use super::system::System;

@@ -23,7 +23,7 @@ pub struct State {
     pub work: f64,
     /// Energy lost to drag so far, in J.
     pub dissipated: f64,
-    /// Projectile and fluid, where the scene has them.
+    /// Of the projectile, where the scene has one.
     pub readings: Readings,
     pub(super) scratch: Scratch,
 }

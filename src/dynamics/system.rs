@@ -276,7 +276,7 @@ impl System {
         &self.load
     }
 
-    /// Adds a projectile, a fluid or dashpots. The eye must have been compiled whole.
+    /// Adds a projectile. The eye must have been compiled whole.
     #[must_use]
     pub fn with(mut self, coupled: Option<Coupled>) -> Self {
         debug_assert!(coupled.is_none() || !self.mirrored());
@@ -286,11 +286,14 @@ impl System {
 
     /// What kind of scene it was compiled for.
     pub fn kind(&self) -> SceneKind {
-        let coupled = self.coupled.as_ref();
-        coupled.map_or(SceneKind::Springs, |coupled| coupled.kind)
+        if self.coupled.is_some() {
+            SceneKind::Contact
+        } else {
+            SceneKind::Springs
+        }
     }
 
-    /// Projectile, fluid and dashpots, where the scene has any.
+    /// The projectile, where the scene has one.
     pub fn coupled(&self) -> Option<&Coupled> {
         self.coupled.as_ref()
     }

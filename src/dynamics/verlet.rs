@@ -1,15 +1,12 @@
-//! Steps of a scene with a projectile, a fluid or dashpots: velocity Verlet with a predicted speed.
+//! Steps of a scene with a projectile: velocity Verlet.
 //!
-//! With a(x, v) the acceleration by springs, contact, fluid, pulse and dashpots, one step is
+//! With a(x) the acceleration by springs and contact, one step is
 //!
-//! `v' = v + h/2 a,  x += h v',  a = a(x, v' + h/2 a_old),  v = v' + h/2 a`,
+//! `v' = v + h/2 a,  x += h v',  a = a(x),  v = v' + h/2 a`,
 //!
-//! of second order also where the force depends on the speed, with one evaluation a step. Drag on
-//! absolute velocity is solved exactly within the drift, as in [`super::composition`].
-//!
-//! For an oscillator of frequency w and decay rate g it is stable while (w h)^2 / 4 + g h <= 1 (a
-//! test scans it), so the limit is h = 2 / (g + sqrt(g^2 + w^2)). The bounds of w and g hold for
-//! springs and dashpots in any shape; those of fluid and contact are estimates, see there.
+//! of second order, with one evaluation a step. Drag on absolute velocity is solved exactly within the
+//! drift, as in [`super::composition`]. It is stable up to h = 2 / w of the largest frequency w; the bound
+//! of w holds for springs in any shape, that of the contact is an estimate, see there.
 //!
 //! The penalty of a contact is far stiffer than the eye, and its force has a kink at touch, where
 //! methods of high order lose theirs. So the steps are short while the projectile could touch, and
@@ -31,25 +28,16 @@ const MAX_SHORT: f64 = 1000.0;
 /// How many times the distance that could be closed within a long step must be left for one.
 const CAUTION: f64 = 2.0;
 
-/// Largest stable step with bounds of the angular frequency and the decay rate, in s.
-fn stable(omega: f64, rate: f64) -> f64 {
-    2.0 / (rate + (rate * rate + omega * omega).sqrt())
-}
-
 impl Coupled {
     /// Largest step in contact, in s: stable, and too short for the projectile to pass the shell.
     pub fn step_limit(&self) -> f64 {
-        let (omega, rate) = self.rates(true);
-        let flight = self
-            .contact
-            .map_or(f64::INFINITY, |c| FLIGHT * c.radius / c.speed);
-        stable(omega.max(1.0), rate).min(flight)
+        let flight = FLIGHT * self.contact.radius / self.contact.speed;
+        (2.0 / self.omega(true).max(1.0)).min(flight)
     }
 
     /// How many short steps one out of contact may be long.
     fn substeps(&self) -> usize {
-        let (omega, rate) = self.rates(false);
-        let ratio = stable(omega.max(1.0), rate) / self.step_limit();
+        let ratio = 2.0 / self.omega(false).max(1.0) / self.step_limit();
         // Rounding must not turn a ratio of one into none.
         (ratio * (1.0 + 1e-9)).clamp(1.0, MAX_SHORT) as usize
     }
@@ -94,7 +82,7 @@ impl<'a> SubsteppedVerlet<'a> {
         Self {
             system,
             coupled,
-            work: coupled.workspace(system.rest_x.len()),
+            work: coupled.workspace(),
             substeps: coupled.substeps(),
             clock: EqualSteps::default(),
             short: Drift::default(),
@@ -102,7 +90,7 @@ impl<'a> SubsteppedVerlet<'a> {
         }
     }
 
-    /// Acceleration, readings and survey at the state, with the speeds in the workspace.
+    /// Acceleration, readings and survey at the state.
     fn evaluate(&mut self, state: &mut State, force: f64, cost: &mut Cost) -> Survey {
         let mut survey = kernel::evaluate(self.system, state, force, 0.0);
         self.coupled.accelerate(state, &mut self.work, cost);
@@ -111,20 +99,11 @@ impl<'a> SubsteppedVerlet<'a> {
         survey
     }
 
-    /// The same with the speeds of the state.
-    fn evaluate_afresh(&mut self, state: &mut State, force: f64, cost: &mut Cost) -> Survey {
-        self.work.vx.copy_from_slice(&state.vx);
-        self.work.vy.copy_from_slice(&state.vy);
-        self.evaluate(state, force, cost)
-    }
-
     /// Whether the projectile could come to touch within `time` s.
     fn may_touch(&self, state: &State, time: f64) -> bool {
-        self.coupled.contact.is_some() && {
-            let r = &state.readings;
-            let closing = r.body.velocity.norm() + self.coupled.fastest_shell(state);
-            r.gap <= CAUTION * closing * time
-        }
+        let r = &state.readings;
+        let closing = r.body.velocity.norm() + self.coupled.fastest_shell(state);
+        r.gap <= CAUTION * closing * time
     }
 }
 
@@ -143,7 +122,7 @@ impl Stepper for SubsteppedVerlet<'_> {
         self.long = Drift::new(decay, short * self.substeps as f64);
         state.time = segment.start;
         let force = self.system.load().pulse.force(segment.piece, segment.start);
-        self.evaluate_afresh(state, force, cost)
+        self.evaluate(state, force, cost)
     }
 
     fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey {
@@ -162,7 +141,6 @@ impl Stepper for SubsteppedVerlet<'_> {
         let half = 0.5 * h;
         let pulse = &self.system.load().pulse;
         let forces = [state.time, state.time + h].map(|time| pulse.force(segment.piece, time));
-        let before = state.load_speed(self.system);
         let earlier = state.readings;
         let len = self.coupled.inverse_mass.len();
         let groups = &self.system.groups;
@@ -176,33 +154,21 @@ impl Stepper for SubsteppedVerlet<'_> {
             state.dissipated += lost * (vx * vx + vy * vy);
             let (vx, vy) = (keep[fat] * vx, keep[fat] * vy);
             (state.vx[slot], state.vy[slot]) = (vx, vy);
-            self.work.vx[slot] = vx + half * ax;
-            self.work.vy[slot] = vy + half * ay;
         }
         let body = &mut state.readings.body;
         body.velocity += body.acceleration * half;
         body.position += body.velocity * h;
 
-        let middle = state.load_speed(self.system);
         let mut survey = self.evaluate(state, forces[1], cost);
         for slot in 0..len {
             state.vx[slot] += half * state.ax[slot];
             state.vy[slot] += half * state.ay[slot];
         }
-        let after = state.load_speed(self.system);
         let readings = &mut state.readings;
         readings.body.velocity += readings.body.acceleration * half;
         readings.impulse += (earlier.contact_force + readings.contact_force) * half;
-        state.dissipated += half * (earlier.power + readings.power);
-        state.work = if let Some(contact) = &self.coupled.contact {
-            contact.energy() - 0.5 * contact.mass * readings.body.velocity.norm_squared()
-        } else {
-            // The load acts on the globe only, so one factor takes the drift's decay back out.
-            state.work
-                + 0.5
-                    * half
-                    * (forces[0] * (before + middle / keep[0]) + forces[1] * (middle + after))
-        };
+        let contact = &self.coupled.contact;
+        state.work = contact.energy() - 0.5 * contact.mass * readings.body.velocity.norm_squared();
         survey.kinetic = self.coupled.kinetic(state);
         state.time = self.clock.advance(share);
         survey
@@ -218,37 +184,8 @@ impl State {
         force: f64,
     ) -> Survey {
         let mut verlet = SubsteppedVerlet::new(system, coupled);
-        let mut survey = verlet.evaluate_afresh(self, force, &mut Cost::default());
+        let mut survey = verlet.evaluate(self, force, &mut Cost::default());
         survey.kinetic = coupled.kinetic(self);
         survey
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Largest growth of an oscillator over many steps of one second.
-    fn growth(omega: f64, rate: f64) -> f64 {
-        let (mut x, mut v, mut a) = (1.0, 0.3, -omega * omega - 0.3 * rate);
-        let mut most: f64 = 0.0;
-        for _ in 0..20_000 {
-            let half = v + 0.5 * a;
-            x += half;
-            a = -omega * omega * x - rate * (half + 0.5 * a);
-            v = half + 0.5 * a;
-            most = most.max(x.abs());
-        }
-        most
-    }
-
-    #[test]
-    fn the_limit_is_where_a_damped_oscillator_begins_to_grow() {
-        for share in [0.01, 0.3, 0.7, 1.5, 5.0] {
-            let limit = stable(1.0, share);
-            let (below, above) = (0.999 * limit, 1.01 * limit);
-            assert!(growth(below, below * share) < 1e3, "{share}");
-            assert!(growth(above, above * share) > 1e6, "{share}");
-        }
     }
 }

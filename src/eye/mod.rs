@@ -22,7 +22,7 @@ pub(crate) use mesh::side_at_level;
 pub use mesh::{GLOBE_RADIUS_M, Node, ORBIT_RADIUS_M, Region};
 pub use springs::{Spring, SpringKind};
 
-use crate::scenario::{EyeInput, Model, Scenario};
+use crate::scenario::EyeInput;
 use nalgebra::{Point2, Vector2};
 
 /// Twice the signed area of the triangle a, b, c: positive when it turns anticlockwise.
@@ -31,16 +31,8 @@ pub(crate) fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
     p.perp(&q)
 }
 
-/// Depth of the paper's section, in m.
+/// Depth of the section, in m.
 const UNIT_DEPTH_M: f64 = 1.0;
-
-/// Depth of the section of a model, in m.
-pub(crate) fn depth_m(model: &Model) -> f64 {
-    match model {
-        Model::Physiological(parts) if parts.slab => parts.depth_mm * 1e-3,
-        Model::Paper | Model::Physiological(_) | Model::Axisymmetric(_) => UNIT_DEPTH_M,
-    }
-}
 
 /// The eye at rest: a mesh of nodes joined by springs, with the places that results refer to.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,26 +68,6 @@ impl Eye {
             springs,
             landmarks,
         }
-    }
-
-    /// Builds the eye of `scenario` by its model: the physiological one scales moduli, gives the
-    /// section its depth, and takes the drag off the nodes where it has dashpots.
-    pub fn of(scenario: &Scenario) -> Self {
-        let Model::Physiological(parts) = &scenario.model else {
-            return Self::build(&scenario.eye);
-        };
-        let mut input = scenario.eye.clone();
-        input.sclera_kpa *= parts.sclera_stiffening;
-        input.fat_kpa *= parts.fat_stiffening;
-        if parts.dashpots {
-            (input.globe_drag_ns_m, input.fat_drag_ns_m) = (0.0, 0.0);
-        }
-        let mut eye = Self::build(&input);
-        let depth = depth_m(&scenario.model);
-        for spring in &mut eye.springs {
-            spring.stiffness *= depth;
-        }
-        eye
     }
 
     /// Number of nodes that move.

@@ -3,8 +3,8 @@
 //! A frame falls between two step ends; positions come from dense output and forces from one
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
-use super::coupled;
 use super::dense::Path;
+use super::shot;
 use crate::dynamics::{Frame, Piece, Spacing, State, System};
 use crate::eye::Eye;
 
@@ -80,7 +80,7 @@ impl FrameTaker {
                 }
             }
             probe.readings = after.readings;
-            probe.readings.body.position = coupled::centre(before, after, share);
+            probe.readings.body.position = shot::centre(before, after, share);
             probe.evaluate(system, piece);
             self.keep(system, &probe);
             self.probe = probe;
@@ -99,13 +99,9 @@ impl FrameTaker {
             cells: Vec::new(),
             projectile: system
                 .coupled()
-                .filter(|c| c.contact.is_some())
                 .map(|_| state.readings.body.position + state.readings.body.shift * 0.5),
             squeezed: state.readings.body.shift.norm(),
-            pressure: system
-                .coupled()
-                .filter(|c| c.fluid.is_some())
-                .map(|_| state.readings.pressure),
+            pressure: None,
         });
         self.taken += 1;
     }

@@ -2,23 +2,23 @@
 //!
 //! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
 
-mod coupled;
 mod dense;
 mod export;
 mod frames;
 mod lengths;
 mod recorder;
 mod settling;
+mod shot;
 
 pub use crate::dynamics::{Frame, Keep, Peak, Spacing, Traces};
-#[cfg(feature = "app")]
-pub(crate) use coupled::MEAN_S;
-pub use coupled::{FluidExtremes, ShotExtremes};
 pub use export::FrameWriter;
 pub(crate) use frames::FrameTaker;
 #[cfg(feature = "app")]
 pub(crate) use frames::nearest;
 pub(crate) use recorder::Recorder;
+#[cfg(feature = "app")]
+pub(crate) use shot::MEAN_S;
+pub use shot::ShotExtremes;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,8 +48,6 @@ pub struct Extremes {
     /// Whether the energy left at the end of the window could still raise a force or the growth of
     /// the shell; if not, those are proven final.
     pub could_rise: bool,
-    /// What the fluid did, where the scene has one.
-    pub fluid: Option<FluidExtremes>,
     /// What the projectile did, where the scene has one.
     pub shot: Option<ShotExtremes>,
 }

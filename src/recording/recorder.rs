@@ -1,10 +1,10 @@
 //! The observer that turns a march into a recording.
 
-use super::coupled::CoupledWatch;
 use super::dense::NodeForce;
 use super::frames::FrameTaker;
 use super::lengths::{Growth, Kind, Point};
 use super::settling::{Bend, Bounds, ShellBound};
+use super::shot::ShotWatch;
 use super::{Extremes, Recording};
 use crate::dynamics::{ArcLoad, Keep, Observer, Peak, Piece, State, Survey, System, Traces};
 use crate::eye::{Eye, Hat};
@@ -57,9 +57,9 @@ pub struct Recorder {
     every_row: usize,
     steps: usize,
     frames: Option<FrameTaker>,
-    coupled: CoupledWatch,
+    shot: ShotWatch,
     /// Whether the proofs of [`super::settling`] and the search within steps hold: not with a
-    /// projectile, a fluid or dashpots, of which they know nothing.
+    /// projectile, of which they know nothing.
     provable: bool,
 }
 
@@ -121,7 +121,7 @@ impl Recorder {
                 .frames
                 .map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
-            coupled: CoupledWatch::new(system),
+            shot: ShotWatch::new(system),
             provable: system.kind().bounded_by_energy(),
         }
     }
@@ -144,7 +144,7 @@ impl Recorder {
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
-        self.coupled.look(state);
+        self.shot.look(state);
         if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
@@ -163,11 +163,7 @@ impl Recorder {
             rows.dissipated.push(state.dissipated);
             rows.work.push(state.work);
             let readings = &state.readings;
-            if system.coupled().is_some_and(|c| c.fluid.is_some()) {
-                rows.pressure.push(readings.pressure);
-                rows.area_ratio.push(readings.area_ratio);
-            }
-            if let Some(force) = self.coupled.contact_force() {
+            if let Some(force) = self.shot.contact_force() {
                 rows.contact_force.push(force);
                 for axis in 0..2 {
                     rows.projectile[axis].push(readings.body.position[axis]);
@@ -221,7 +217,7 @@ impl Recorder {
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
         let open = self.provable && (self.loaded || !self.forces_are_final(0.0));
-        let (fluid, shot) = self.coupled.finish();
+        let shot = self.shot.finish();
         let mut extremes = Extremes {
             force: self.forces,
             apex: self.apex.peak,
@@ -239,7 +235,6 @@ impl Recorder {
             },
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,
-            fluid,
             shot,
         };
         let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;

@@ -34,7 +34,7 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
         out,
         "kernel {}{}{}",
         kernel_name(false),
-        // Scenes with a projectile, a fluid or dashpots are not solved by springs alone.
+        // Scenes with a projectile are not solved by springs alone.
         report.ns_per_spring.map_or_else(String::new, |ns| format!(
             "\n{ns:.2} ns a spring in one thread"
         )),

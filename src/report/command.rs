@@ -41,7 +41,7 @@ mod tests {
     fn what_was_set_on_any_preset_is_said_and_set_again_gives_the_same() {
         let sets = [
             ("impact.angle_deg", "12"),
-            ("model", "Axisymmetric"),
+            ("model", "Physiological"),
             ("model.sclera_mpa", "20 +- 3"),
             ("window_ms", "2"),
         ];

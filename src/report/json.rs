@@ -7,9 +7,9 @@
 //! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
 use super::revolution;
-use crate::dynamics::{Cost, PA_PER_MMHG, SceneKind, kernel_name};
+use crate::dynamics::{Cost, SceneKind, kernel_name};
 use crate::eye::Monitor;
-use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
+use crate::recording::{Extremes, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
 use crate::study::{
     Answer, Case, Compiled, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
@@ -135,8 +135,6 @@ fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value
     numerics["mirrored"] = case.system.mirrored().into();
     if case.system.kind() != SceneKind::Springs {
         numerics["contact_tests"] = cost.contact_tests.into();
-        numerics["pressure_evaluations"] = cost.pressure_evaluations.into();
-        numerics["dashpot_evaluations"] = cost.dashpot_evaluations.into();
     }
     let results = &mut object["results"];
     results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
@@ -145,23 +143,9 @@ fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value
     results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
     results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
     results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
-    if let Some(fluid) = &extremes.fluid {
-        results["pressure"] = pressure(fluid);
-    }
     if let Some(shot) = &extremes.shot {
         results["projectile"] = projectile(shot);
     }
-}
-
-fn pressure(fluid: &FluidExtremes) -> Value {
-    json!({
-        "peak_mpa": fluid.pressure.value * 1e-6,
-        "peak_mmhg": fluid.pressure.value / PA_PER_MMHG,
-        "peak_time_ms": fluid.pressure.time * 1e3,
-        "rest_mmhg": fluid.rest_pressure / PA_PER_MMHG,
-        "least_vitreous_area_percent": fluid.area_ratio.0 * 1e2,
-        "largest_vitreous_area_percent": fluid.area_ratio.1 * 1e2,
-    })
 }
 
 fn projectile(shot: &ShotExtremes) -> Value {

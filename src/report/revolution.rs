@@ -2,13 +2,13 @@
 
 use super::text::significant;
 use crate::dynamics::revolution::Extremes;
-use crate::scenario::{Axisymmetric, Impact, Scenario, Species, Support};
+use crate::scenario::{Impact, Physiological, Scenario, Species, Support};
 use crate::study::{Quantity, RevolutionCase};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// The model in words.
-pub(super) fn model(model: &Axisymmetric) -> String {
+pub(super) fn model(model: &Physiological) -> String {
     let species = match model.species {
         Species::Human => "human",
         Species::Pig => "pig",
@@ -18,7 +18,7 @@ pub(super) fn model(model: &Axisymmetric) -> String {
         Support::Gelatin => "in gelatin",
         Support::Free => "free",
     };
-    format!("Axisymmetric model, {species} eye {support}")
+    format!("Physiological model, {species} eye {support}")
 }
 
 /// What a reader should know of a peak beside its value.
@@ -57,9 +57,7 @@ pub(super) fn beside(
             significant(speed),
             shot.speed_m_s
         )?;
-        if !shot.unverified.is_empty() {
-            writeln!(out, "Unverified figures: {}", shot.unverified.join(", "))?;
-        }
+        super::text::unverified(shot, out)?;
     }
     Ok(())
 }

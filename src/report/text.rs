@@ -4,10 +4,9 @@ use super::errors;
 use super::revolution;
 use unicode_width::UnicodeWidthStr;
 
-use crate::dynamics::PA_PER_MMHG;
 use crate::injury::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
-use crate::recording::{Extremes, FluidExtremes, MEAN_S, ShotExtremes};
+use crate::recording::{Extremes, MEAN_S, ShotExtremes};
 use crate::scenario::{Impact, Model, Projectile, Scenario};
 use crate::study::{Answer, Compiled, Errors, Flag, Left, Quantity, Results};
 use std::io::{self, Write};
@@ -71,11 +70,7 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let model = match &scenario.model {
         Model::Paper => "Paper model, unit depth (1 m)".to_owned(),
-        Model::Physiological(parts) if parts.slab => {
-            format!("Physiological model, {} mm deep", parts.depth_mm)
-        }
-        Model::Physiological(_) => "Physiological model, unit depth (1 m)".to_owned(),
-        Model::Axisymmetric(model) => revolution::model(model),
+        Model::Physiological(model) => revolution::model(model),
     };
     let (element, count) = answer.case.elements();
     writeln!(out, "{}", printable(&scenario.name))?;
@@ -105,7 +100,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
                 row.unit,
                 peak.time * 1e3,
                 match &answer.left {
-                    Left::Section(extremes) => remark(quantity, extremes),
+                    Left::Section(_) => remark(quantity),
                     Left::Revolution(extremes) => revolution::remark(quantity, extremes),
                 },
                 // Only the eye of revolution has results in MPa that are listed with those in N.
@@ -141,9 +136,6 @@ fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::
         significant(extremes.strain.value * 1e2),
         extremes.strain.time * 1e3
     )?;
-    if let Some(fluid) = &extremes.fluid {
-        area(fluid, out)?;
-    }
     if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
         projectile(shot, input, out)?;
     }
@@ -182,31 +174,17 @@ pub fn capital(label: &str) -> String {
 }
 
 /// What a reader should know of a peak beside its value.
-fn remark(quantity: Quantity, extremes: &Extremes) -> String {
+fn remark(quantity: Quantity) -> String {
     let contact = format!(", mean over the {:.0} us before", MEAN_S * 1e6);
-    match (quantity, &extremes.fluid) {
-        (Quantity::Pressure, Some(fluid)) => format!(
-            " ({:.0} mmHg, {:.1} at rest)",
-            fluid.pressure.value / PA_PER_MMHG,
-            fluid.rest_pressure / PA_PER_MMHG
-        ),
-        (Quantity::Contact, Some(_)) => contact,
+    match quantity {
         // A mass point hit at speed answers with its own mass: tissue at 0.001 kPa gives the same force.
-        (Quantity::Contact, None) => {
+        Quantity::Contact => {
             contact
-                + ";\n  of a light fast object it is that of the two nodes it meets, not of tissue"
+                + ";
+  of a light fast object it is that of the two nodes it meets, not of tissue"
         }
         _ => String::new(),
     }
-}
-
-fn area(fluid: &FluidExtremes, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Vitreous area      {:>9} to {:.2} % of that at rest",
-        format!("{:.2}", fluid.area_ratio.0 * 1e2),
-        fluid.area_ratio.1 * 1e2
-    )
 }
 
 fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
@@ -256,8 +234,17 @@ fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> i
             significant(shot.squeezed_share * 1e2)
         )?;
     }
-    if !input.unverified.is_empty() {
-        writeln!(out, "Unverified figures: {}", input.unverified.join(", "))?;
+    unverified(input, out)
+}
+
+/// Names the figures of an object that come from no source that was checked.
+pub(super) fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
+    if input.unverified.is_empty() {
+        return Ok(());
+    }
+    let text = format!("Unverified figures: {}", input.unverified.join(", "));
+    for line in wrapped(&text, WIDTH) {
+        writeln!(out, "{line}")?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
 use super::text::{WIDTH, digits, significant, wrapped};
-use crate::scenario::Axisymmetric;
+use crate::scenario::Physiological;
 use crate::study::calibrate::{Fit, PATH, STEP};
 use crate::study::experiments::{Band, Experiment};
 use crate::study::validate::{MESHES, OnEach, Row};
@@ -72,7 +72,7 @@ fn line(row: &Row, out: &mut dyn Write) -> io::Result<()> {
     }
     if let Some(published) = &row.published {
         let figures = published.each_ref().map(number).join(", ");
-        let fat = Axisymmetric::PUBLISHED_FAT_BULK_MPA;
+        let fat = Physiological::PUBLISHED_FAT_BULK_MPA;
         note(
             &format!("with fat of {fat} MPa, as published: {figures} {unit}"),
             out,
@@ -114,7 +114,7 @@ pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
     )?;
     let fitted = format!(
         "Fitted: fat of {} MPa was chosen by these",
-        Axisymmetric::default().fat_bulk_mpa
+        Physiological::default().fat_bulk_mpa
     );
     let tested = "Not fitted, moduli as published: these test the model".to_owned();
     for (heading, of) in [(fitted, true), (tested, false)] {
@@ -178,8 +178,8 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "The program takes {}; published is {}.\n",
-        Axisymmetric::default().fat_bulk_mpa,
-        Axisymmetric::PUBLISHED_FAT_BULK_MPA
+        Physiological::default().fat_bulk_mpa,
+        Physiological::PUBLISHED_FAT_BULK_MPA
     )?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for tried in &fit.tried {
@@ -204,7 +204,7 @@ pub fn fit_json(fit: &Fit) -> Value {
     json!({
         "path": PATH,
         "best": fit.best.mpa,
-        "published": Axisymmetric::PUBLISHED_FAT_BULK_MPA,
+        "published": Physiological::PUBLISHED_FAT_BULK_MPA,
         "nearly": [fit.nearly.0, fit.nearly.1],
         "step": STEP,
         "misfit": fit.best.misfit,

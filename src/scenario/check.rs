@@ -10,7 +10,7 @@ use std::ops::Deref;
 use super::fields::{self, Bounds, FIELDS, Field, Kind};
 use super::problem::{Problem, ScenarioError, plain};
 use super::{
-    FASTEST_M_S, FINEST_AXISYMMETRIC_LEVEL, Impact, MOST_ENERGY_J, Model, Outline, Projectile,
+    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, Impact, MOST_ENERGY_J, Model, Outline, Projectile,
     Scenario, doubt,
 };
 use crate::plain_text::printable;
@@ -132,7 +132,7 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
                     .then_some("holds a control character or one that cannot be seen"),
             }
         }
-        Kind::Toggle(_) | Kind::Choice(_) => None,
+        Kind::Choice(_) => None,
     }?;
     let value = match &field.kind {
         Kind::Text(..) => format!("{:?}", field.text(scenario)?),
@@ -163,9 +163,9 @@ fn angle_of(scenario: &Scenario) -> f64 {
     }
 }
 
-/// What the axisymmetric eye cannot be asked for.
+/// What the eye of revolution cannot be asked for.
 fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
-    let Model::Axisymmetric(_) = scenario.model else {
+    let Model::Physiological(_) = scenario.model else {
         return Vec::new();
     };
     let mut problems = Vec::new();
@@ -175,7 +175,7 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
     let angle = angle_of(scenario);
     if angle.abs() > STEEPEST_DEG {
         let allowed = format!("-{STEEPEST_DEG} to {STEEPEST_DEG} deg");
-        let complaint = "is out of range for model Axisymmetric";
+        let complaint = "is out of range for model Physiological";
         refuse("impact.angle_deg", &plain(angle), complaint, &allowed);
     }
     if let Impact::Projectile(shot) = &scenario.impact {
@@ -188,7 +188,7 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
             );
         }
         if shot.speed_m_s > FASTEST_M_S {
-            let complaint = "is out of range for model Axisymmetric, which nothing goes into";
+            let complaint = "is out of range for model Physiological, which nothing goes into";
             let allowed = format!("up to {FASTEST_M_S} m/s");
             refuse(
                 "impact.speed_m_s",
@@ -197,7 +197,7 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
                 &allowed,
             );
         } else if shot.energy_j() > MOST_ENERGY_J {
-            let complaint = "brings more energy than model Axisymmetric takes";
+            let complaint = "brings more energy than model Physiological takes";
             let most = shot.mass_g * MOST_ENERGY_J / shot.energy_j();
             let allowed = format!("up to {most:.1} g at this speed, which is {MOST_ENERGY_J} J");
             refuse("impact.mass_g", &plain(shot.mass_g), complaint, &allowed);
@@ -219,9 +219,9 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
         }
     }
     let level = scenario.eye.level;
-    if level > FINEST_AXISYMMETRIC_LEVEL {
-        let allowed = format!("whole numbers 1 to {FINEST_AXISYMMETRIC_LEVEL}");
-        let complaint = "is out of range for model Axisymmetric";
+    if level > FINEST_PHYSIOLOGICAL_LEVEL {
+        let allowed = format!("whole numbers 1 to {FINEST_PHYSIOLOGICAL_LEVEL}");
+        let complaint = "is out of range for model Physiological";
         refuse("eye.level", &level.to_string(), complaint, &allowed);
     }
     problems
@@ -232,7 +232,7 @@ const STEEPEST_DEG: f64 = 90.0;
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {
-    if let Model::Axisymmetric(_) = scenario.model {
+    if let Model::Physiological(_) = scenario.model {
         return None;
     }
     let angle = angle_of(scenario);
@@ -341,7 +341,7 @@ mod tests {
     #[test]
     fn an_axis_of_revolution_has_its_own_limits_and_none_of_the_sections() {
         let mut scenario = Scenario {
-            model: Model::Axisymmetric(crate::scenario::Axisymmetric::default()),
+            model: Model::Physiological(crate::scenario::Physiological::default()),
             impact: Impact::Projectile(Projectile {
                 angle_deg: 60.0,
                 ..Projectile::default()

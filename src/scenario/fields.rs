@@ -10,7 +10,7 @@ use std::mem::discriminant;
 
 use super::problem::plain;
 use super::{
-    Axisymmetric, ForcePulse, Impact, Integrator, Lens, Model, Outline, Physiological, Projectile,
+    ForcePulse, Impact, Integrator, Lens, Model, Outline, Physiological, Projectile,
     ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface, integrator,
 };
 
@@ -37,8 +37,6 @@ pub enum Kind {
     OptionalNumber(Bounds, Place<Option<f64>>),
     /// A whole number.
     Integer(u32, u32, Place<u32>),
-    /// Yes or no.
-    Toggle(Place<bool>),
     /// One variant of an enum, by name.
     Choice(&'static (dyn Choices + Sync)),
     /// A set of whole numbers between the first two, at most as many as the third.
@@ -89,9 +87,6 @@ const MODELS: Variants<Model> = &[
     ("Paper", || Model::Paper),
     ("Physiological", || {
         Model::Physiological(Physiological::default())
-    }),
-    ("Axisymmetric", || {
-        Model::Axisymmetric(Axisymmetric::default())
     }),
 ];
 const SPECIES: Variants<Species> = &[("Human", || Species::Human), ("Pig", || Species::Pig)];
@@ -262,63 +257,49 @@ pub(super) fn shot_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
 fn physiological(scenario: &Scenario) -> Option<&Physiological> {
     match &scenario.model {
         Model::Physiological(parts) => Some(parts),
-        Model::Paper | Model::Axisymmetric(_) => None,
+        Model::Paper => None,
     }
 }
 
 fn physiological_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
     match &mut scenario.model {
         Model::Physiological(parts) => Some(parts),
-        Model::Paper | Model::Axisymmetric(_) => None,
+        Model::Paper => None,
     }
 }
 
-fn axisymmetric(scenario: &Scenario) -> Option<&Axisymmetric> {
-    match &scenario.model {
-        Model::Axisymmetric(parts) => Some(parts),
-        Model::Paper | Model::Physiological(_) => None,
-    }
+fn orbit(scenario: &Scenario) -> Option<&Physiological> {
+    physiological(scenario).filter(|parts| parts.support == Support::Orbit)
 }
 
-fn axisymmetric_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
-    match &mut scenario.model {
-        Model::Axisymmetric(parts) => Some(parts),
-        Model::Paper | Model::Physiological(_) => None,
-    }
+fn orbit_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
+    physiological_mut(scenario).filter(|parts| parts.support == Support::Orbit)
 }
 
-fn orbit(scenario: &Scenario) -> Option<&Axisymmetric> {
-    axisymmetric(scenario).filter(|parts| parts.support == Support::Orbit)
+fn gelatin(scenario: &Scenario) -> Option<&Physiological> {
+    physiological(scenario).filter(|parts| parts.support == Support::Gelatin)
 }
 
-fn orbit_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
-    axisymmetric_mut(scenario).filter(|parts| parts.support == Support::Orbit)
-}
-
-fn gelatin(scenario: &Scenario) -> Option<&Axisymmetric> {
-    axisymmetric(scenario).filter(|parts| parts.support == Support::Gelatin)
-}
-
-fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Axisymmetric> {
-    axisymmetric_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
+fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
+    physiological_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
 }
 
 /// What only a section has.
 fn section(scenario: &Scenario) -> Option<&Scenario> {
-    axisymmetric(scenario).is_none().then_some(scenario)
+    physiological(scenario).is_none().then_some(scenario)
 }
 
 fn section_mut(scenario: &mut Scenario) -> Option<&mut Scenario> {
-    axisymmetric(scenario).is_none().then_some(scenario)
+    physiological(scenario).is_none().then_some(scenario)
 }
 
 /// An object at the eye of revolution.
 fn body(scenario: &Scenario) -> Option<&Projectile> {
-    shot(scenario).filter(|_| axisymmetric(scenario).is_some())
+    shot(scenario).filter(|_| physiological(scenario).is_some())
 }
 
 fn body_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    axisymmetric(scenario)?;
+    physiological(scenario)?;
     shot_mut(scenario)
 }
 
@@ -427,7 +408,7 @@ const fn within_bounds(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
     }
 }
 
-use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text, Toggle};
+use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text};
 use within_bounds as b;
 
 /// Every field, in the order in which a form shows them.
@@ -435,26 +416,16 @@ use within_bounds as b;
 pub static FIELDS: &[Field] = &[
     field("name", "Name", "", Text(LONGEST_NAME, at!(name))),
     field("model", "Model", "", Choice(&OneOf(MODELS, at!(model)))),
-    field("model.slab", "Slab depth", "", Toggle(within!(physiological, physiological_mut, slab))),
-    field("model.depth_mm", "Depth of the slab", "mm", Number(b(0.1, 1e3, 1.0, 4.0), within!(physiological, physiological_mut, depth_mm))),
-    field("model.pressure", "Vitreous pressure", "", Toggle(within!(physiological, physiological_mut, pressure))),
-    field("model.initial_pressure_mmhg", "Resting pressure", "mmHg", Number(b(0.0, 1e3, 1.0, 5.0), within!(physiological, physiological_mut, initial_pressure_mmhg))),
-    field("model.bulk_modulus_mpa", "Bulk modulus", "MPa", Number(b(0.0, 1e4, 5.0, 20.0), within!(physiological, physiological_mut, bulk_modulus_mpa))),
-    field("model.dashpots", "Dashpots, no drag", "", Toggle(within!(physiological, physiological_mut, dashpots))),
-    field("model.globe_damping_ratio", "Globe damping", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(physiological, physiological_mut, globe_damping_ratio))),
-    field("model.fat_damping_ratio", "Fat damping", "", Number(b(0.0, 1.0, 0.01, 0.1), within!(physiological, physiological_mut, fat_damping_ratio))),
-    field("model.sclera_stiffening", "Sclera stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, sclera_stiffening))),
-    field("model.fat_stiffening", "Fat stiffening", "x", Number(b(1e-2, 1e2, 0.1, 1.0), within!(physiological, physiological_mut, fat_stiffening))),
-    field("model.species", "Species", "", Choice(&OneOf(SPECIES, within!(axisymmetric, axisymmetric_mut, species)))),
-    field("model.support", "Held by", "", Choice(&OneOf(SUPPORTS, within!(axisymmetric, axisymmetric_mut, support)))),
-    field("model.globe_bulk_mpa", "Globe bulk modulus", "MPa", Number(b(10.0, 2200.0, 10.0, 100.0), within!(axisymmetric, axisymmetric_mut, globe_bulk_mpa))),
-    field("model.vitreous_shear_pa", "Vitreous shear", "Pa", Number(b(0.0, 1e5, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, vitreous_shear_pa))),
-    field("model.vitreous_viscosity_pa_s", "Vitreous viscosity", "Pa s", Number(b(0.0, 100.0, 0.01, 0.1), within!(axisymmetric, axisymmetric_mut, vitreous_viscosity_pa_s))),
-    field("model.lens_shear_kpa", "Lens shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, lens_shear_kpa))),
-    field("model.sclera_mpa", "Sclera, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, sclera_mpa))),
-    field("model.cornea_mpa", "Cornea, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(axisymmetric, axisymmetric_mut, cornea_mpa))),
-    field("model.sclera_thickness", "Sclera thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(axisymmetric, axisymmetric_mut, sclera_thickness))),
-    field("model.cornea_thickness", "Cornea thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(axisymmetric, axisymmetric_mut, cornea_thickness))),
+    field("model.species", "Species", "", Choice(&OneOf(SPECIES, within!(physiological, physiological_mut, species)))),
+    field("model.support", "Held by", "", Choice(&OneOf(SUPPORTS, within!(physiological, physiological_mut, support)))),
+    field("model.globe_bulk_mpa", "Globe bulk modulus", "MPa", Number(b(10.0, 2200.0, 10.0, 100.0), within!(physiological, physiological_mut, globe_bulk_mpa))),
+    field("model.vitreous_shear_pa", "Vitreous shear", "Pa", Number(b(0.0, 1e5, 1.0, 10.0), within!(physiological, physiological_mut, vitreous_shear_pa))),
+    field("model.vitreous_viscosity_pa_s", "Vitreous viscosity", "Pa s", Number(b(0.0, 100.0, 0.01, 0.1), within!(physiological, physiological_mut, vitreous_viscosity_pa_s))),
+    field("model.lens_shear_kpa", "Lens shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(physiological, physiological_mut, lens_shear_kpa))),
+    field("model.sclera_mpa", "Sclera, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(physiological, physiological_mut, sclera_mpa))),
+    field("model.cornea_mpa", "Cornea, at failure", "MPa", Number(b(0.1, 2e3, 1.0, 10.0), within!(physiological, physiological_mut, cornea_mpa))),
+    field("model.sclera_thickness", "Sclera thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(physiological, physiological_mut, sclera_thickness))),
+    field("model.cornea_thickness", "Cornea thickness", "x", Number(b(0.1, 10.0, 0.1, 0.5), within!(physiological, physiological_mut, cornea_thickness))),
     field("model.fat_bulk_mpa", "Fat bulk modulus", "MPa", Number(b(0.05, 2200.0, 0.1, 1.0), within!(orbit, orbit_mut, fat_bulk_mpa))),
     field("model.fat_shear_kpa", "Fat shear", "kPa", Number(b(0.0, 1e4, 1.0, 10.0), within!(orbit, orbit_mut, fat_shear_kpa))),
     field("model.orbit_opening_deg", "Orbit opening", "deg", Number(b(40.0, 120.0, 1.0, 10.0), within!(orbit, orbit_mut, orbit_opening_deg))),
@@ -514,7 +485,6 @@ impl Field {
                 (place.get)(scenario).map(|number| number.map_or("None".to_owned(), plain))
             }
             Integer(_, _, place) => (place.get)(scenario).map(u32::to_string),
-            Toggle(place) => (place.get)(scenario).map(bool::to_string),
             Choice(choices) => choices.get(scenario).map(str::to_owned),
             Integers(_, _, _, place) => (place.get)(scenario).map(|list| format!("{list:?}")),
             Text(_, place) => (place.get)(scenario).cloned(),
@@ -536,7 +506,6 @@ impl Field {
                 format!("None (auto), or {} to {}{unit}", plain(*min), plain(*max))
             }
             Integer(min, max, _) => format!("whole numbers {min} to {max}"),
-            Toggle(_) => "true or false".to_owned(),
             Choice(choices) => [&choices.names(), choices.written()].concat().join(", "),
             Integers(min, max, most, _) => {
                 format!("a list of at most {most} different whole numbers, each {min} to {max}")

@@ -116,7 +116,7 @@ mod tests {
         for model in [
             "Physiological",
             "Physiological()",
-            "Physiological (slab: true)",
+            "Physiological (species: Human)",
         ] {
             for end in [",", "\n,"] {
                 let text = format!(

@@ -6,7 +6,6 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
-mod axisymmetric;
 mod check;
 mod curve;
 mod curve_file;
@@ -25,15 +24,14 @@ mod text_file;
 
 use std::collections::BTreeMap;
 
-pub use axisymmetric::{
-    Axisymmetric, FASTEST_M_S, FINEST_AXISYMMETRIC_LEVEL, MOST_ENERGY_J, Species, Support,
-    TRUSTED_ANGLE_DEG,
-};
 pub use check::CheckedScenario;
 pub use curve::{Curve, CurveError};
 use curve_file::CurveFile;
 pub use integrator::Integrator;
-pub use physiological::Physiological;
+pub use physiological::{
+    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, MOST_ENERGY_J, Physiological, Species, Support,
+    TRUSTED_ANGLE_DEG,
+};
 pub use problem::{Problem, ScenarioError};
 pub use projectile::{Outline, Projectile, ProjectileStiffness, Surface};
 use serde::{Deserialize, Serialize};
@@ -96,12 +94,9 @@ pub enum Model {
     /// every node.
     #[default]
     Paper,
-    /// The same mesh as a slab of tissue, with a fluid that keeps its area and dashpots along the
-    /// springs.
-    Physiological(Physiological),
     /// A body of revolution about the line of the blow, with tissues that have a bulk modulus each and a
     /// shell that has a thickness.
-    Axisymmetric(Axisymmetric),
+    Physiological(Physiological),
 }
 
 /// What hits the eye.

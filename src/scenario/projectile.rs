@@ -26,14 +26,14 @@ pub struct Projectile {
     /// How it gives way as a whole.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
-    /// Its shape at the axisymmetric eye.
+    /// Its shape at the eye of revolution.
     #[serde(default, skip_serializing_if = "Outline::is_default")]
     pub outline: Outline,
-    /// How its surface gives way at the axisymmetric eye.
+    /// How its surface gives way at the eye of revolution.
     #[serde(default, skip_serializing_if = "Surface::is_default")]
     pub surface: Surface,
     /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid wall, at the
-    /// axisymmetric eye.
+    /// eye of revolution.
     #[serde(
         default = "Projectile::lossless",
         skip_serializing_if = "Projectile::is_lossless"

@@ -27,7 +27,7 @@ fn options() -> Options {
 }
 
 /// Models whose parts all have defaults, and which may stand without brackets.
-const BARE: [&str; 2] = ["Physiological", "Axisymmetric"];
+const BARE: [&str; 1] = ["Physiological"];
 
 /// `model: Physiological` with the brackets that the reader wants.
 fn completed(text: &str) -> Option<String> {
@@ -212,7 +212,6 @@ pub(super) fn not_a(kind: &Kind) -> &'static str {
     match kind {
         Kind::Number(..) | Kind::OptionalNumber(..) => "is not a number",
         Kind::Integer(..) => "is not a whole number in range",
-        Kind::Toggle(..) => "is neither true nor false",
         Kind::Choice(..) => "is not known here",
         Kind::Integers(..) => "is not a list of whole numbers",
         Kind::Text(..) => "is not text in quotes",

@@ -202,16 +202,32 @@ pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     }
 }
 
+/// Paths of the fields that a scenario has.
+fn present(scenario: &Scenario) -> impl Iterator<Item = &'static str> {
+    let has = |field: &&Field| field.text(scenario).is_some();
+    FIELDS.iter().filter(has).map(|field| field.path)
+}
+
+/// Drops the doubts of fields that a scenario `had` and has no longer.
+fn forget_doubts(scenario: &mut Scenario, had: &[&str]) {
+    let now: Vec<&str> = present(scenario).collect();
+    let gone = |path: &str| had.contains(&path) && !now.contains(&path);
+    scenario.doubt.retain(|path, _| !gone(path));
+}
+
 fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
     let done = match &field.kind {
         Kind::Number(_, place) => store((place.get_mut)(scenario), number(text)),
         Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), optional(text).ok()),
         Kind::Integer(_, _, place) => store((place.get_mut)(scenario), text.parse().ok()),
-        Kind::Toggle(place) => store((place.get_mut)(scenario), toggle(text)),
         Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
         Kind::Text(_, place) => store((place.get_mut)(scenario), words(text, field.path)?),
         Kind::Choice(choices) => {
-            named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name))
+            let had: Vec<&str> = present(scenario).collect();
+            let done =
+                named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name));
+            forget_doubts(scenario, &had);
+            done
         }
     };
     if done {
@@ -262,14 +278,6 @@ fn optional(text: &str) -> Result<Option<f64>, ScenarioError> {
         }
         Some(number) => Ok(Some(number)),
         None => read(text, ""),
-    }
-}
-
-fn toggle(text: &str) -> Option<bool> {
-    match text.to_ascii_lowercase().as_str() {
-        "true" | "yes" | "on" => Some(true),
-        "false" | "no" | "off" => Some(false),
-        _ => None,
     }
 }
 

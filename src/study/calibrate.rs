@@ -55,7 +55,7 @@ fn fitted() -> impl Iterator<Item = &'static Experiment> {
 }
 
 fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
-    if let Model::Axisymmetric(model) = &mut scenario.model {
+    if let Model::Physiological(model) = &mut scenario.model {
         model.fat_bulk_mpa = mpa;
     }
     scenario

@@ -38,8 +38,8 @@ pub enum Refusal {
     },
     /// The asked integrator cannot solve such a scene.
     #[error(
-        "numerics.integrator: {integrator} does not solve scenes with a projectile, pressure or \
-         dashpots, nor the eye of revolution: allowed Auto, {allowed}"
+        "numerics.integrator: {integrator} does not solve scenes with a projectile, nor the \
+         Physiological model: allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.
@@ -242,7 +242,7 @@ impl Case {
     /// Compiles a scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
-        let eye = Eye::of(scenario);
+        let eye = Eye::build(&scenario.eye);
         let (pulse, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),
             Impact::Projectile(_) => (Pulse::none(), ArcLoad::none()),

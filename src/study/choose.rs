@@ -14,7 +14,7 @@ use super::rules::{Automatic, share_for};
 use super::solve::{Answer, solve_by};
 use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
-use crate::scenario::{CheckedScenario, FINEST_AXISYMMETRIC_LEVEL, Model, Scenario};
+use crate::scenario::{CheckedScenario, FINEST_PHYSIOLOGICAL_LEVEL, Model, Scenario};
 
 /// The finest level that is tried: the next would take a minute.
 pub const FINEST_TRIED: u32 = 6;
@@ -55,8 +55,8 @@ pub fn within(
     // Of levels 1, 2, 3, ...; each is computed once.
     let mut ladder: Vec<OnMesh> = Vec::new();
     let finest = match scenario.model {
-        Model::Axisymmetric(_) => FINEST_AXISYMMETRIC_LEVEL,
-        Model::Paper | Model::Physiological(_) => FINEST_TRIED,
+        Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
+        Model::Paper => FINEST_TRIED,
     };
     for level in 1..=finest {
         let levels = witnesses(&scenario.model, level);

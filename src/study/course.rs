@@ -37,8 +37,6 @@ pub enum Beside {
     Kinetic,
     /// Energy lost so far.
     Dissipated,
-    /// Area of the globe.
-    GlobeArea,
     /// Centre of the projectile.
     ProjectileX,
     /// The same, up.
@@ -60,8 +58,8 @@ pub enum Group {
     Motion,
     /// Where the energy is.
     Energies,
-    /// What the fluid does.
-    Fluid,
+    /// Pressures and stresses.
+    Inside,
     /// What the projectile does.
     Projectile,
 }
@@ -208,7 +206,7 @@ fn course(
 
 impl Beside {
     fn row(self) -> CourseRow {
-        use Group::{Energies, Fluid, Input, Motion, Projectile};
+        use Group::{Energies, Input, Motion, Projectile};
         match self {
             Self::Load => CourseRow {
                 label: "load",
@@ -238,15 +236,6 @@ impl Beside {
             Self::Dissipated => CourseRow {
                 label: "dissipated",
                 ..course("J", 1.0, "dissipated_j", |t| &t.dissipated, (Energies, 2))
-            },
-            Self::GlobeArea => CourseRow {
-                label: "vitreous area",
-                column: Some(Column {
-                    name: "vitreous_area_ratio",
-                    factor: 1.0,
-                    digits: |ratio| format!("{ratio:.12}"),
-                }),
-                ..course("%", 1e2, "", |t| &t.area_ratio, (Fluid, 1))
             },
             Self::ProjectileX => CourseRow {
                 label: "projectile x",

@@ -178,7 +178,7 @@ fn of_section(case: &Case) -> Drawing {
     let shell = &eye.landmarks.shell;
     let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
     let next = shell.iter().cycle().skip(1);
-    let contact = case.system.coupled().and_then(|c| c.contact);
+    let contact = case.system.coupled().map(|c| c.contact);
     Drawing {
         nodes: eye.nodes.iter().enumerate().map(node).collect(),
         lines: eye.springs.iter().filter_map(line).collect(),
@@ -383,13 +383,13 @@ mod tests {
     use super::*;
     use crate::recording::Keep;
     use crate::recording::Spacing;
-    use crate::scenario::{Axisymmetric, Impact, Model, Projectile, Scenario};
+    use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario};
     use crate::study::{solve, unwatched};
 
     #[test]
     fn a_body_of_revolution_is_drawn_as_a_whole_section_that_faces_the_blow() {
         let scenario = Scenario {
-            model: Model::Axisymmetric(Axisymmetric::default()),
+            model: Model::Physiological(Physiological::default()),
             impact: Impact::Projectile(Projectile {
                 angle_deg: 30.0,
                 ..Projectile::default()

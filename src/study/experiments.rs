@@ -13,7 +13,7 @@
 
 use super::quantity::Quantity;
 use crate::scenario::{
-    Axisymmetric, Impact, Model, Outline, Projectile, ProjectileStiffness, Scenario, Species,
+    Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness, Scenario, Species,
     Support, Surface,
 };
 
@@ -131,23 +131,23 @@ pub struct Experiment {
     pub because: &'static str,
 }
 
-fn eye(species: Species, support: Support) -> Axisymmetric {
-    Axisymmetric {
+fn eye(species: Species, support: Support) -> Physiological {
+    Physiological {
         species,
         support,
-        ..Axisymmetric::default()
+        ..Physiological::default()
     }
 }
 
 fn shot(
     name: &str,
-    model: Axisymmetric,
+    model: Physiological,
     (mass_g, diameter_mm, speed_m_s): (f64, f64, f64),
     window_ms: f64,
 ) -> Scenario {
     Scenario {
         name: name.to_owned(),
-        model: Model::Axisymmetric(model),
+        model: Model::Physiological(model),
         impact: Impact::Projectile(Projectile {
             mass_g,
             diameter_mm,
@@ -221,7 +221,7 @@ fn foam() -> Scenario {
 }
 
 fn baseball(speed: f64) -> Scenario {
-    let model = Axisymmetric {
+    let model = Physiological {
         gelatin_opening_deg: 61.0,
         ..eye(Species::Human, Support::Gelatin)
     };

@@ -59,12 +59,9 @@ impl Left {
         }
     }
 
-    /// Peak pressure in the globe, Pa, where it holds a fluid or cells.
+    /// Peak pressure in the globe, Pa, where it has cells.
     pub fn pressure(&self) -> Option<f64> {
-        match self {
-            Self::Section(extremes) => Some(extremes.fluid?.pressure.value),
-            Self::Revolution(extremes) => Some(extremes.pressure.value),
-        }
+        Some(self.revolution()?.pressure.value)
     }
 
     /// Peak stress of the sclera, Pa, where the eye has a shell of its own.

@@ -23,7 +23,7 @@ use super::quantity::{Family, MeshScatter, Quantity};
 use super::results::{PerQuantity, Results};
 use super::solve::Answer;
 use crate::recording::Keep;
-use crate::scenario::{FINEST_AXISYMMETRIC_LEVEL, Model, NumericsInput, Scenario};
+use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 
 /// The finest level a scenario may ask for.
@@ -75,8 +75,8 @@ pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
 /// The finest level a scenario with this model may ask for.
 fn finest(model: &Model) -> u32 {
     match model {
-        Model::Paper | Model::Physiological(_) => FINEST_LEVEL,
-        Model::Axisymmetric(_) => FINEST_AXISYMMETRIC_LEVEL,
+        Model::Paper => FINEST_LEVEL,
+        Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
     }
 }
 
@@ -84,8 +84,8 @@ fn finest(model: &Model) -> u32 {
 /// is `level` itself; those of the eye of revolution are always finer.
 pub fn witnesses(model: &Model, level: u32) -> [u32; 2] {
     let finest = match model {
-        Model::Paper | Model::Physiological(_) => (level + 2).min(FINEST_LEVEL),
-        Model::Axisymmetric(_) => level + 2,
+        Model::Paper => (level + 2).min(FINEST_LEVEL),
+        Model::Physiological(_) => level + 2,
     };
     [finest - 1, finest]
 }
@@ -94,17 +94,17 @@ pub fn witnesses(model: &Model, level: u32) -> [u32; 2] {
 fn scatter(model: &Model, of: Quantity) -> MeshScatter {
     let row = of.row();
     match model {
-        Model::Paper | Model::Physiological(_) => row.scatter,
-        Model::Axisymmetric(_) => row.scatter_of_revolution,
+        Model::Paper => row.scatter,
+        Model::Physiological(_) => row.scatter_of_revolution,
     }
 }
 
 /// How many times as fine as [`SCATTER_LEVEL`] a level is, by the width of its cells.
 fn fineness(model: &Model, level: u32) -> f64 {
     match model {
-        Model::Paper | Model::Physiological(_) => f64::from(level) / SCATTER_LEVEL,
+        Model::Paper => f64::from(level) / SCATTER_LEVEL,
         // Level k has 2 k + 4 cells in half a side of its core.
-        Model::Axisymmetric(_) => (f64::from(level) + 2.0) / (SCATTER_LEVEL + 2.0),
+        Model::Physiological(_) => (f64::from(level) + 2.0) / (SCATTER_LEVEL + 2.0),
     }
 }
 

@@ -4,7 +4,7 @@
 //! errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new result is a variant and its row here,
 //! beside the place in `recording` that measures it: the compiler asks for the row.
 //!
-//! A result that a scene does not have reads as `None`: the pressure where there is no fluid, the
+//! A result that a scene does not have reads as `None`: the pressure where there are no cells, the
 //! force of contact where there is no projectile.
 
 use super::course::{Group, Trace, trace};
@@ -39,8 +39,7 @@ pub enum Quantity {
     /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
     /// was imparted the tissues held at once, before it went into drag.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, where the eye holds a fluid; at the eye of revolution
-    /// the mean of the globe through a low pass of 20 us.
+    /// Peak intraocular pressure, in megapascals, at the eye of revolution: the mean of the globe through a low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us. In the Paper model that of a
     /// light fast object is the force of the two mass points it meets: with tissue at 0.001 kPa it is the same.
@@ -82,8 +81,7 @@ pub enum Leads {
 /// so none is claimed to be much better than the worst of its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Of the motion of the whole eye; its members hang together where a projectile, a fluid or
-    /// dashpots act.
+    /// Of the motion of the whole eye; its members hang together where a projectile acts.
     Motion,
     /// Forces of nodes on the shell, which come from the same waves.
     ShellForces,
@@ -306,7 +304,6 @@ impl Quantity {
                 factor: 1e-6,
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
-                read: Read::Peak(|e| Some(e.fluid?.pressure)),
                 revolution: ReadRevolution::Peak(|e| Some(e.pressure)),
                 trace: Some(Trace {
                     spark: true,
@@ -314,7 +311,7 @@ impl Quantity {
                         "pressure",
                         "pressure_mpa",
                         |t| &t.pressure,
-                        (Group::Fluid, 0),
+                        (Group::Inside, 0),
                     )
                 }),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
@@ -344,7 +341,7 @@ impl Quantity {
                     "pressure at back",
                     "back_pressure_mpa",
                     |t| &t.back_pressure,
-                    (Group::Fluid, 2),
+                    (Group::Inside, 2),
                 )),
                 ..number(
                     "peak_back_pressure_mpa",
@@ -361,7 +358,7 @@ impl Quantity {
                     "scleral stress",
                     "scleral_stress_mpa",
                     |t| &t.scleral_stress,
-                    (Group::Fluid, 3),
+                    (Group::Inside, 3),
                 )),
                 scatter_of_revolution: within(0.08, 0.3),
                 ..number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")

@@ -89,7 +89,6 @@ impl Rules {
     pub fn of(kind: SceneKind) -> &'static Self {
         match kind {
             SceneKind::Springs => &SPRINGS,
-            SceneKind::Coupled => &COUPLED,
             SceneKind::Contact => &CONTACT,
         }
     }
@@ -146,25 +145,24 @@ const REFINEMENT: Refinement = Refinement {
     attempts: 3,
 };
 
-static COUPLED: Rules = COUPLED_ROW;
-
-const COUPLED_ROW: Rules = Rules {
+static CONTACT: Rules = Rules {
     // The others ask for forces that depend on positions alone, or for smooth ones.
     integrators: &[Integrator::VelocityVerlet],
     // Of second order, so its steps stay far below the limit.
-    answer: COUPLED_ANSWER,
-    alone: COUPLED_ANSWER,
+    answer: CONTACT_ANSWER,
+    alone: CONTACT_ANSWER,
     reference: Integrator::VelocityVerlet,
     may_lengthen: false,
     promise_percent: PROMISE_PERCENT,
     estimate: Estimate {
         ratio: 2.0,
-        // A contact's force has a kink at touch and sends out sharp waves, and with dashpots and fluid
-        // folding springs leave no better.
+        // A contact's force has a kink at touch and sends out sharp waves.
         order: Some(1),
         // Order two is mostly seen, so the worst stated error is mostly several times the true one.
         safety: 3.0,
-        floor: Floor::Percent(1e-6),
+        // Where within a step the contact begins and ends is chance, which two runs may share. At a
+        // share of 0.3 it was seen to be worth 0.01 to 0.2 %.
+        floor: Floor::PercentAtLimit(1.0),
         // All results but the node forces come from the same motion.
         family: (Family::Motion, 0.2),
     },
@@ -175,19 +173,9 @@ const COUPLED_ROW: Rules = Rules {
     },
 };
 
-const COUPLED_ANSWER: Automatic = Automatic {
+const CONTACT_ANSWER: Automatic = Automatic {
     integrator: Integrator::VelocityVerlet,
     share: 0.3,
-};
-
-static CONTACT: Rules = Rules {
-    estimate: Estimate {
-        // Where within a step the contact begins and ends is chance, which two runs may share. At a
-        // share of 0.3 it was seen to be worth 0.01 to 0.2 %.
-        floor: Floor::PercentAtLimit(1.0),
-        ..COUPLED_ROW.estimate
-    },
-    ..COUPLED_ROW
 };
 
 /// The eye of revolution. Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its

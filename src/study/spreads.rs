@@ -9,14 +9,6 @@
 //! fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need not lie
 //! round the single result. That is what the measurements say, not an error of the draw.
 //!
-//! The Physiological model's own numbers are drawn from what fits the experiments nearly as well as the
-//! best fit, in place of the moduli that they multiply. Springs of a plane model feel the wall's
-//! thickness only in its product with the modulus, whose range covers it (0.39 +- 0.17 mm at the equator,
-//! Olsen 1998).
-//!
-//! The axisymmetric model's shell feels its thickness in the product with its modulus, of which no spread at
-//! failure is published.
-//!
 //! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to four
 //! orders below the nominal 42 kPa, which in this model stands for what keeps the globe's volume; drawn
 //! from the measurements the mesh would have nothing to hold it. Left out too: densities and
@@ -26,7 +18,7 @@ use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{self, Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Axisymmetric, Impact, Physiological, Scenario, set};
+use crate::scenario::{Impact, Scenario, set};
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,8 +41,6 @@ pub struct Spread {
     pub shape: Shape,
     /// Where that stands.
     pub source: &'static str,
-    /// A field that takes its place where the scenario has it; none if this is empty.
-    pub unless: &'static str,
 }
 
 /// Damping ratios from 0.05 to 0.5 cover what the sources allow.
@@ -62,13 +52,6 @@ const DAMPING_SOURCE: &str =
 const fn drag(nominal: f64, ratio: f64) -> Shape {
     Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio)
 }
-
-/// What the Physiological model takes.
-const FITTED: Physiological = Physiological::FITTED;
-/// What fits the experiments nearly as well on mesh level 1 of this model: bulk modulus
-/// (`MPa`), stiffening of the sclera, stiffening of the fat.
-const NEARLY: [(f64, f64); 3] = [(133.0, 285.0), (0.78, 8.2), (6.4, 10.0)];
-const FIT_SOURCE: &str = "fits published experiments nearly as well";
 
 /// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.
 pub static SLOPE: Field = Field {
@@ -96,98 +79,66 @@ pub static SPREADS: &[Spread] = &[
         nominal: 2600.0,
         shape: Shape::LogUniform(1e3, 30e3),
         source: "quasi-static 2.9 ± 2.0 MPa (Eilaghi 2010) to ten times that at 29 /s (Kim 2012)",
-        unless: "model.sclera_stiffening",
     },
     Spread {
         path: "eye.lens_kpa",
         nominal: 6880.0,
         shape: Shape::LogUniform(1.0, 6880.0),
         source: "20 Pa shear (Schachar) to 6.88 MPa (paper); the centre stiffens 10^4 times by age (Weeber)",
-        unless: "",
     },
     Spread {
         path: "eye.fat_kpa",
         nominal: 47.0,
         shape: Shape::LogUniform(0.9, 47.0),
         source: "0.9 kPa from 290 Pa shear, long-term (Yoo 2011), to 47 kPa (paper)",
-        unless: "model.fat_stiffening",
     },
     Spread {
         path: "eye.globe_mass_g",
         nominal: 7.5,
         shape: Shape::Normal(7.5, 7.5 * 1.57 / 24.51),
         source: "in proportion to the axial length of 24.51 ± 1.57 mm (Nagra 2017)",
-        unless: "",
     },
     Spread {
         path: "eye.globe_drag_ns_m",
         nominal: 0.705,
         shape: drag(0.705, 0.1),
         source: DAMPING_SOURCE,
-        unless: "model.globe_damping_ratio",
     },
     Spread {
         path: "eye.fat_drag_ns_m",
         nominal: 1.44,
         shape: drag(1.44, 0.22),
         source: DAMPING_SOURCE,
-        unless: "model.fat_damping_ratio",
     },
     Spread {
-        path: "model.bulk_modulus_mpa",
-        nominal: FITTED.bulk_modulus_mpa,
-        shape: Shape::LogUniform(NEARLY[0].0, NEARLY[0].1),
-        source: FIT_SOURCE,
-        unless: "",
-    },
-    Spread {
-        path: "model.sclera_stiffening",
-        nominal: FITTED.sclera_stiffening,
-        shape: Shape::LogUniform(NEARLY[1].0, NEARLY[1].1),
-        source: FIT_SOURCE,
-        unless: "",
-    },
-    Spread {
-        path: "model.fat_stiffening",
-        nominal: FITTED.fat_stiffening,
-        shape: Shape::LogUniform(NEARLY[2].0, NEARLY[2].1),
-        source: FIT_SOURCE,
-        unless: "",
-    },
-    Spread {
-        path: "model.globe_damping_ratio",
-        nominal: FITTED.globe_damping_ratio,
-        shape: Shape::LogUniform(DAMPING.0, DAMPING.1),
-        source: DAMPING_SOURCE,
-        unless: "",
-    },
-    Spread {
-        path: "model.fat_damping_ratio",
-        nominal: FITTED.fat_damping_ratio,
-        shape: Shape::LogUniform(DAMPING.0, DAMPING.1),
-        source: DAMPING_SOURCE,
-        unless: "",
+        path: "model.sclera_mpa",
+        nominal: 138.0,
+        shape: Shape::LogUniform(69.0, 276.0),
+        source: "a factor of two either way: stiffness of eyes is spread by 2.0 of 2.9 MPa (Eilaghi 2010)",
     },
     Spread {
         path: "model.sclera_thickness",
         nominal: 1.0,
         shape: Shape::Normal(1.0, 0.14 / 0.53),
         source: "0.53 ± 0.14 mm at the limbus, 0.39 ± 0.17 mm at the equator (Olsen 1998)",
-        unless: "",
-    },
-    Spread {
-        path: "model.fat_bulk_mpa",
-        nominal: 0.4,
-        shape: Shape::LogUniform(0.4, Axisymmetric::PUBLISHED_FAT_BULK_MPA),
-        source: "fitted (contrecoup calibrate) to published, 47 kPa with a Poisson ratio of 0.48 to 0.49",
-        unless: "",
     },
     Spread {
         path: "model.lens_shear_kpa",
         nominal: 10.0,
         shape: Shape::LogUniform(0.02, 6880.0 / 3.0),
         source: "20 Pa (Schachar) to a third of 6.88 MPa (paper); the centre stiffens 10^4 times by age (Weeber)",
-        unless: "",
+    },
+    Spread {
+        path: "model.fat_shear_kpa",
+        nominal: 15.7,
+        shape: Shape::LogUniform(0.29, 15.7),
+        source: "290 Pa, long-term (Yoo 2011), to a third of 47 kPa (Power 2002)",
+    },
+    Spread {
+        path: "model.fat_bulk_mpa",
+        nominal: 0.40,
+        shape: Shape::LogUniform(0.20, 0.55),
+        source: "fits published tests nearly as well as 0.40 (contrecoup calibrate)",
     },
 ];
 
@@ -238,8 +189,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
     let published = SPREADS.iter().filter_map(|spread| {
         let field = fields::find(spread.path)?;
         let (value, bounds) = number(field, scenario)?;
-        let replaced = fields::find(spread.unless).is_some_and(|f| f.text(scenario).is_some());
-        let own = replaced || value != spread.nominal || scenario.doubt.contains_key(spread.path);
+        let own = value != spread.nominal || scenario.doubt.contains_key(spread.path);
         (!own).then_some(Input {
             field,
             shape: spread.shape,
@@ -264,11 +214,8 @@ mod tests {
     /// A scenario that has the field.
     fn with(path: &str) -> Scenario {
         let mut scenario = Scenario::default();
-        for model in ["Paper", "Physiological", "Axisymmetric"] {
-            set(&mut scenario, "model", model).unwrap();
-            if fields::find(path).is_some_and(|field| field.text(&scenario).is_some()) {
-                break;
-            }
+        if path.starts_with("model.") {
+            set(&mut scenario, "model", "Physiological").unwrap();
         }
         scenario
     }
@@ -303,15 +250,8 @@ mod tests {
     #[test]
     fn a_doubt_takes_the_place_of_what_is_published() {
         let mut scenario = Scenario::default();
-        let all = paths(&scenario).len();
-        let of_section = |s: &&Spread| s.path.starts_with("eye.");
-        assert_eq!(all, SPREADS.iter().filter(of_section).count());
-        for own in ["model.fat_stiffening", "model.sclera_thickness"] {
-            let scenario = with(own);
-            let has = |path: &str| fields::find(path).is_some_and(|f| f.text(&scenario).is_some());
-            let drawn = |s: &&Spread| has(s.path) && !has(s.unless);
-            assert_eq!(paths(&scenario).len(), SPREADS.iter().filter(drawn).count());
-        }
+        let (all, other) = (paths(&scenario).len(), paths(&with("model.")).len());
+        assert_eq!(all + other, SPREADS.len());
         set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();
         set(&mut scenario, "eye.sclera_kpa", "2600 ± 0").unwrap();
         set(&mut scenario, "eye.lens_kpa", "100").unwrap();

@@ -8,7 +8,7 @@ use super::experiments::{Band, EXPERIMENTS, Experiment, Reading};
 use super::flags::FlagKind;
 use super::solve::{Answer, solve};
 use crate::recording::Keep;
-use crate::scenario::{Axisymmetric, Model, Scenario};
+use crate::scenario::{Model, Physiological, Scenario};
 use rayon::prelude::*;
 
 /// How many meshes: that of the experiment and the next finer ones.
@@ -136,8 +136,8 @@ pub(super) fn readings(
 
 /// `scenario` with the published bulk modulus of fat.
 fn as_published(mut scenario: Scenario) -> Scenario {
-    if let Model::Axisymmetric(model) = &mut scenario.model {
-        model.fat_bulk_mpa = Axisymmetric::PUBLISHED_FAT_BULK_MPA;
+    if let Model::Physiological(model) = &mut scenario.model {
+        model.fat_bulk_mpa = Physiological::PUBLISHED_FAT_BULK_MPA;
     }
     scenario
 }

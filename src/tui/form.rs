@@ -144,10 +144,7 @@ impl Form {
 
 /// What a field accepts, in the words of the form.
 pub fn allowed(field: &Field) -> String {
-    match field.kind {
-        Kind::Toggle(_) => "yes or no".to_owned(),
-        _ => as_typed(&field.allowed()),
-    }
+    as_typed(&field.allowed())
 }
 
 /// A file says `None` where a person says `auto`.
@@ -176,8 +173,6 @@ pub fn unverified(scenario: &Scenario) -> &[String] {
 pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     let text = field.text(scenario)?;
     Some(match (&field.kind, text.as_str()) {
-        (Kind::Toggle(_), "true") => "yes".to_owned(),
-        (Kind::Toggle(_), _) => "no".to_owned(),
         (Kind::OptionalNumber(..), "None") => "auto".to_owned(),
         _ => text,
     })
@@ -194,7 +189,7 @@ pub fn admitted(field: &Field, c: char) -> Option<char> {
         Kind::Number(..) | Kind::Integer(..) => numeral.then_some(c),
         Kind::OptionalNumber(..) => (numeral || word).then_some(c),
         Kind::Integers(..) => (numeral || matches!(c, ',' | '[' | ']')).then_some(c),
-        Kind::Toggle(_) | Kind::Choice(_) | Kind::Text(..) => Some(c),
+        Kind::Choice(_) | Kind::Text(..) => Some(c),
     }
 }
 
@@ -210,10 +205,7 @@ pub fn words(error: &ScenarioError) -> String {
 /// Says why it may not.
 pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
     let mut changed = scenario.clone();
-    set(&mut changed, field.path, text).map_err(|error| match field.kind {
-        Kind::Toggle(_) => format!("allowed {}", allowed(field)),
-        _ => words(&error),
-    })?;
+    set(&mut changed, field.path, text).map_err(|error| words(&error))?;
     changed.check().map_err(|error| words(&error))?;
     Ok(changed)
 }
@@ -259,11 +251,6 @@ pub fn nudged(
                     value.saturating_sub(1)
                 };
                 *value = next.clamp(*min, *max);
-            }
-        }
-        Kind::Toggle(place) => {
-            if let Some(value) = (place.get_mut)(&mut changed) {
-                *value = !*value;
             }
         }
         Kind::Choice(choices) => {

@@ -240,7 +240,6 @@ impl Model {
         match self.work.scenario.model {
             scenario::Model::Paper => "Paper model, unit depth",
             scenario::Model::Physiological(_) => "Physiological model",
-            scenario::Model::Axisymmetric(_) => "Axisymmetric model",
         }
     }
 

@@ -47,7 +47,7 @@ fn bands_of_the_scenario_before_are_not_shown() {
 
 #[test]
 fn what_the_bands_hold_is_said_beside_many_results() {
-    let mut model = model(&["tests/scenarios/section-bb.ron"], Depth::Mono);
+    let mut model = model(&["bb-56"], Depth::Mono);
     open_changed(&mut model, 24, |_| {});
     let results = model.ensemble.of(&model.work.scenario).unwrap().results();
     assert!(results.len() > 13);

@@ -257,11 +257,11 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&["fist"], "jjjjj.3\r\x1b2"),
-        &["Now", "contact", "Axisymmetric model"],
+        &["Now", "contact", "Physiological model"],
     );
     said(
-        &after(&["tests/scenarios/section-bb.ron"], "\x1b3vvvvvvv"),
-        &["pressure, MPa", "vitreous area, %"],
+        &after(&["bb-56"], "\x1b3vvvvvvvv"),
+        &["pressure, MPa", "scleral stress, MPa"],
     );
     let mut model = model(&[], Depth::Mono);
     open_measured(&mut model);

@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan, revolution};
 use contrecoup::eye::GLOBE_RADIUS_M;
-use contrecoup::recording::{Extremes, FluidExtremes, Frame, Peak, ShotExtremes, Traces};
+use contrecoup::recording::{Extremes, Frame, Peak, ShotExtremes, Traces};
 use contrecoup::scenario::{Impact, Scenario};
 use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::study::map::{Grid, Spot};
@@ -32,7 +32,6 @@ const MERIDIAN: f64 = 0.03;
 const ENERGY_J: f64 = 0.5;
 const PRESSURE_PA: f64 = 0.4e6;
 const STRESS_PA: f64 = 8e6;
-const PRESSURE_AT_REST_PA: f64 = 2e3;
 
 /// From 0 up to 1 in the `middle` and down to 0, both `reach` away from it.
 fn hump(at: f64, middle: f64, reach: f64) -> f64 {
@@ -96,8 +95,6 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
     let blow = case.blow();
     let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
     let whole = case.revolution().is_some();
-    let coupled = case.section().and_then(|case| case.system.coupled());
-    let fluid = whole || coupled.is_some_and(|c| c.fluid.is_some());
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
         time: over(&|s| s * case.window()),
@@ -110,9 +107,7 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         elastic: over(&|s| 0.4 * energy * pushed(s - 0.06)),
         dissipated: over(&|s| 0.9 * energy * rise(s, 0.8)),
         work: over(&|s| energy * rise(s, 0.1)),
-        pressure: some(fluid, &|s| {
-            PRESSURE_AT_REST_PA + size * PRESSURE_PA * pushed(s)
-        }),
+        pressure: some(whole, &|s| size * PRESSURE_PA * pushed(s)),
         back_pressure: some(whole, &|s| 1.2 * size * PRESSURE_PA * pushed(s)),
         scleral_stress: some(whole, &|s| size * STRESS_PA * pushed(s - 0.01)),
         shortening: some(whole, &|s| 0.1 * give * pushed(s - 0.02)),
@@ -120,7 +115,6 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         intrusion: some(whole && blow.is_some(), &|s| {
             0.9 * give * APEX_M * pushed(s)
         }),
-        area_ratio: some(fluid && !whole, &|s| 1.0 - 0.01 * pushed(s)),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
         projectile: [
             some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
@@ -214,11 +208,6 @@ fn extremes(case: &Compiled, traces: &Traces, size: f64) -> Extremes {
         energy_residual: 1e-5,
         still_rising: false,
         could_rise: false,
-        fluid: (!traces.pressure.is_empty()).then(|| FluidExtremes {
-            pressure: of(&traces.pressure),
-            rest_pressure: PRESSURE_AT_REST_PA,
-            area_ratio: (0.99, 1.0),
-        }),
         shot: case.blow().map(|blow| ShotExtremes {
             diameter: blow.diameter,
             force: of(&traces.contact_force),
@@ -317,8 +306,6 @@ pub fn answer(scenario: &Scenario) -> Answer {
             steps: 1500,
             evaluations: 9000,
             contact_tests: 0,
-            pressure_evaluations: 0,
-            dashpot_evaluations: 0,
         },
         simulated: case.window(),
         element_evaluations: 8_000_000,

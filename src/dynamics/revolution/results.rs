@@ -114,7 +114,7 @@ pub struct Energy {
     pub contact: f64,
     /// Kinetic and in the spring of the object.
     pub object: f64,
-    /// Lost to all viscosities and dashpots of the eye so far.
+    /// Lost to all viscosities of the eye so far.
     pub lost: f64,
     /// Lost within the object so far.
     pub lost_in_object: f64,

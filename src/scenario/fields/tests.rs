@@ -13,10 +13,10 @@ pub(crate) fn every_variant() -> [Scenario; 4] {
         impact: Impact::Projectile(shot.clone()),
         ..Scenario::default()
     };
-    let axisymmetric = |support, surface| Scenario {
-        model: Model::Axisymmetric(Axisymmetric {
+    let physiological = |support, surface| Scenario {
+        model: Model::Physiological(Physiological {
             support,
-            ..Axisymmetric::default()
+            ..Physiological::default()
         }),
         impact: Impact::Projectile(Projectile {
             outline: Outline::CYLINDER,
@@ -28,8 +28,8 @@ pub(crate) fn every_variant() -> [Scenario; 4] {
     };
     [
         Scenario::default(),
-        axisymmetric(Support::Orbit, Surface::ELASTIC),
-        axisymmetric(Support::Gelatin, Surface::INFLATED),
+        physiological(Support::Orbit, Surface::ELASTIC),
+        physiological(Support::Gelatin, Surface::INFLATED),
         other,
     ]
 }

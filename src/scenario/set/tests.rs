@@ -5,7 +5,7 @@ use crate::scenario::fields::tests::every_variant;
 use crate::scenario::load;
 use crate::scenario::{
     EyeInput, ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile,
-    ProjectileStiffness, PulseShape,
+    ProjectileStiffness, PulseShape, Species,
 };
 
 fn after(path: &str, text: &str) -> Scenario {
@@ -65,14 +65,15 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
 
     let parts = |scenario: &Scenario| match scenario.model {
         Model::Physiological(parts) => parts,
-        Model::Paper | Model::Axisymmetric(_) => panic!(),
+        Model::Paper => panic!(),
     };
     assert_eq!(
         parts(&after("model", "physiological")),
         Physiological::default()
     );
-    assert!(!parts(&after("model", "Physiological(slab: false)")).slab);
-    assert!(refusal("model.slab", "false").contains("model is Paper, which has no slab"));
+    let pig = parts(&after("model", "Physiological(species: Pig)"));
+    assert_eq!(pig.species, Species::Pig);
+    assert!(refusal("model.species", "Pig").contains("model is Paper, which has no species"));
     let shot = Scenario {
         impact: Impact::Projectile(Projectile::default()),
         ..Scenario::default()
@@ -85,7 +86,7 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
         "{why}"
     );
     let mut turned = shot;
-    set(&mut turned, "model", "Axisymmetric").unwrap();
+    set(&mut turned, "model", "Physiological").unwrap();
     set(
         &mut turned,
         "impact.surface",
@@ -100,7 +101,7 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
     assert!(
         refused
             .to_string()
-            .contains("model is Axisymmetric, which has no eye.fat_kpa")
+            .contains("model is Physiological, which has no eye.fat_kpa")
     );
 }
 
@@ -297,4 +298,20 @@ fn what_is_next_to_nothing_is_nothing() {
     ] {
         assert!(set(&mut scenario, path, tiny).is_err(), "{path}={tiny}");
     }
+}
+
+#[test]
+fn a_doubt_goes_with_its_field() {
+    let mut scenario = crate::scenario::library::find("squash-ball")
+        .unwrap()
+        .scenario()
+        .unwrap();
+    assert!(scenario.doubt.contains_key("impact.restitution"));
+    scenario.doubt.insert("impact.speed_m_s".to_owned(), 5.0);
+    set(&mut scenario, "model", "Paper").unwrap();
+    assert_eq!(
+        scenario.doubt.keys().collect::<Vec<_>>(),
+        ["impact.speed_m_s"]
+    );
+    scenario.check().unwrap();
 }

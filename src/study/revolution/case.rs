@@ -1,4 +1,4 @@
-//! A scenario with the axisymmetric model, compiled: the eye in SI units and what hits it.
+//! A scenario with the Physiological model, compiled: the eye in SI units and what hits it.
 
 use crate::dynamics::revolution::{self as engine, BallSpring, Object};
 use crate::dynamics::{Cost, Integrator, Plan, Pulse};
@@ -6,7 +6,7 @@ use crate::eye::revolution::{Material, Parameters, RevolutionEye, ShellParameter
 use crate::injury::Blow;
 use crate::recording::{Frame, Keep, Spacing};
 use crate::scenario::{
-    Axisymmetric, CheckedScenario, Impact, Model, Outline, Projectile, ProjectileStiffness,
+    CheckedScenario, Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
 use crate::study::Left;
@@ -63,7 +63,7 @@ impl Moved for RevolutionCase {
 impl RevolutionCase {
     /// Compiles a scenario; none if its model is another.
     pub fn new(scenario: &CheckedScenario) -> Option<Self> {
-        let Model::Axisymmetric(model) = &scenario.model else {
+        let Model::Physiological(model) = &scenario.model else {
             return None;
         };
         let (angle_deg, load) = match &scenario.impact {
@@ -156,7 +156,7 @@ fn refused(refusal: engine::Refusal) -> Refusal {
     }
 }
 
-fn parameters(model: &Axisymmetric, angle_deg: f64) -> Parameters {
+fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
     let mut parameters = Parameters {
         axis_angle: angle_deg.abs().to_radians(),
         shell: match model.species {
@@ -188,7 +188,7 @@ fn parameters(model: &Axisymmetric, angle_deg: f64) -> Parameters {
     parameters
 }
 
-fn surround(model: &Axisymmetric) -> Option<Surround> {
+fn surround(model: &Physiological) -> Option<Surround> {
     let (plain, bulk_mpa, shear_kpa, opening_deg) = match model.support {
         Support::Free => return None,
         Support::Orbit => (

@@ -1,4 +1,4 @@
-//! What a reader must know before trusting a result of the axisymmetric eye.
+//! What a reader must know before trusting a result of the eye of revolution.
 
 use super::case::RevolutionCase;
 use crate::dynamics::revolution::Extremes;

@@ -1,4 +1,4 @@
-//! Scenarios with the axisymmetric model: `case` compiles and moves one, `flags` says what limits its results,
+//! Scenarios with the Physiological model: `case` compiles and moves one, `flags` says what limits its results,
 //! `random` draws some. Its step error is told as any, by its row of [`super::rules`], and so is its mesh
 //! error.
 

@@ -1,7 +1,7 @@
 //! Random objects that fly at random eyes of revolution, for what is claimed of many scenes.
 
 use crate::scenario::{
-    Axisymmetric, Impact, Model, Outline, Projectile, ProjectileStiffness, Scenario, Species,
+    Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness, Scenario, Species,
     Support, Surface,
 };
 use crate::study::coverage::draw;
@@ -37,10 +37,10 @@ pub(in crate::study) fn random_object(index: u32, seed: u32) -> Scenario {
         Outline::Cylinder { edge_mm }
     };
     let around = |dimension, value: f64| value * ratio(dimension, 0.7, 1.4);
-    let plain = Axisymmetric::default();
+    let plain = Physiological::default();
     Scenario {
         name: format!("random object {index} of seed {seed}"),
-        model: Model::Axisymmetric(Axisymmetric {
+        model: Model::Physiological(Physiological {
             species: if share(10) < 0.7 {
                 Species::Human
             } else {

@@ -1,7 +1,7 @@
 use super::RevolutionCase;
 use crate::recording::Keep;
 use crate::scenario::set::set;
-use crate::scenario::{Axisymmetric, Impact, Model, Projectile, Scenario, Surface};
+use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario, Surface};
 use crate::study::{
     Answer, FlagKind, Left, Quantity, Refusal, Results, add_mesh_error, solve, unwatched,
 };
@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 fn scene(shot: Projectile) -> Scenario {
     Scenario {
-        model: Model::Axisymmetric(Axisymmetric::default()),
+        model: Model::Physiological(Physiological::default()),
         impact: Impact::Projectile(shot),
         window_ms: 1.0,
         ..Scenario::default()

@@ -90,15 +90,12 @@ fn what_the_form_shows_can_be_typed() {
     assert_eq!(model.work.scenario.eye.lens, crate::scenario::Lens::Soft);
     model.form.selected = field("model");
     press(&mut model, "\r\x15physiological\r");
-    model.form.selected = field("model.slab");
-    press(&mut model, "\r\x15no\r");
+    model.form.selected = field("model.species");
+    press(&mut model, "\r\x15pig\r");
     let crate::scenario::Model::Physiological(parts) = &model.work.scenario.model else {
         panic!()
     };
-    assert!(!parts.slab);
-    press(&mut model, "\r\x15perhaps\r");
-    let error = model.form.typing.as_ref().unwrap().error.clone();
-    assert_eq!(error.unwrap(), "allowed yes or no");
+    assert_eq!(parts.species, crate::scenario::Species::Pig);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What a projectile and a fluid leave behind.
+//! What a projectile leaves behind.
 //!
 //! The force of contact is told as its mean over [`MEAN_S`]: the difference of the impulse over that
 //! time. The nodes of a mesh are lumps, and a lump that is met at full speed answers with a spike
@@ -11,17 +11,6 @@ use std::collections::VecDeque;
 
 /// Time over which the force of contact is averaged, in s.
 pub const MEAN_S: f64 = 100e-6;
-
-/// What the fluid in the globe did.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FluidExtremes {
-    /// Intraocular pressure, in Pa, and when it was largest.
-    pub pressure: Peak,
-    /// Pressure at rest, in Pa.
-    pub rest_pressure: f64,
-    /// Smallest and largest area of the globe over its area at rest.
-    pub area_ratio: (f64, f64),
-}
 
 /// What a projectile did.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,12 +50,9 @@ pub struct ShotExtremes {
     pub going_on: bool,
 }
 
-/// Follows both over the steps of one march.
+/// Follows it over the steps of one march.
 #[derive(Debug)]
-pub(super) struct CoupledWatch {
-    fluid: Option<FluidExtremes>,
-    shot: Option<Shot>,
-}
+pub(super) struct ShotWatch(Option<Shot>);
 
 #[derive(Debug)]
 struct Shot {
@@ -77,15 +63,9 @@ struct Shot {
     mean: f64,
 }
 
-impl CoupledWatch {
+impl ShotWatch {
     pub fn new(system: &System) -> Self {
-        let coupled = system.coupled();
-        let fluid = coupled.and_then(|c| c.fluid).map(|fluid| FluidExtremes {
-            pressure: Peak::floor(fluid.rest_pressure),
-            rest_pressure: fluid.rest_pressure,
-            area_ratio: (1.0, 1.0),
-        });
-        let shot = coupled.and_then(|c| c.contact).map(|contact| Shot {
+        Self(system.coupled().map(|c| c.contact).map(|contact| Shot {
             contact,
             results: ShotExtremes {
                 diameter: 2.0 * contact.radius,
@@ -107,33 +87,23 @@ impl CoupledWatch {
             },
             history: VecDeque::from([(0.0, Vector2::zeros())]),
             mean: 0.0,
-        });
-        Self { fluid, shot }
+        }))
     }
 
     /// Takes in the end of a step.
     pub fn look(&mut self, state: &State) {
-        let readings = &state.readings;
-        if let Some(fluid) = &mut self.fluid {
-            fluid.pressure.offer(readings.pressure, state.time);
-            let (least, most) = fluid.area_ratio;
-            fluid.area_ratio = (
-                least.min(readings.area_ratio),
-                most.max(readings.area_ratio),
-            );
-        }
-        if let Some(shot) = &mut self.shot {
-            shot.look(state.time, readings);
+        if let Some(shot) = &mut self.0 {
+            shot.look(state.time, &state.readings);
         }
     }
 
     /// Force of contact at the last step end, mean over the time before, in N.
     pub fn contact_force(&self) -> Option<f64> {
-        self.shot.as_ref().map(|s| s.mean)
+        self.0.as_ref().map(|s| s.mean)
     }
 
-    pub fn finish(self) -> (Option<FluidExtremes>, Option<ShotExtremes>) {
-        (self.fluid, self.shot.map(|s| s.results))
+    pub fn finish(self) -> Option<ShotExtremes> {
+        self.0.map(|s| s.results)
     }
 }
 
