@@ -298,18 +298,23 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
     }
 }
 
-#[test]
-fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
+/// A free globe whose shell is all sclera of one thickness.
+fn free_and_even() -> Parameters {
     let mut shell = ShellParameters::human();
     shell.limbus = 0.0;
     for point in &mut shell.sclera_thickness {
         point.1 = 0.5e-3;
     }
-    let parameters = Parameters {
+    Parameters {
         shell,
         surround: None,
         ..Parameters::default()
-    };
+    }
+}
+
+#[test]
+fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
+    let parameters = free_and_even();
     let mut last = f64::INFINITY;
     for level in [1, 3, 5] {
         let eye = RevolutionEye::new(&parameters, level);
@@ -425,16 +430,7 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
 
 #[test]
 fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
-    let mut shell = ShellParameters::human();
-    shell.limbus = 0.0;
-    for point in &mut shell.sclera_thickness {
-        point.1 = 0.5e-3;
-    }
-    let parameters = Parameters {
-        shell,
-        surround: None,
-        ..Parameters::default()
-    };
+    let parameters = free_and_even();
     let eye = RevolutionEye::new(&parameters, 2);
     let chain = Shell::new(&eye);
     let nodes = &eye.mesh.shell;
