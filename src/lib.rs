@@ -31,6 +31,9 @@
 //! command line and the terminal app, which are no part of the library. A lower room never imports a
 //! higher one. [`guide`] is what to read besides.
 //!
+//! Sines, logarithms and the like that lead to a result come from the crate `libm`: the C library of each
+//! system rounds them in its own way, and the contact of an object carries such a last bit far.
+//!
 //! Research and education, not diagnosis.
 
 #[cfg(feature = "app")]

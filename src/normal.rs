@@ -21,7 +21,7 @@ pub fn below(x: f64) -> f64 {
         sum += term;
         odd += 2.0;
     }
-    let density = (-0.5 * x * x).exp() / std::f64::consts::TAU.sqrt();
+    let density = libm::exp(-0.5 * x * x) / std::f64::consts::TAU.sqrt();
     (0.5 + density * sum).clamp(0.0, 1.0)
 }
 
@@ -63,7 +63,7 @@ pub fn quantile(p: f64) -> f64 {
     if q.abs() <= 0.425 {
         return q * ratio(&MIDDLE.0, &MIDDLE.1, 0.180_625 - q * q);
     }
-    let r = (-p.min(1.0 - p).ln()).sqrt();
+    let r = (-libm::log(p.min(1.0 - p))).sqrt();
     let size = if r <= 5.0 {
         ratio(&SIDE.0, &SIDE.1, r - 1.6)
     } else {

@@ -85,17 +85,6 @@ fn bare(root: &Path, arguments: &[&str]) -> Output {
     command.output().unwrap()
 }
 
-/// Every number of an object by its path.
-fn numbers(value: &Value, path: &str, found: &mut Vec<(String, f64)>) {
-    if let Some(object) = value.as_object() {
-        for (key, value) in object {
-            numbers(value, &format!("{path}.{key}"), found);
-        }
-    } else if let Some(number) = value.as_f64() {
-        found.push((path.to_owned(), number));
-    }
-}
-
 /// What is printed, but for the time that it took.
 fn printed(output: &Output) -> Vec<String> {
     assert!(output.status.success(), "{output:?}");
@@ -110,29 +99,15 @@ fn on_a_bare_root_the_static_program_prints_the_same_digits() {
     let version = bare(root.path(), &["--version"]);
     let version = String::from_utf8(version.stdout).unwrap();
     assert!(version.starts_with("contrecoup "), "{version}");
-    // All digits but the last few: each C library rounds sines in its own way. What comes and goes with
-    // single steps, as the contact of an object does, is as far apart as its step error says.
-    for (preset, most) in [
-        ("paper-300n", 1e-8),
-        ("off-axis-triangle", 1e-8),
-        ("paintball", 0.02),
-    ] {
+    for preset in ["paper-300n", "off-axis-triangle", "paintball"] {
         let run = ["run", preset];
         let here = common::program(&run).output().unwrap();
-        if most < 1e-6 {
-            let there = bare(root.path(), &run);
-            assert_eq!(printed(&there), printed(&here), "{preset}");
-        }
+        let there = bare(root.path(), &run);
+        assert_eq!(printed(&there), printed(&here), "{preset}");
         let there = bare(root.path(), &["run", preset, "--json"]);
         let there: Value = serde_json::from_slice(&there.stdout).unwrap();
-        let [mut there_found, mut here_found] = [Vec::new(), Vec::new()];
-        numbers(&there["results"], "", &mut there_found);
-        numbers(&common::json(&run)["results"], "", &mut here_found);
-        assert!(here_found.len() > 20 && there_found.len() == here_found.len());
-        for ((path, there), (_, here)) in there_found.iter().zip(&here_found) {
-            let apart = (there - here).abs() / here.abs().max(1e-3);
-            assert!(apart < most, "{preset}{path}: {there} and {here}");
-        }
+        assert!(there["results"].as_object().unwrap().len() > 10);
+        assert_eq!(there["results"], common::json(&run)["results"], "{preset}");
     }
     // It says what it wants where there is no terminal, and where no such file is.
     assert_eq!(bare(root.path(), &[]).status.code(), Some(2));

@@ -73,7 +73,7 @@ impl<'a> Composition<'a> {
             self.stages.push(Stage {
                 kick: b * h,
                 drift: within.map(|rate| exact_reach(rate, a * h)),
-                keep: within.map(|rate| (-rate * a * h).exp()),
+                keep: within.map(|rate| libm::exp(-rate * a * h)),
             });
         }
         self.last_kick = self.kicks[self.drifts.len()] * h;
@@ -85,7 +85,7 @@ pub(super) fn exact_reach(rate: f64, t: f64) -> f64 {
     if rate == 0.0 {
         t
     } else {
-        -(-rate * t).exp_m1() / rate
+        -libm::expm1(-rate * t) / rate
     }
 }
 

@@ -150,7 +150,7 @@ impl Contact {
         let (mass, radius) = (input.mass_g * 1e-3, input.diameter_mm * 0.5e-3);
         let speed = input.speed_m_s;
         let angle = input.angle_deg.to_radians();
-        let direction = Vector2::new(angle.cos(), -angle.sin());
+        let direction = Vector2::new(libm::cos(angle), -libm::sin(angle));
         let side = Vector2::new(-direction.y, direction.x) * (input.offset_mm * 1e-3);
         let spring = match input.stiffness {
             ProjectileStiffness::Rigid => None,
@@ -160,8 +160,8 @@ impl Contact {
         };
         let rim = [1.0, -1.0].map(|sign| {
             Point2::new(
-                -ORBIT_RADIUS_M * opening.cos(),
-                sign * ORBIT_RADIUS_M * opening.sin(),
+                -ORBIT_RADIUS_M * libm::cos(opening),
+                sign * ORBIT_RADIUS_M * libm::sin(opening),
             )
         });
 

@@ -169,7 +169,7 @@ impl Pulse {
     /// Force at time `t` by the law of `piece`, in N.
     pub fn force(&self, piece: Piece, t: f64) -> f64 {
         let raised = |s: f64| match self.shape {
-            PulseShape::SmoothRectangle { .. } => 0.5 - 0.5 * (PI * s).cos(),
+            PulseShape::SmoothRectangle { .. } => 0.5 - 0.5 * libm::cos(PI * s),
             _ => s,
         };
         self.force
@@ -177,7 +177,7 @@ impl Pulse {
                 Piece::Rise => raised(t / self.edge()),
                 Piece::Plateau => 1.0,
                 Piece::Fall => raised((self.duration - t) / self.edge()),
-                Piece::Arch => (PI * t / self.duration).sin(),
+                Piece::Arch => libm::sin(PI * t / self.duration),
                 Piece::Line(i) => self.lines[i].share(t),
                 Piece::Nothing | Piece::Free => 0.0,
             }
@@ -252,7 +252,7 @@ impl ArcLoad {
         }
         Self {
             shares,
-            direction: Vector2::new(theta.cos(), -theta.sin()),
+            direction: Vector2::new(libm::cos(theta), -libm::sin(theta)),
             shielded: (1.0 - (high - low) / (2.0 * width)).max(0.0),
             arc: (low, high),
         }

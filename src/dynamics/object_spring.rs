@@ -70,7 +70,7 @@ impl ObjectSpring {
             };
         }
         // The integral of u / (1 - u/W)^2 is W^2 (r / (1 - r) + ln(1 - r)) with r = u/W.
-        let barrier = self.room * self.room * ((1.0 - left) / left + left.ln());
+        let barrier = self.room * self.room * ((1.0 - left) / left + libm::log(left));
         Squeezed {
             energy: k * (self.linear * (0.5 * self.linear + beyond) + barrier),
             force: k * (self.linear + beyond / (left * left)),

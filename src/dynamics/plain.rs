@@ -111,8 +111,12 @@ impl Plain {
                 .decay
                 .iter()
                 .map(|&g| {
-                    let reach = if g == 0.0 { h } else { -(-g * h).exp_m1() / g };
-                    (reach, (-g * h).exp())
+                    let reach = if g == 0.0 {
+                        h
+                    } else {
+                        -libm::expm1(-g * h) / g
+                    };
+                    (reach, libm::exp(-g * h))
                 })
                 .collect();
             self.evaluate(self.pulse.force(segment.piece, segment.start));

@@ -303,7 +303,7 @@ impl<'a> RungeKutta<'a> {
                 .max(survey.kinetic + survey.elastic)
                 .max(LEAST_ENERGY_J);
             let error = self.error(h);
-            let factor = CAUTION * (tolerance / error).powf(1.0 / ERROR_POWER);
+            let factor = CAUTION * libm::pow(tolerance / error, 1.0 / ERROR_POWER);
             let accepted = error <= tolerance || h <= SMALLEST_SHARE * longest;
             self.next = (h * factor.clamp(GROWTH.0, GROWTH.1)).min(longest);
             if accepted || !error.is_finite() {

@@ -113,7 +113,7 @@ fn omega_by_ring(eye: &Eye) -> f64 {
     let held = |wave: usize| -> f64 {
         let each = stiffest.iter().map(|(hop, k)| {
             let turn = TAU * (wave * hop % count) as f64 / count as f64;
-            2.0 * k * (1.0 - turn.cos())
+            2.0 * k * (1.0 - libm::cos(turn))
         });
         each.sum()
     };

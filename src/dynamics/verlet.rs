@@ -72,7 +72,7 @@ impl Drift {
         Self {
             step,
             reach: decay.map(|rate| exact_reach(rate, step)),
-            keep: decay.map(|rate| (-rate * step).exp()),
+            keep: decay.map(|rate| libm::exp(-rate * step)),
         }
     }
 }

@@ -80,7 +80,7 @@ pub(super) fn find(mesh: &Mesh, level: u32) -> Landmarks {
         .collect();
     let angle = |i: usize| {
         let p = mesh.nodes[i].position;
-        p.y.atan2(p.x).rem_euclid(std::f64::consts::TAU)
+        libm::atan2(p.y, p.x).rem_euclid(std::f64::consts::TAU)
     };
     shell.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)));
 

@@ -36,7 +36,7 @@ pub(super) fn area_within(corners: [Point2<f64>; 3]) -> f64 {
 /// Twice the signed area of the part of the unit circle between the centre and the line from `a` to `b`.
 fn swept_by(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
     let along = b - a;
-    let sector = |p: Vector2<f64>, q: Vector2<f64>| p.perp(&q).atan2(p.dot(&q));
+    let sector = |p: Vector2<f64>, q: Vector2<f64>| libm::atan2(p.perp(&q), p.dot(&q));
     // The line is inside where |a + s along| < 1, between the roots of a quadratic.
     let (length_squared, half) = (along.norm_squared(), a.dot(&along));
     let discriminant = half * half - length_squared * (a.norm_squared() - 1.0);

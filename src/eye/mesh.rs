@@ -93,7 +93,7 @@ impl Node {
 
 /// Angle of a point from the anterior pole, positive above, in radians.
 fn front_angle(p: Point2<f64>) -> f64 {
-    p.y.atan2(-p.x)
+    libm::atan2(p.y, -p.x)
 }
 
 /// Nodes a side of the square mesh at level `level`.
@@ -126,7 +126,7 @@ fn to_disc(u: f64, v: f64) -> Point2<f64> {
     } else {
         FRAC_PI_2 - FRAC_PI_4 * (u / v) + if v < 0.0 { PI } else { 0.0 }
     };
-    Point2::new(ring * angle.cos(), ring * angle.sin())
+    Point2::new(ring * libm::cos(angle), ring * libm::sin(angle))
 }
 
 /// The map applied to one quadrant and reflected, so that mirror images agree to the last bit.

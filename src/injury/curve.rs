@@ -249,7 +249,7 @@ impl Curve {
     /// Risk at `value` if the slope were `slope`, in units of 1/x50; a normal curve has its own.
     pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
         match self.form {
-            Form::Logistic { half, .. } => 1.0 / (1.0 + (-slope * (value / half - 1.0)).exp()),
+            Form::Logistic { half, .. } => 1.0 / (1.0 + libm::exp(-slope * (value / half - 1.0))),
             Form::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
         }
     }
@@ -258,8 +258,8 @@ impl Curve {
     pub fn with_slope(&self, risk: f64, slope: f64) -> f64 {
         match self.form {
             Form::Logistic { slope: own, .. } => {
-                let steps = (risk / (1.0 - risk)).ln() * slope / own.usual;
-                1.0 / (1.0 + (-steps).exp())
+                let steps = libm::log(risk / (1.0 - risk)) * slope / own.usual;
+                1.0 / (1.0 + libm::exp(-steps))
             }
             Form::Normal { .. } => risk,
         }

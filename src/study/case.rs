@@ -117,8 +117,8 @@ impl Refusal {
 
 /// A limit with seven digits, rounded to the side where it may be typed.
 fn limit(exact: f64, round: fn(f64) -> f64) -> String {
-    let places = (6.0 - exact.log10().floor()).max(0.0);
-    let digit = 10_f64.powf(places);
+    let places = (6.0 - libm::log10(exact).floor()).max(0.0);
+    let digit = 10_f64.powi(places as i32);
     format!("{:.*}", places as usize, round(exact * digit) / digit)
 }
 

@@ -133,7 +133,7 @@ impl Drawing {
                 let across = sideways * radius;
                 let corner = |i: u32| {
                     let angle = std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-                    centre + along * angle.cos() + across * angle.sin()
+                    centre + along * libm::cos(angle) + across * libm::sin(angle)
                 };
                 (0..SIDES).map(corner).collect()
             }
@@ -239,7 +239,7 @@ fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
 fn of_revolution(case: &RevolutionCase) -> Drawing {
     let eye = &case.eye;
     let angle = case.angle_deg.to_radians();
-    let along = Vector2::new(angle.cos(), -angle.sin());
+    let along = Vector2::new(libm::cos(angle), -libm::sin(angle));
     let (half, coarse) = half_section(eye);
     let regions = eye.node_regions();
     let rest = |of: usize| Point2::new(eye.at(of).0, eye.at(of).1);
@@ -274,7 +274,7 @@ fn of_revolution(case: &RevolutionCase) -> Drawing {
     };
     let under = |node: usize| {
         let (x, r) = eye.at(node);
-        pulse.is_some_and(|(_, half_width)| r.atan2(-x) <= half_width)
+        pulse.is_some_and(|(_, half_width)| libm::atan2(r, -x) <= half_width)
     };
     let arc = eye.mesh.shell.windows(2).map(|ends| (ends[0], ends[1]));
     let arc = arc.filter(|(a, _)| under(*a));

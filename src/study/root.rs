@@ -49,7 +49,7 @@ pub fn narrowed<E>(
     let mut now = bracket;
     let whole = now.high.0 - now.low.0;
     let tolerance = 0.5 * width;
-    let halvings = (whole / width).log2().ceil().max(0.0) as i32;
+    let halvings = libm::log2(whole / width).ceil().max(0.0) as i32;
     for step in 0..=halvings + 1 {
         let span = now.high.0 - now.low.0;
         if span <= width {
@@ -64,7 +64,7 @@ pub fn narrowed<E>(
         } else {
             middle
         };
-        let most = (tolerance * f64::from(halvings + 1 - step).exp2() - 0.5 * span).max(0.0);
+        let most = (tolerance * libm::exp2(f64::from(halvings + 1 - step)) - 0.5 * span).max(0.0);
         let at = if (moved - middle).abs() <= most {
             moved
         } else {

@@ -96,7 +96,7 @@ impl Rules {
 
 /// The share of a step that should bring an `error` that falls with `order` to `target`.
 pub(super) fn share_for(target: f64, error: f64, order: i32) -> f64 {
-    (target / error).powf(1.0 / f64::from(order))
+    libm::pow(target / error, 1.0 / f64::from(order))
 }
 
 static SPRINGS: Rules = Rules {

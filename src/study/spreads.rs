@@ -160,7 +160,7 @@ impl Input {
     pub fn value(&self, u: f64) -> f64 {
         let (min, max) = self.bounds;
         let value = match self.shape {
-            Shape::LogUniform(low, high) => low * (high / low).powf(u),
+            Shape::LogUniform(low, high) => low * libm::pow(high / low, u),
             Shape::Uniform(low, high) => low + u * (high - low),
             Shape::Normal(mean, sd) => normal::cut_off(mean, sd, self.bounds, u),
         };

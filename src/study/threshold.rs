@@ -141,7 +141,7 @@ impl Question {
         let middle = present.filter(|x| *x > 0.0).unwrap_or(LEAST_SHARE * to);
         let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
         let least = from.max(LEAST_SHARE * middle);
-        let ratio = (to / least).powf(1.0 / INTERVALS as f64).min(LARGEST_RATIO);
+        let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);
         let three_digits = |x: f64| format!("{x:.2e}").parse().unwrap_or(x);
         let ratios = |by: f64| (1..).map(move |k| three_digits(middle * by.powi(k)));
         let mut grid = vec![from, middle, to];

@@ -193,7 +193,7 @@ fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64
 /// Squared distance of `value` from what was measured, in standard deviations. Where a source gives none,
 /// a factor of 1.3 counts as one.
 pub(super) fn squared_misfit(measured: Band, value: f64) -> f64 {
-    let logs = |limit: f64| (value / limit).ln() / 1.3f64.ln();
+    let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
     let z = match measured {
         Band::Spread(mean, sd) => (value - mean) / sd,
         Band::Single(single, _) => logs(single),

@@ -193,7 +193,7 @@ impl Rest {
             force: [(0.0, 0.0); 4],
             pressure,
             volume: true_volume,
-            energy: self.bulk * self.volume * (j - 1.0 - j.ln()),
+            energy: self.bulk * self.volume * (j - 1.0 - libm::log(j)),
             loss: -artificial * expansion * now,
             limit: self.limit(j, length, expansion),
             least_triangle: f64::INFINITY,
@@ -231,7 +231,7 @@ impl Rest {
     /// Stored, J, with corners at `p`: what [`Self::respond`] gives, for less work.
     pub fn energy(&self, p: [Point; 4]) -> f64 {
         let j = (swept(p) / self.volume).max(FLAT);
-        let mut energy = self.bulk * self.volume * (j - 1.0 - j.ln());
+        let mut energy = self.bulk * self.volume * (j - 1.0 - libm::log(j));
         for (i, at_rest) in self.triangles.iter().enumerate() {
             let (_, stored) = subzonal(swept(triangle(i).map(|k| p[k])) / at_rest);
             energy += 0.5 * self.subzonal * at_rest * stored;
@@ -247,7 +247,7 @@ impl Rest {
             a,
             b,
             det,
-            length: 0.5 * det / a.0.hypot(a.1).max(b.0.hypot(b.1)),
+            length: 0.5 * det / libm::hypot(a.0, a.1).max(libm::hypot(b.0, b.1)),
             radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
         }
     }
@@ -322,7 +322,7 @@ impl Rest {
             third: (xx + rr + hh) / 3.0,
         };
         let change = det / (2.0 * self.area) * hoop;
-        (strain, change.powf(-2.0 / 3.0))
+        (strain, libm::pow(change, -2.0 / 3.0))
     }
 
     /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and

@@ -61,7 +61,7 @@ impl Target {
         };
         for ends in eye.mesh.shell.windows(2) {
             let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-            let length = (xb - xa).hypot(rb - ra);
+            let length = libm::hypot(xb - xa, rb - ra);
             target.area.push(std::array::from_fn(|i| {
                 let radius = ra + share(i) * (rb - ra);
                 2.0 * PI * radius * length / POINTS as f64
@@ -185,11 +185,11 @@ impl Target {
         let mut shares = vec![0.0; eye.mesh.shell.len()];
         for (i, ends) in eye.mesh.shell.windows(2).enumerate() {
             let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-            let length = (xb - xa).hypot(rb - ra);
+            let length = libm::hypot(xb - xa, rb - ra);
             for piece in 0..PIECES {
                 let s = (piece as f64 + 0.5) / PIECES as f64;
                 let (x, r) = (xa + s * (xb - xa), ra + s * (rb - ra));
-                if r.atan2(-x) < half_width {
+                if libm::atan2(r, -x) < half_width {
                     shares[i] += (1.0 - s) * r * length;
                     shares[i + 1] += s * r * length;
                 }

@@ -80,7 +80,7 @@ impl<C: Cells> Motion<'_, C> {
         };
         let force = |(node, v): (usize, (f64, f64))| {
             let earlier = before.get(node).copied().unwrap_or_default();
-            let change = (v.0 - earlier.0).hypot(v.1 - earlier.1);
+            let change = libm::hypot(v.0 - earlier.0, v.1 - earlier.1);
             if eye.fixed[node] {
                 0.0
             } else {

@@ -197,14 +197,14 @@ impl Surface {
             };
             let left = 1.0 - gap / depth;
             return Pressed {
-                energy: k * depth * depth * (left - 1.0 - left.ln()),
+                energy: k * depth * depth * (left - 1.0 - libm::log(left)),
                 traction: k * gap / left,
                 slope: k / (left * left),
             };
         };
         let over = 1.0 + k * gap / cap;
         let mut pressed = Pressed {
-            energy: cap * (gap - cap / k * over.ln()),
+            energy: cap * (gap - cap / k * libm::log(over)),
             traction: k * gap / over,
             slope: k / (over * over),
         };
@@ -215,7 +215,7 @@ impl Surface {
         let w = (gap - PLATEAU * depth) / rest;
         if w > 0.0 {
             let left = 1.0 - w;
-            pressed.energy -= cap * rest * (0.5 * w * w + w + left.ln());
+            pressed.energy -= cap * rest * (0.5 * w * w + w + libm::log(left));
             pressed.traction += cap * w * w / left;
             pressed.slope += cap * w * (2.0 - w) / (rest * left * left);
         }

@@ -26,7 +26,7 @@ fn near(corners: &[(f64, f64); 4]) -> f64 {
         let at =
             |a: f64, b: f64, c: f64, d: f64| (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d));
         let (x, r) = (at(a.0, b.0, c.0, d.0), at(a.1, b.1, c.1, d.1));
-        (x - SENSOR_X).hypot(r) <= SENSOR_REACH
+        libm::hypot(x - SENSOR_X, r) <= SENSOR_REACH
     });
     within.count() as f64 / (POINTS * POINTS) as f64
 }
@@ -74,7 +74,7 @@ impl LowPass {
 
     /// The share of a step, in s.
     pub fn share(step: f64) -> f64 {
-        -(-step / SMOOTHING_S).exp_m1()
+        -libm::expm1(-step / SMOOTHING_S)
     }
 }
 
@@ -144,7 +144,7 @@ fn places(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f
             .mesh
             .shell
             .iter()
-            .map(|&n| eye.at(n).1.atan2(-eye.at(n).0))
+            .map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0))
             .collect();
         let after = fronts.iter().position(|&f| f > angle);
         let i = after.unwrap_or(fronts.len() - 1).max(1);
@@ -203,7 +203,7 @@ impl Accelerometers {
                     first[i].1 + s * (second[i].1 - first[i].1),
                 )
             };
-            (now[i].0 - old.0).hypot(now[i].1 - old.1) / SMOOTHING_S
+            libm::hypot(now[i].0 - old.0, now[i].1 - old.1) / SMOOTHING_S
         })
     }
 }

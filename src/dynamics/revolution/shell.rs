@@ -58,7 +58,7 @@ pub(super) struct ShellState {
 }
 
 fn turn(a: (f64, f64), b: (f64, f64)) -> f64 {
-    (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1)
+    libm::atan2(a.0 * b.1 - a.1 * b.0, a.0 * b.0 + a.1 * b.1)
 }
 
 impl Shell {
@@ -73,7 +73,7 @@ impl Shell {
         let mut limit = f64::INFINITY;
         let mut pieces = Vec::new();
         for (i, segment) in eye.segments.iter().enumerate() {
-            let length = side[i].0.hypot(side[i].1);
+            let length = libm::hypot(side[i].0, side[i].1);
             let radius = 0.5 * (at[i].1 + at[i + 1].1);
             let stretch = segment.modulus * segment.thickness / plane;
             pieces.push(Piece {

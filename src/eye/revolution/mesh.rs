@@ -62,7 +62,7 @@ fn angle(u: i64, v: i64) -> f64 {
     } else {
         FRAC_PI_2 - FRAC_PI_4 * uf / vf
     };
-    plain + GRADING * plain.sin()
+    plain + GRADING * libm::sin(plain)
 }
 
 /// Brings some of the graded angles onto others, and those between along with them.
@@ -90,7 +90,7 @@ impl Rays {
             let worst = knots.windows(2).fold(0.0, |worst: f64, k| {
                 let (from, to) = (k[1].0 - k[0].0, k[1].1 - k[0].1);
                 worst.max(if from > 0.0 {
-                    (to / from).ln().abs()
+                    libm::log(to / from).abs()
                 } else {
                     f64::INFINITY
                 })
@@ -149,11 +149,12 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
             };
             let scale = CORE * radius * q / m as f64;
             let over = if q > 0.0 { SQUARE / q } else { 0.0 };
-            mesh.x.push(scale * (over * u as f64 + CIRCLE * t.cos()));
+            mesh.x
+                .push(scale * (over * u as f64 + CIRCLE * libm::cos(t)));
             mesh.r.push(if v == 0 {
                 0.0
             } else {
-                scale * (over * v as f64 + CIRCLE * t.sin())
+                scale * (over * v as f64 + CIRCLE * libm::sin(t))
             });
         }
     }
@@ -168,7 +169,7 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
     let border: Vec<usize> = border.iter().map(|&(u, v)| place(u, v)).collect();
     let on_shell: Vec<(f64, f64)> = rays
         .iter()
-        .map(|t| (radius * t.cos(), radius * t.sin()))
+        .map(|t| (radius * libm::cos(*t), radius * libm::sin(*t)))
         .collect();
     let layers = (GLOBE_LAYERS * half as f64).round() as usize;
     mesh.shell = mesh.layers(border, &on_shell, layers);
@@ -179,7 +180,12 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
         if let Some(first) = first {
             let on_wall: Vec<(f64, f64)> = rays[first..]
                 .iter()
-                .map(|&t| (wall.distance(t) * t.cos(), wall.distance(t) * t.sin()))
+                .map(|&t| {
+                    (
+                        wall.distance(t) * libm::cos(t),
+                        wall.distance(t) * libm::sin(t),
+                    )
+                })
                 .collect();
             let layers = (AROUND_LAYERS * half as f64).round() as usize;
             mesh.wall = mesh.layers(mesh.shell[first..].to_vec(), &on_wall, layers);

@@ -122,15 +122,16 @@ fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
             return front;
         }
         let azimuth = part(i, AZIMUTHS) * PI;
-        let cosine = front.cos() * axis.cos() + front.sin() * axis.sin() * azimuth.cos();
-        cosine.clamp(-1.0, 1.0).acos()
+        let cosine = libm::cos(front) * libm::cos(axis)
+            + libm::sin(front) * libm::sin(axis) * libm::cos(azimuth);
+        libm::acos(cosine.clamp(-1.0, 1.0))
     })
 }
 
 impl Parameters {
     /// The segment between two points of the shell.
     fn segment(&self, [a, b]: [(f64, f64); 2]) -> Segment {
-        let front = |s: f64| (a.1 + s * (b.1 - a.1)).atan2(-(a.0 + s * (b.0 - a.0)));
+        let front = |s: f64| libm::atan2(a.1 + s * (b.1 - a.1), -(a.0 + s * (b.0 - a.0)));
         let shell = &self.shell;
         let over = |of: &dyn Fn(f64) -> f64| {
             mean(
@@ -155,10 +156,10 @@ impl Parameters {
         // A cell all of which is farther away has none, whichever way the eye is turned.
         let farthest = self.lens.centre.abs() + along.max(across);
         let nearest = corners
-            .map(|(x, r)| x.hypot(r))
+            .map(|(x, r)| libm::hypot(x, r))
             .into_iter()
             .fold(f64::INFINITY, f64::min);
-        let size = (corners[2].0 - corners[0].0).hypot(corners[2].1 - corners[0].1);
+        let size = libm::hypot(corners[2].0 - corners[0].0, corners[2].1 - corners[0].1);
         if nearest > farthest + size {
             return 0.0;
         }
@@ -169,9 +170,9 @@ impl Parameters {
                 (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d))
             };
             let (x, r) = (at(|p| p.0), at(|p| p.1));
-            let distance = x.hypot(r);
-            own_angles(r.atan2(-x), self.axis_angle).map(move |own| {
-                let (x, r) = (-distance * own.cos(), distance * own.sin());
+            let distance = libm::hypot(x, r);
+            own_angles(libm::atan2(r, -x), self.axis_angle).map(move |own| {
+                let (x, r) = (-distance * libm::cos(own), distance * libm::sin(own));
                 let inside = ((x - self.lens.centre) / along).powi(2) + (r / across).powi(2) <= 1.0;
                 f64::from(inside)
             })
@@ -268,7 +269,7 @@ impl RevolutionEye {
         for (i, segment) in self.segments.iter().enumerate() {
             let (a, b) = (self.mesh.shell[i], self.mesh.shell[i + 1]);
             let ((xa, ra), (xb, rb)) = (self.at(a), self.at(b));
-            let length = (xb - xa).hypot(rb - ra);
+            let length = libm::hypot(xb - xa, rb - ra);
             let per_radius = self.parameters.shell.density * segment.thickness * PI * length / 3.0;
             self.mass[a] += per_radius * (2.0 * ra + rb);
             self.mass[b] += per_radius * (ra + 2.0 * rb);
@@ -316,7 +317,7 @@ impl RevolutionEye {
         let surround = self.parameters.surround.as_ref()?;
         let angle = PI - surround.opening;
         let distance = surround.wall.distance(angle);
-        Some((distance * angle.cos(), distance * angle.sin()))
+        Some((distance * libm::cos(angle), distance * libm::sin(angle)))
     }
 }
 

@@ -94,7 +94,7 @@ impl Wall {
                 behind,
                 farthest,
             } => {
-                let across = angle.sin() + slope * angle.cos();
+                let across = libm::sin(angle) + slope * libm::cos(angle);
                 if across <= 0.0 {
                     farthest
                 } else {

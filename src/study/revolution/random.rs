@@ -14,7 +14,7 @@ const HARDEST_J: f64 = 20.0;
 pub(in crate::study) fn random_object(index: u32, seed: u32) -> Scenario {
     let share = |dimension| draw(index, dimension, seed);
     let between = |dimension, low: f64, high: f64| low + (high - low) * share(dimension);
-    let ratio = |dimension, low: f64, high: f64| low * (high / low).powf(share(dimension));
+    let ratio = |dimension, low: f64, high: f64| low * libm::pow(high / low, share(dimension));
     let diameter_mm = ratio(0, 3.0, 100.0);
     // Of a ball of foam to one of steel, in g/cm3.
     let density = ratio(1, 0.1, 8.0);
