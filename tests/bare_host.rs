@@ -131,7 +131,7 @@ fn over_ssh_the_app_opens_on_a_bare_root_without_a_locale() {
     term.keys(&format!("{}{}", support::TO_FORCE, support::RIGHT));
     term.wait_for("310 N");
     term.keys("u");
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();

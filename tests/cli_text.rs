@@ -65,8 +65,14 @@ fn without_figures(text: &str) -> String {
             at += next.len_utf8();
         }
     }
-    // Whether an error is below what is worth a number is a figure too.
-    plain.replace("< #", "#").replace("<#", "#")
+    // Whether an error is below what is worth a number is a figure too, and so is how wide it is.
+    let mut plain = plain.replace("< #", "#").replace("<#", "#");
+    for (gap, space) in [("  ±#", " ±#"), ("±# %  ", "±# % ")] {
+        while plain.contains(gap) {
+            plain = plain.replace(gap, space);
+        }
+    }
+    plain
 }
 
 /// How long the number is that stands here: none within a word, as in `rk4` and `paper-300n`.

@@ -31,6 +31,7 @@ use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::terminal::pacer::{Cause, Pacer};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
+use contrecoup::tui::view::heat::HeatMap;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -445,6 +446,7 @@ fn opened() -> Model {
     let look = Look {
         depth: Depth::Sixteen,
         symbols: Symbols::Braille,
+        heat: HeatMap::Hot,
     };
     prepare(&[], look).unwrap()
 }

@@ -50,7 +50,7 @@ fn one_blow_prints_each_result_with_both_errors() {
     assert!(lines.next().unwrap().starts_with("result"));
     let damage = lines.next().unwrap();
     let cells: Vec<&str> = damage.split_whitespace().collect();
-    let ["damage", "index", value, "%", step, "%", mesh, "%"] = cells[..] else {
+    let ["damage", "index", value, step, "%", mesh, "%"] = cells[..] else {
         panic!("{damage}")
     };
     assert!((20.0..30.0).contains(&number(value)));

@@ -21,7 +21,7 @@ fn the_readmes_command_prints_every_result() {
         .success()
         .stderr(is_empty())
         .stdout(
-            contains("26.42 %")
+            contains("26.42")
                 .and(contains("S shell growth"))
                 .and(contains("M meridian growth"))
                 .and(contains("E energy imparted"))

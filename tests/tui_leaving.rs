@@ -48,7 +48,7 @@ fn a_termination_signal_leaves_a_clean_terminal() {
 #[test]
 fn an_abort_leaves_a_clean_terminal_and_says_so() {
     let mut term = Term::start(app(&["--mouse"]));
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.signal("ABRT");
     term.exit_code();
     term.assert_restored();
@@ -68,7 +68,7 @@ fn memory(pid: u32, name: &str) -> u64 {
 #[test]
 fn a_failed_allocation_leaves_a_clean_terminal_and_says_so() {
     let mut term = started();
-    term.wait_for("5-95 %");
+    term.wait_for("(90 %");
     term.settle();
     // As by `ulimit -d`, once everything has begun.
     let limit = memory(term.pid(), "VmData");
@@ -129,7 +129,7 @@ fn a_panic_leaves_a_clean_terminal_and_says_what_happened() {
     let mut command = app(&["tui", "--fail-on", "X"]);
     command.env("RUST_BACKTRACE", "0");
     let mut term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("X");
     assert_eq!(term.exit_code(), 101);
     term.assert_restored();
@@ -145,7 +145,7 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
     let term = Term::start(shell);
     term.wait_for("ready> ");
     term.keys(&format!("{} tui\r", env!("CARGO_BIN_EXE_contrecoup")));
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     term.keys("\x1a");
@@ -229,7 +229,7 @@ fn no_reply_is_left_for_whoever_reads_the_terminal_next() {
     plain(&mut shell);
     let late = Replies::Late(Duration::from_millis(250));
     let term = Term::open(shell, (80, 24), late);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("\x1b2");
     term.wait_for("Node force");
     term.keys("1q");
@@ -249,7 +249,7 @@ fn the_mouse_is_switched_off_by_every_way_out() {
         let mut command = app(&["--mouse", "--fail-on", "X"]);
         command.env("RUST_BACKTRACE", "0");
         let term = Term::start(command);
-        term.wait_for("26.42 %");
+        term.wait_for("Index 26");
         term.assert_mouse(true);
         term
     };
@@ -284,7 +284,7 @@ fn suspending_gives_the_mouse_back_and_loses_no_key() {
     let term = Term::open(shell, (80, 24), late);
     term.wait_for("ready> ");
     term.keys(&format!("{} --mouse\r", env!("CARGO_BIN_EXE_contrecoup")));
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.settle();
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");

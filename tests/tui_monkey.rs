@@ -19,6 +19,7 @@ use contrecoup::tui::task::{Report, Request};
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
+use contrecoup::tui::view::heat::HeatMap;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use dice::Dice;
 use ratatui::buffer::Buffer;
@@ -160,6 +161,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
         let look = Look {
             depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
             symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
+            heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
         };
         let mut model = prepare(&[], look).unwrap();
         let effects = begin(&mut model);
@@ -215,7 +217,7 @@ fn random_keys_and_sizes_in_a_terminal_end_in_a_clean_one() {
     let mut command = app(&["--mouse"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::open(command, (80, 24), Replies::Prompt);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     let pieces = [
         "\x1b[A",
         "\x1b[B",

@@ -16,7 +16,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     let mut command = app(&[]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
     // Unsaved work is not lost without a question.
@@ -73,7 +73,7 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
     let mut command = app(&["tui", "mine"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("mine *");
     term.keys("s");
@@ -103,7 +103,7 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     plain(&mut shell);
     shell.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(shell);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
     term.keys("s");
@@ -127,7 +127,7 @@ fn a_folder_that_cannot_be_made_is_explained() {
     let mut command = app(&[]);
     command.env("XDG_CONFIG_HOME", "/dev/null");
     let term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("s");
     term.wait_for("Name");
     let long = "n".repeat(60);
@@ -154,7 +154,7 @@ fn the_app_holds_a_thousand_presets_of_ones_own_and_says_so_of_more() {
     let mut command = app(&["tui", "--color", "never"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("s");
     term.wait_for("Name");
     term.keys("\x15another\r");

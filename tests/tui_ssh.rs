@@ -25,7 +25,7 @@ fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
     let count = Arc::new(AtomicUsize::new(0));
     let port = link(server.port, None, Duration::ZERO, Arc::clone(&count));
     let term = Term::start(server.client(port, compressed));
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     (term, count)
 }
 
@@ -102,7 +102,7 @@ fn the_app_starts_answers_keys_and_leaves_through_ssh() {
     term.keys("\x1a");
     // No key is lost while the app finds that out.
     term.keys("u");
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();
@@ -180,7 +180,7 @@ fn over_a_narrow_link_a_key_is_answered_while_a_replay_plays() {
     let round_trip = Duration::from_millis(200);
     let port = link(server.port, Some(8000.0), round_trip, Arc::default());
     let term = Term::open(server.client(port, false), (80, 24), Replies::Prompt);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys("\x1b2--");
     term.wait_for("Node force");
     term.keys(" ");

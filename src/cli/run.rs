@@ -6,13 +6,13 @@ use super::progress::Progress;
 use super::{CliError, RunArgs};
 use crate::plain_text::write_json;
 use crate::recording::Keep;
-use crate::report::{json, text, verdict};
+use crate::report::{json, text};
 use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
 ///
-/// On a terminal the results appear at once, and the mesh error, which takes a finer mesh, follows with the
-/// verdicts that it changes.
+/// For a person at a terminal the mesh error, which takes two finer meshes, is always estimated first: each figure
+/// bears its error.
 ///
 /// # Errors
 /// Where the scenario is refused, the simulation fails or the output cannot be written.
@@ -41,7 +41,8 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     } else {
         solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
-    if args.mesh_error && answer.errors.mesh.is_none() {
+    let read_by_a_person = !args.json && io::stdout().is_terminal();
+    if (args.mesh_error || read_by_a_person) && answer.errors.mesh.is_none() {
         add_mesh_error(&scenario, &mut answer, &mut watch)?;
     }
     if args.json {
@@ -50,16 +51,6 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     progress.clear();
     text::results(&scenario, &answer, out)?;
-    if answer.errors.mesh.is_none() && io::stdout().is_terminal() {
-        out.flush()?;
-        let before = answer.verdicts();
-        let mut progress = Progress::new();
-        add_mesh_error(&scenario, &mut answer, &mut |share| {
-            progress.simulated(share)
-        })?;
-        progress.clear();
-        verdict::corrected(&before, &answer.verdicts(), out)?;
-    }
     text::trust(&answer, &reasons, out)?;
     Ok(())
 }

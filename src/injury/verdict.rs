@@ -34,10 +34,10 @@ const SCALE: [(f64, &str); 4] = [
 /// What the run says of its own results.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Validity {
-    /// Whether the model has a pressure or a stress.
-    pub computes: bool,
-    /// Why neither pressure nor stress may be used, if so.
+    /// Why nothing that was computed may be used, if so.
     pub spoiled: Option<String>,
+    /// What to do where no measure is usable; empty where nothing helps.
+    pub next: &'static str,
     /// Whether the run ended before they had to reach their peaks: they are then at least so large.
     pub cut: bool,
     /// Whether the eye is a pig's.
@@ -152,6 +152,13 @@ fn whole(risk: f64) -> String {
     }
 }
 
+/// The place in [`SCALE`] of a risk from 0 to 1, as it is printed.
+pub fn gravity(risk: f64) -> usize {
+    let percent = (100.0 * risk).round();
+    let place = SCALE.iter().position(|(below, _)| percent < *below);
+    place.unwrap_or(SCALE.len() - 1)
+}
+
 impl Verdict {
     fn of(injury: Injury, mut risks: Vec<Risk>, validity: &Validity) -> Self {
         risks.sort_by_key(|risk| rank(risk, validity));
@@ -203,15 +210,9 @@ impl Verdict {
             return "no measure is usable: no published curve runs against what this scene has"
                 .to_owned();
         }
-        let advice = match (&validity.spoiled, validity.computes) {
-            (_, false) => "; take the model Physiological",
-            (Some(_), true) => "; try a finer mesh or a smaller blow",
-            (None, true) => "",
-        };
-        format!(
-            "no measure is usable: {}{advice}",
-            self.not_valid().join("; ")
-        )
+        let mut reasons = self.not_valid();
+        reasons.extend((!validity.next.is_empty()).then(|| validity.next.to_owned()));
+        format!("no measure is usable: {}", reasons.join("; "))
     }
 
     /// What is believed, the first in order first.
@@ -231,13 +232,7 @@ impl Verdict {
     /// The range in a word or two.
     pub fn word(&self) -> Option<String> {
         let (low, high) = self.range?;
-        // The words are of the figures as printed.
-        let word = |risk: f64| {
-            let percent = (100.0 * risk).round();
-            let place = SCALE.iter().position(|(below, _)| percent < *below);
-            place.unwrap_or(SCALE.len() - 1)
-        };
-        let (low, high) = (word(low), word(high));
+        let (low, high) = (gravity(low), gravity(high));
         Some(if low == high {
             SCALE[low].1.to_owned()
         } else if high - low == SCALE.len() - 1 {
@@ -260,10 +255,18 @@ impl Verdict {
         })
     }
 
-    /// The range, its word, and what it rests on, for narrow places.
-    pub fn brief(&self) -> Option<String> {
-        let (percent, word) = (self.percent()?, self.word()?);
-        Some(format!("{percent}, {word}, by {}", self.rests_on()))
+    /// What to say after the injury's name, the longest words first, for places where room may be short.
+    pub fn forms(&self) -> Vec<String> {
+        let mut forms = vec![self.words()];
+        if let (Some(word), Some(percent)) = (self.word(), self.percent()) {
+            forms.push(format!("{word} ({percent}), by {}", self.rests_on()));
+            forms.push(format!("{word} ({percent})"));
+            forms.push(percent);
+        } else {
+            let said = forms[0].split([':', ';']).next();
+            forms.extend(said.map(str::to_owned));
+        }
+        forms
     }
 
     /// The believed measures in words.

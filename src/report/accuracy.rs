@@ -95,7 +95,7 @@ pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::
     if let Some(finest) = report.levels.last() {
         writeln!(
             out,
-            "\nlevel     ms {counted:>11} {:>11}   damage %   from level {}",
+            "\nlevel     ms {counted:>11} {:>11}      index   from level {}",
             format!("ns/{}", report.element.singular()),
             finest.level
         )?;

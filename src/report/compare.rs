@@ -7,12 +7,11 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::injury::share;
-use super::text::{WIDTH, digits, percent, significant, wrapped};
+use super::figure::Figure;
+use super::text::{WIDTH, paragraph, percent};
 use crate::injury::{Blow, Caution, lines};
 use crate::plain_text::printable;
 use crate::study::comparison::Entry;
-use crate::study::quantity::Read;
 use crate::study::{Answer, Quantity};
 
 /// Narrowest column of a result.
@@ -32,32 +31,9 @@ pub struct Table {
     pub remarks: Vec<String>,
 }
 
-/// A value with no digit finer than the first one of its error, given in %.
-pub fn within(value: f64, error: Option<f64>) -> String {
-    let Some(error) = error.filter(|error| *error > 0.0) else {
-        return significant(value);
-    };
-    let place = |size: f64| size.abs().log10().floor();
-    let count = place(value) - place(value * error / 100.0) + 1.0;
-    digits(value, count.clamp(1.0, 4.0) as i32)
-}
-
-fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(a.max(b)),
-        (a, b) => a.or(b),
-    }
-}
-
 /// A result with as many digits as its errors allow.
-pub fn cell(answer: &Answer, of: Quantity) -> String {
-    let errors = &answer.errors;
-    let mesh = errors.mesh.as_ref().and_then(|mesh| mesh[of]);
-    let error = larger(errors.time_step[of], mesh);
-    if let (Some(risk), Read::Risk(..)) = (answer.results()[of], of.row().read) {
-        return share(risk / 100.0).trim_end_matches(" %").to_owned();
-    }
-    answer.results()[of].map_or_else(|| "-".to_owned(), |value| within(value, error))
+fn cell(answer: &Answer, of: Quantity) -> String {
+    Figure::of(answer, of).map_or_else(|| "-".to_owned(), |figure| figure.number)
 }
 
 /// What speaks against the risks by energy of a blow.
@@ -155,9 +131,7 @@ impl Table {
             writeln!(out)?;
         }
         for remark in &self.remarks {
-            for (i, part) in wrapped(&printable(remark), WIDTH - 4).iter().enumerate() {
-                writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
-            }
+            paragraph(&printable(remark), out)?;
         }
         writeln!(out, "\nResearch and education, not diagnosis.")
     }
@@ -169,7 +143,10 @@ impl Table {
     pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
         let units = self.heads.iter().zip(&self.units);
         let heads: Vec<String> = units
-            .map(|(head, unit)| format!("{head}, {unit}"))
+            .map(|(head, unit)| match *unit {
+                "" => head.clone(),
+                unit => format!("{head}, {unit}"),
+            })
             .collect();
         writeln!(out, "| blow | {} |", heads.join(" | "))?;
         writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
@@ -233,18 +210,4 @@ pub fn json(entries: &[Entry]) -> Value {
         object
     };
     entries.iter().map(one).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn digits_end_where_the_error_begins() {
-        assert_eq!(within(26.4184, None), "26.42");
-        assert_eq!(within(26.4184, Some(1e-6)), "26.42");
-        assert_eq!(within(3.2184, Some(15.0)), "3.2");
-        assert_eq!(within(0.0, Some(5.0)), "0");
-        assert_eq!(within(26.4184, Some(40.0)), "26");
-    }
 }

@@ -43,10 +43,10 @@ mod tests {
         errors[Quantity::Damage] = Some(0.5);
         errors[Quantity::ForceTop] = Some(2.0);
         assert_eq!(worst(&errors), "2.0 % (peak force, top)");
-        assert_eq!(leading(&errors), "damage, top");
+        assert_eq!(leading(&errors), "index, top");
         errors[Quantity::Contact] = Some(1.0);
         assert_eq!(worst(&errors), "1.0 % (contact force)");
-        assert_eq!(leading(&errors), "damage, contact");
+        assert_eq!(leading(&errors), "index, contact");
         assert_eq!(of_damage(&errors), "0.50 %");
     }
 }

@@ -4,7 +4,8 @@ use crate::injury::{Caution, Injury, MARKS, Risk};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use super::text::{WIDTH, significant, wrapped};
+use super::figure::within;
+use super::text::{WIDTH, wrapped};
 
 /// A share as whole percent, or finer where it is small.
 pub(super) fn share(risk: f64) -> String {
@@ -51,7 +52,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
                 "  {name:<17}{:>7}{band:>11}  {:<17}{:>9} {unit:<5} [{}] {marks}",
                 share(risk.risk),
                 risk.curve.measure.name(),
-                significant(risk.value / scale),
+                within(risk.value / scale, Some(100.0 * risk.error)),
                 number + 1,
             );
             writeln!(out, "{}", line.trim_end())?;
@@ -143,7 +144,7 @@ mod tests {
             "slope assumed",
             "unverified",
             "normalized energy    34.01 kJ/m2",
-            "peak pressure       0.3000 MPa",
+            "peak pressure         0.30 MPa",
             "0-5 %",
             "Duma 2005",
             "extrapolated",

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod coverage;
 pub mod ensemble;
 pub mod errors;
+pub mod figure;
 pub mod injury;
 pub mod json;
 pub mod page;

@@ -1,9 +1,10 @@
 //! What an answer of the eye of revolution says beside its results, as text and as JSON.
 
-use super::text::significant;
+use super::figure::Figure;
+use super::text::row;
 use crate::dynamics::revolution::Extremes;
 use crate::scenario::{Impact, Physiological, Scenario, Species, Support};
-use crate::study::{Quantity, RevolutionCase};
+use crate::study::{Answer, Quantity, RevolutionCase};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -36,6 +37,7 @@ pub(super) fn remark(of: Quantity, extremes: &Extremes) -> String {
 /// Prints what is no result.
 pub(super) fn beside(
     scenario: &Scenario,
+    answer: &Answer,
     extremes: &Extremes,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -45,18 +47,16 @@ pub(super) fn beside(
         format!("{:.2}", extremes.least_volume * 1e2),
         extremes.most_volume * 1e2
     )?;
-    if let (Impact::Projectile(shot), Some(rebound)) = (&scenario.impact, extremes.rebound) {
-        let (way, speed) = if rebound < 0.0 {
-            ("Goes on at", -rebound)
-        } else {
-            ("Rebound speed", rebound)
+    let rebound = Figure::of(answer, Quantity::Rebound);
+    if let (Impact::Projectile(shot), Some(mut rebound)) = (&scenario.impact, rebound) {
+        let way = match rebound.number.strip_prefix('-') {
+            Some(on) => {
+                rebound.number = on.to_owned();
+                "Goes on at"
+            }
+            None => "Rebound speed",
         };
-        writeln!(
-            out,
-            "{way:<18} {:>9} m/s of {} m/s",
-            significant(speed),
-            shot.speed_m_s
-        )?;
+        row(way, &rebound, &format!("of {} m/s", shot.speed_m_s), out)?;
         super::text::unverified(shot, out)?;
     }
     Ok(())

@@ -1,7 +1,6 @@
 //! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
 
-use super::errors::of_damage;
-use super::page::cell_with_unit;
+use super::figure::{Figure, SCALE, causes, unusable};
 use crate::injury::lines;
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
@@ -14,21 +13,16 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
     let verdict = first.map_or_else(String::new, |(injury, words)| format!("{injury}: {words}"));
     let shown = [Quantity::Apex, Quantity::Pressure, Quantity::Contact];
     let figures = shown.iter().filter_map(|of| {
-        answer.result(*of)?;
-        Some(format!(
-            "; {} {}",
-            of.row().label,
-            cell_with_unit(answer, *of)
-        ))
+        let figure = Figure::of(answer, *of)?;
+        Some(format!("; {} {figure}", of.row().label))
     });
     let figures: String = figures.collect();
-    let mesh = answer
-        .errors
-        .mesh
-        .as_ref()
-        .map_or_else(|| "not estimated".to_owned(), of_damage);
-    let index = cell_with_unit(answer, Quantity::Damage);
-    let step = of_damage(&answer.errors.time_step);
+    let index = Figure::of(answer, Quantity::Damage).map_or_else(String::new, |f| f.to_string());
+    let index = match unusable(answer) {
+        Some(why) => format!("{why}; raw {index}"),
+        None => format!("damage index {index} ({SCALE})"),
+    };
+    let causes = causes(&answer.errors);
     let flags: Vec<&str> = answer.flags.iter().map(|flag| flag.kind.name()).collect();
     let flags = match flags.join(", ") {
         none if none.is_empty() => "no flags".to_owned(),
@@ -37,7 +31,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
     let command = command.map_or_else(String::new, |command| format!("{command}\n"));
     format!(
         "{name}: {verdict}\n\
-         damage index {index}, no probability (step ± {step}, mesh ± {mesh}){figures}\n\
+         {index}{figures} (±: {causes})\n\
          {flags}; research and education, not diagnosis\n{command}"
     )
 }
@@ -63,7 +57,8 @@ mod tests {
             lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "),
             "{text}"
         );
-        assert!(lines[1].contains("mesh ± not estimated") && lines[1].contains("peak pressure"));
+        assert!(lines[1].starts_with("damage index ") && lines[1].contains("peak pressure"));
+        assert!(lines[1].contains("±") && lines[1].contains("mesh not estimated"));
         assert!(
             lines[2].starts_with("flags: ") && lines[2].contains("window_short"),
             "{text}"

@@ -1,10 +1,10 @@
 //! Results as text for a terminal of 80 columns.
 
 use super::errors;
+use super::figure::{Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit};
 use super::revolution;
 use unicode_width::UnicodeWidthStr;
 
-use crate::injury::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 use crate::plain_text::printable;
 use crate::recording::{Extremes, MEAN_S, ShotExtremes};
 use crate::scenario::{Impact, Model, Projectile, Scenario};
@@ -63,6 +63,14 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
+/// Prints a text in lines of 80 columns, those that go on indented.
+pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
+    for (i, part) in wrapped(text, WIDTH - 4).iter().enumerate() {
+        writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
+    }
+    Ok(())
+}
+
 /// Prints the results of an answer.
 ///
 /// # Errors
@@ -84,37 +92,25 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let mesh = answer.errors.mesh.is_some();
     super::verdict::text(&answer.verdicts(), mesh, out)?;
     writeln!(out)?;
-    damage(&answer.index, out)?;
+    damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.left.missed();
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of);
     for &quantity in Quantity::ALL.iter().filter(listed) {
-        if let Some(peak) = answer.peak(quantity) {
-            let row = quantity.row();
-            writeln!(
-                out,
-                "{:<18} {:>9} {:<wide$} at {:.4} ms{}",
-                capital(row.label),
-                significant(peak.value * row.factor),
-                row.unit,
-                peak.time * 1e3,
-                match &answer.left {
-                    Left::Section(_) => remark(quantity),
-                    Left::Revolution(extremes) => revolution::remark(quantity, extremes),
-                },
-                // Only the eye of revolution has results in MPa that are listed with those in N.
-                wide = if answer.left.section().is_some() {
-                    2
-                } else {
-                    3
-                }
-            )?;
+        if let (Some(peak), Some(figure)) = (answer.peak(quantity), Figure::of(answer, quantity)) {
+            let remark = match &answer.left {
+                Left::Section(_) => remark(quantity),
+                Left::Revolution(extremes) => revolution::remark(quantity, extremes),
+            };
+            let when = format!("at {:.3} ms{remark}", peak.time * 1e3);
+            row(&capital(quantity.row().label), &figure, &when, out)?;
         }
     }
+    signs(answer, out)?;
     match &answer.left {
         Left::Section(extremes) => beside(scenario, extremes, out)?,
-        Left::Revolution(extremes) => revolution::beside(scenario, extremes, out)?,
+        Left::Revolution(extremes) => revolution::beside(scenario, answer, extremes, out)?,
     }
     super::injury::text(&answer.risks(), out)?;
     let shielded = answer.case.section().map_or(0.0, |case| case.load.shielded);
@@ -142,27 +138,47 @@ fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::
     Ok(())
 }
 
+/// A row of a result: its name, the figure, and what else is to be said.
+pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
+    let Figure { number, unit, off } = figure;
+    let line = format!(
+        "{name:<19}{number:>9} {unit:<3} {:<8} {more}",
+        off.to_string()
+    );
+    writeln!(out, "{}", line.trim_end())
+}
+
 /// The damage index and its parts.
-fn damage(index: &DamageIndex, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Damage index       {:>9} %  (an index, not a probability)",
-        significant(index.damage())
-    )?;
-    let mut part = |letter, what, value: f64, unit, term: Term| {
-        writeln!(
+fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    if let Some(why) = unusable(answer) {
+        paragraph(&format!("{why}; raw figures:"), out)?;
+    }
+    if let Some(index) = Figure::of(answer, Quantity::Damage) {
+        row("Damage index", &index, &format!("({SCALE})"), out)?;
+    }
+    for (of, term) in PARTS {
+        let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) else {
+            continue;
+        };
+        let times = times_its_limit(&figure, value, term);
+        let limit = with_unit(&term.threshold.to_string(), figure.unit);
+        row(
+            &format!("  {}", of.row().label),
+            &figure,
+            &format!("{times} of {limit}"),
             out,
-            "  {letter} {what:<15} {:>9} {unit}  of {} {unit}: {:.1} of {} points",
-            significant(value),
-            term.threshold,
-            term.points(value),
-            term.weight,
-        )
-    };
-    part("S", "shell growth", index.shell_growth, "%", SHELL)?;
-    part("M", "meridian growth", index.meridian_growth, "%", MERIDIAN)?;
-    part("E", "energy imparted", index.energy, "J", ENERGY)?;
+        )?;
+    }
     writeln!(out)
+}
+
+/// What the signs behind the figures mean.
+fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    let unknown = match answer.errors.without_limit().next() {
+        Some(_) => "; ±?: finer meshes show no limit",
+        None => "",
+    };
+    writeln!(out, "±: {}{unknown}", causes(&answer.errors))
 }
 
 /// `label` with a capital letter.
@@ -175,7 +191,7 @@ pub fn capital(label: &str) -> String {
 
 /// What a reader should know of a peak beside its value.
 fn remark(quantity: Quantity) -> String {
-    let contact = format!(", mean over the {:.0} us before", MEAN_S * 1e6);
+    let contact = format!(", mean of {:.0} us", MEAN_S * 1e6);
     match quantity {
         // A mass point hit at speed answers with its own mass: tissue at 0.001 kPa gives the same force.
         Quantity::Contact => {
@@ -333,10 +349,7 @@ fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
 /// Prints the flags, and what no result may be taken for.
 fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
     for flag in flags {
-        let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
-        for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {
-            writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
-        }
+        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.message), out)?;
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
 }

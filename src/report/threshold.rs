@@ -4,27 +4,13 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
+use super::figure::{allowing, with_unit as united};
 use super::json::flags;
 use super::text::{WIDTH, capital, digits, significant, wrapped};
 use crate::injury::Caution;
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
 use crate::study::threshold::{Crossing, Question, Threshold};
-
-/// A number with no digit finer than a tenth of what it may be off by.
-fn within(value: f64, error: f64) -> String {
-    if error == 0.0 || !error.is_finite() {
-        return significant(value);
-    }
-    let decimals = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
-    let most = significant(value);
-    let plain = format!("{value:.decimals$}");
-    if plain.len() < most.len() {
-        plain
-    } else {
-        most
-    }
-}
 
 /// Prints where the result reaches the value.
 ///
@@ -38,14 +24,14 @@ pub fn text(
 ) -> io::Result<()> {
     let row = question.quantity.row();
     let (field, unit) = (question.field, question.field.unit);
-    let with_unit = |text: String| format!("{text} {unit}").trim_end().to_owned();
+    let with_unit = |text: String| united(&text, unit);
     writeln!(out, "{}\n", printable(&scenario.name))?;
-    let target = format!("{} {}", question.target, row.unit);
+    let target = united(&question.target.to_string(), row.unit);
     let what = format!("{} {target}", capital(row.label));
     for crossing in &threshold.crossings {
         let largest = [crossing.step, crossing.mesh];
         let largest = largest.into_iter().flatten().fold(0.0, f64::max);
-        let at = with_unit(within(crossing.at, largest));
+        let at = with_unit(allowing(crossing.at, Some(largest)));
         let way = if crossing.rising { "rising" } else { "falling" };
         writeln!(out, "{what} at {at} ({}), {way}", field.path)?;
         let whole = question.range.1 - question.range.0;
@@ -64,7 +50,8 @@ pub fn text(
     let (low, high) = (lowest(&values), highest(&values));
     let end = |(at, value): (f64, f64)| {
         let at = with_unit(significant(at));
-        format!("{} {} at {at}", significant(value), row.unit)
+        let value = united(&significant(value), row.unit);
+        format!("{value} at {at}")
     };
     match threshold.crossings.len() {
         0 => writeln!(out, "{what}: never")?,
@@ -101,7 +88,8 @@ fn lines(
 ) -> Vec<String> {
     if let Some((from, to)) = crossing.jump {
         let (from, to) = (significant(from), significant(to));
-        return vec![format!("jumps there, from {from} to {to} {unit}")];
+        let to = united(&to, unit);
+        return vec![format!("jumps there, from {from} to {to}")];
     }
     let off = |name: &str, error: Option<f64>| match error {
         Some(0.0) => format!("{name:<5} no error: inputs alone decide it"),
@@ -164,18 +152,4 @@ pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> 
         "crossings": threshold.crossings.iter().map(crossing).collect::<Vec<_>>(),
         "looked_at": threshold.seen.iter().map(seen).collect::<Vec<_>>(),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_digit_is_finer_than_the_error_allows() {
-        assert_eq!(within(61.2345, 18.0), "61");
-        assert_eq!(within(61.2345, 0.05), "61.23");
-        assert_eq!(within(61.2345, 1e-6), "61.23");
-        assert_eq!(within(61.2345, 0.0), "61.23");
-        assert_eq!(within(0.012_345, 0.004), "0.0123");
-    }
 }

@@ -4,7 +4,7 @@ use crate::injury::{Part, Risk, Verdict, lines};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use super::text::{WIDTH, wrapped};
+use super::text::paragraph;
 
 /// Prints a line for each injury. Before the mesh error is known, `mesh` is false and a line says that it
 /// is not in the ranges, if what was computed is believed at all.
@@ -12,33 +12,11 @@ use super::text::{WIDTH, wrapped};
 /// # Errors
 /// Whatever `out` reports.
 pub fn text(verdicts: &[Verdict], mesh: bool, out: &mut dyn Write) -> io::Result<()> {
-    print(&lines(verdicts), out)?;
+    for (name, words) in lines(verdicts) {
+        paragraph(&format!("{name}: {words}"), out)?;
+    }
     if !mesh && verdicts.iter().any(Verdict::rests_on_the_run) {
         writeln!(out, "    (without the mesh error, which --mesh-error adds)")?;
-    }
-    Ok(())
-}
-
-/// Prints the lines that the mesh error has changed.
-///
-/// # Errors
-/// Whatever `out` reports.
-pub fn corrected(before: &[Verdict], after: &[Verdict], out: &mut dyn Write) -> io::Result<()> {
-    let known = lines(before);
-    let mut changed = lines(after);
-    changed.retain(|line| !known.contains(line));
-    if !changed.is_empty() {
-        writeln!(out, "\nWith the mesh error:")?;
-    }
-    print(&changed, out)
-}
-
-fn print(lines: &[(&str, String)], out: &mut dyn Write) -> io::Result<()> {
-    for (name, words) in lines {
-        let line = format!("{name}: {words}");
-        for (i, part) in wrapped(&line, WIDTH - 4).iter().enumerate() {
-            writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
-        }
     }
     Ok(())
 }

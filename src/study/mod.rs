@@ -61,3 +61,4 @@ pub use solve::{Answer, Errors, solve};
 pub use spreads::inputs;
 pub use spreads::{Input, Shape};
 pub use statistics::median;
+pub use validity::Spoiled;

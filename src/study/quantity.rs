@@ -176,7 +176,7 @@ impl Quantity {
                 revolution: ReadRevolution::Number(|e| {
                     Some(DamageIndex::of_revolution(e).damage())
                 }),
-                ..number("damage_percent", "damage index", "damage", "%")
+                ..number("damage_percent", "damage index", "index", "")
             },
             Self::ShellGrowth => Row {
                 factor: 1e2,

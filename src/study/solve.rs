@@ -12,7 +12,7 @@ use super::results::Results;
 use super::revolution::flags::END;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
-use super::validity::validity;
+use super::validity::{Spoiled, spoiled, validity};
 use crate::dynamics::{Cost, Plan};
 use crate::injury::{Computed, DamageIndex, Measures, Risk, Verdict, assess, verdicts};
 use crate::recording::{Frame, Keep, Peak, Traces};
@@ -139,6 +139,11 @@ impl Answer {
             pressure: computed(self.left.pressure(), Quantity::Pressure),
             stress: computed(self.left.stress(), Quantity::ScleralStress),
         })
+    }
+
+    /// Why nothing that was computed can be believed, and what to do about it, if that is so.
+    pub fn spoiled(&self) -> Option<Spoiled> {
+        spoiled(&self.flags, self.case.section().is_some())
     }
 
     /// What to believe of them: one verdict an injury.

@@ -359,7 +359,12 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
         let all = keys().collect::<Vec<_>>().join(", ");
         return Err(refused(key, &format!("is no result{near}"), &all));
     };
-    let number = value.strip_suffix(quantity.row().unit).unwrap_or(value);
+    // The index is no percentage for a reader, but its key says so.
+    let unit = match quantity.row().unit {
+        "" => "%",
+        unit => unit,
+    };
+    let number = value.strip_suffix(unit).unwrap_or(value);
     match number.trim().parse::<f64>() {
         Ok(target) if target.is_finite() => Ok((*quantity, target)),
         _ => Err(refused(value, "is no number", example)),

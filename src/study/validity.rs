@@ -1,4 +1,4 @@
-//! What the flags of a run say of the pressure and the stress that it computed.
+//! What the flags of a run say of the results that it computed, and what to do where they are not usable.
 
 use super::flags::{Flag, FlagKind};
 use crate::injury::Validity;
@@ -7,19 +7,57 @@ use crate::injury::Validity;
 const NOTHING: &str = "no measure is usable: a force pulse is no object with an energy, and the Paper model \
                        has no pressure or stress; take the model Physiological, or an object";
 const MISSED: &str = "none: the object never touches the eye";
+const OTHER_MODEL: &str = "take the model Physiological";
+
+/// Why the motion of a run cannot be believed, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Spoiled {
+    /// What happened, in a few words, and when.
+    pub why: String,
+    /// The next step to take.
+    pub next: &'static str,
+}
+
+/// Of a run with these flags; `paper` says whether it is of the Paper model.
+pub(super) fn spoiled(flags: &[Flag], paper: bool) -> Option<Spoiled> {
+    flags.iter().find_map(|flag| {
+        let name = flag.kind.name().replace('_', " ");
+        let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3));
+        Some(Spoiled {
+            why: name + &time.unwrap_or_default(),
+            next: next(flag.kind, paper)?,
+        })
+    })
+}
+
+/// What helps where a flag says that the motion itself cannot be believed; none of the others. One that
+/// tells how far a figure is off does not: the error is part of the range. A finer mesh folds earlier.
+fn next(kind: FlagKind, paper: bool) -> Option<&'static str> {
+    match kind {
+        FlagKind::MeshFolded | FlagKind::NotPredictable if paper => {
+            Some("take the model Physiological, or a smaller blow")
+        }
+        FlagKind::MeshFolded | FlagKind::NotPredictable => Some("try a smaller blow"),
+        FlagKind::EnergyImbalance => Some("try a shorter step"),
+        FlagKind::ThroughBone => Some("take the model Physiological, or a slower object"),
+        FlagKind::AngleBeyondTrust => Some("turn the blow nearer to the front"),
+        _ => None,
+    }
+}
 
 /// Of a run with these flags. `late` says whether pressure or stress were largest as it ended; none if
-/// the model has neither.
+/// the model has neither, as the Paper model.
 pub(super) fn validity(flags: &[Flag], late: Option<bool>, pig: bool) -> Validity {
     let has = |kind| flags.iter().any(|flag| flag.kind == kind);
-    let spoiled = flags.iter().find(|flag| spoils(flag.kind));
+    let paper = late.is_none();
+    let (why, next) = match spoiled(flags, paper) {
+        Some(Spoiled { why, next }) => (Some(why), if paper { OTHER_MODEL } else { next }),
+        None if paper => (None, OTHER_MODEL),
+        None => (None, ""),
+    };
     Validity {
-        computes: late.is_some(),
-        spoiled: spoiled.map(|flag| {
-            let name = flag.kind.name().replace('_', " ");
-            let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3));
-            name + &time.unwrap_or_default()
-        }),
+        spoiled: why,
+        next,
         cut: late == Some(true) || has(FlagKind::PulseCut) || has(FlagKind::ContactCut),
         pig,
         silence: if has(FlagKind::EyeMissed) {
@@ -28,19 +66,6 @@ pub(super) fn validity(flags: &[Flag], late: Option<bool>, pig: bool) -> Validit
             NOTHING
         },
     }
-}
-
-/// Whether a flag of this kind says that the motion itself cannot be believed. One that tells how far a
-/// figure is off does not: the error is part of the range.
-fn spoils(kind: FlagKind) -> bool {
-    matches!(
-        kind,
-        FlagKind::MeshFolded
-            | FlagKind::EnergyImbalance
-            | FlagKind::NotPredictable
-            | FlagKind::ThroughBone
-            | FlagKind::AngleBeyondTrust
-    )
 }
 
 #[cfg(test)]
@@ -59,6 +84,12 @@ mod tests {
     fn a_folded_mesh_spoils_and_a_window_that_cuts_the_contact_only_bounds() {
         let folded = validity(&[flag(FlagKind::MeshFolded)], Some(false), false);
         assert_eq!(folded.spoiled.as_deref(), Some("mesh folded at 0.480 ms"));
+        assert_eq!(folded.next, "try a smaller blow");
+        let of_paper = spoiled(
+            &[flag(FlagKind::WindowShort), flag(FlagKind::MeshFolded)],
+            true,
+        );
+        assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
         assert!(!folded.cut);
         let cut = validity(&[flag(FlagKind::ContactCut)], Some(false), false);
         assert!(cut.cut && cut.spoiled.is_none());

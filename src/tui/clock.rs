@@ -2,7 +2,7 @@
 
 use super::step::Step;
 use crate::recording::{Frame, nearest};
-use crate::report::text::significant;
+use crate::report::figure::Figure;
 use crate::study::{Answer, Quantity};
 
 /// Speeds in ms of impact a second.
@@ -193,10 +193,9 @@ pub struct Visit {
 /// Every peak of an answer in the order of time.
 pub fn peaks(answer: &Answer) -> Vec<Visit> {
     let visit = |of: &Quantity| {
-        let (row, peak) = (of.row(), answer.peak(*of)?);
-        let value = significant(peak.value * row.factor);
+        let (peak, figure) = (answer.peak(*of)?, Figure::of(answer, *of)?);
         Some(Visit {
-            label: format!("{} {value} {}", row.short, row.unit),
+            label: format!("{} {figure}", of.row().short),
             time: peak.time,
         })
     };
@@ -205,14 +204,21 @@ pub fn peaks(answer: &Answer) -> Vec<Visit> {
     peaks
 }
 
-/// The peak shown at a time, if one is.
-pub fn peak_at(answer: &Answer, time: f64) -> Option<String> {
+/// The peaks at a time, if there are any, in the longest words that fit.
+pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Option<String> {
     let here: Vec<String> = peaks(answer)
         .into_iter()
         .filter(|peak| (peak.time - time).abs() < 1e-9)
         .map(|peak| peak.label)
         .collect();
-    (!here.is_empty()).then(|| here.join(", "))
+    let some = |count: usize| match here.len() - count {
+        0 => format!("peak {}", here.join(", ")),
+        more => format!("peak {} and {more} more", here[..count].join(", ")),
+    };
+    let forms = (1..=here.len()).rev().map(some);
+    forms
+        .chain([format!("{} peaks", here.len())])
+        .find(|text| !here.is_empty() && fits(text))
 }
 
 #[cfg(test)]
@@ -233,7 +239,9 @@ mod tests {
         for peak in &all {
             clock.jump(&answer, true);
             assert_eq!(clock.moment, Moment::At(peak.time));
-            assert!(peak_at(&answer, peak.time).unwrap().contains(&peak.label));
+            let said = |most: usize| peak_said(&answer, peak.time, |text| text.len() <= most);
+            assert!(said(1000).unwrap().contains(&peak.label));
+            assert_eq!(said(3), None);
         }
         clock.jump(&answer, true);
         assert_eq!(clock.moment, Moment::At(all[0].time));

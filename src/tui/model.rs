@@ -15,7 +15,7 @@ use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::undo::History;
-use super::view::heat::{highest, hottest};
+use super::view::heat::{HeatMap, highest, hottest};
 use crate::scenario::{self, Scenario};
 use crate::study::Answer;
 use crate::study::drawing::Drawing;
@@ -129,6 +129,8 @@ pub struct Look {
     pub depth: Depth,
     /// Which symbols.
     pub symbols: Symbols,
+    /// Which colours stand for heat.
+    pub heat: HeatMap,
 }
 
 /// Everything that the screens show.

@@ -125,6 +125,7 @@ pub fn run(
     let look = Look {
         depth,
         symbols: symbols(flags.symbols.or(config.symbols), env),
+        heat: config.heat,
     };
     let mut model = prepare(sources, look)?;
     if guest.is_some() {

@@ -15,6 +15,7 @@ use super::save::SaveError;
 use super::screens::SCREENS;
 use super::simulation;
 use super::task::{Report, Request, Ticket};
+use super::view::overlay::help_rows;
 
 #[cfg(test)]
 pub(crate) mod driven;
@@ -206,17 +207,13 @@ pub(crate) fn help(model: &mut Model) {
 
 /// Moves by so many rows through the list in front of the screen.
 pub(crate) fn scroll(model: &mut Model, by: i16) {
-    match &mut model.overlay {
-        Some(Overlay::Help(line)) => {
-            // No page is so short that there is more to scroll to.
-            let rows: usize = keys::tables().iter().map(|t| t.bindings.len()).sum();
-            *line = line.saturating_add_signed(by).min(rows as u16);
-        }
-        Some(Overlay::Picker(row)) => {
-            let last = model.choices.len().saturating_sub(1);
-            *row = row.saturating_add_signed(isize::from(by)).min(last);
-        }
-        _ => {}
+    if let Some(Overlay::Help(line)) = model.overlay {
+        let line = line.saturating_add_signed(by).min(help_rows(model));
+        model.overlay = Some(Overlay::Help(line));
+    }
+    if let Some(Overlay::Picker(row)) = &mut model.overlay {
+        let last = model.choices.len().saturating_sub(1);
+        *row = row.saturating_add_signed(isize::from(by)).min(last);
     }
 }
 

@@ -16,6 +16,7 @@ use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
+use contrecoup::tui::view::heat::HeatMap;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -29,6 +30,7 @@ fn look(depth: Depth) -> Look {
     Look {
         depth,
         symbols: Symbols::Braille,
+        heat: HeatMap::Hot,
     }
 }
 

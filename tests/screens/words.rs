@@ -107,25 +107,48 @@ fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
 }
 
 #[test]
-fn points_of_a_large_blow_stand_whole_beside_their_threshold() {
+fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     let mut model = model(&["paper-600n"], Depth::Mono);
     press(&mut model, "\r\x1520000\r");
-    let index = &model.shown.as_ref().unwrap().answer.index;
+    let shown = model.shown.as_mut().unwrap();
+    let mut answer = (*shown.answer).clone();
+    // A folded mesh has no parts on show.
+    answer.flags.clear();
+    shown.answer = Arc::new(answer);
+    let index = shown.answer.index;
     let parts = [
-        ("S shell", "1.5", SHELL.points(index.shell_growth)),
-        ("M meridian", "4", MERIDIAN.points(index.meridian_growth)),
-        ("E energy", "5.3", ENERGY.points(index.energy)),
+        ("S shell", index.shell_growth / SHELL.threshold),
+        ("M meridian", index.meridian_growth / MERIDIAN.threshold),
+        ("E energy", index.energy / ENERGY.threshold),
     ];
-    assert!(parts[2].2 > 1e4);
+    assert!(parts[2].1 > 200.0);
     for size in SIZES {
         let text = picture(&model, size);
-        for (name, threshold, points) in parts {
+        for (name, times) in parts {
             let line = line_from(&text, name);
-            let words: Vec<&str> = line.split_whitespace().collect();
-            assert_eq!(words[4..6], ["of", threshold], "{line}");
-            let last = words.last().unwrap().split('/').next().unwrap();
-            let shown: f64 = last.parse().unwrap_or_else(|_| panic!("{line}"));
-            assert!((shown / points - 1.0).abs() < 0.05, "{line}");
+            let before = line.split(" x ").next().unwrap();
+            let shown: f64 = before.split_whitespace().last().unwrap().parse().unwrap();
+            assert!((shown / times - 1.0).abs() < 0.05, "{line}");
+            assert!(line.contains("limit"), "{line}");
+        }
+        assert!(line_from(&text, "Index ").contains("(100 = "), "{text}");
+    }
+}
+
+#[test]
+fn an_index_that_means_nothing_has_no_bar_but_the_next_step_to_take() {
+    let mut model = model(&["paper-600n"], Depth::Mono);
+    press(&mut model, &"L".repeat(30));
+    for keys in ["\x1b1", "\x1b8"] {
+        press(&mut model, keys);
+        for size in SIZES {
+            let text = picture(&model, size);
+            let words: Vec<&str> = text.split_whitespace().filter(|w| *w != "│").collect();
+            let words = words.join(" ");
+            for part in ["index not usable", "mesh folded at", "Physiological"] {
+                assert!(words.contains(part), "{part} at {size:?}\n{text}");
+            }
+            assert!(!text.contains("Index "), "{text}");
         }
     }
 }
@@ -207,15 +230,21 @@ fn what_a_folded_mesh_makes_of_a_risk_is_said_beside_it() {
 }
 
 #[test]
-fn a_peak_has_its_time_beside_it_however_long_its_number() {
+fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
     let model = model(&["bb-56"], Depth::Mono);
-    let text = picture(&model, (80, 24));
-    for name in ["centre", "front", "right", "top ", "press.", "contact"] {
-        let line = line_from(&text, name);
-        assert!(line.ends_with("ms"), "{line}");
+    for size in [(80, 24), (60, 20)] {
+        let text = picture(&model, size);
+        for name in ["centre", "front", "right", "top ", "press.", "contact"] {
+            let line = line_from(&text, name);
+            assert!(line.contains('±'), "{line}");
+        }
     }
-    let text = picture(&model, (60, 20));
-    assert!(line_from(&text, "press.").ends_with("MPa"));
+    let text = picture(&model, (80, 24));
+    let times = without_form(&text, 80)
+        .lines()
+        .filter(|line| line.ends_with(" ms"))
+        .count();
+    assert!(times >= 6, "{text}");
 }
 
 /// States whose pictures are taken at 80 x 24 only: what they must say, they say at every size.
@@ -253,7 +282,11 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&[], "\x1b8"),
-        &["Paper's index", "no measure is usable"],
+        &[
+            "Paper's index",
+            "(100 = the paper's worst)",
+            "no measure is usable",
+        ],
     );
     said(
         &after(&["fist"], "jjjjj.3\r\x1b2"),
@@ -268,4 +301,112 @@ fn what_a_state_must_say_is_said_at_every_size() {
     press(&mut model, "Ll");
     model.work.scenario.window_ms = 2.0;
     said(&model, &["of another scenario: m measures", "▸ 5 of 14"]);
+}
+
+/// What stands right of the form on the main screen, and all of any other.
+fn without_form(text: &str, width: usize) -> String {
+    let left = match width {
+        ..70 => 26,
+        70..100 => 30,
+        _ => 35,
+    };
+    let right = |line: &str| -> String { line.chars().skip(left).collect() };
+    text.lines().map(right).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn nothing_is_cut_where_a_terminal_is_small() {
+    let presets = [
+        "paper-300n",
+        "off-axis-triangle",
+        "bb-56",
+        "fist",
+        "tests/scenarios/round-eye.ron",
+    ];
+    for preset in presets {
+        for keys in ["", &"L".repeat(30)] {
+            let mut model = model(&[preset], Depth::Mono);
+            press(&mut model, keys);
+            for screen in ["1", "2", "3", "8"] {
+                press(&mut model, &format!("\x1b{screen}"));
+                for (width, height) in [(60, 20), (80, 24), (100, 30), (160, 50)] {
+                    let text = picture(&model, (width, height));
+                    let on_show = match screen {
+                        "1" => without_form(&text, width.into()),
+                        _ => text.clone(),
+                    };
+                    assert!(
+                        !on_show.contains('…'),
+                        "{preset} {screen} {width}x{height}\n{text}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
+    let file = "tests/scenarios/round-eye.ron";
+    let text = picture(&model(&[file], Depth::Mono), (160, 50));
+    for words in [
+        "published curves",
+        "globe rupture",
+        "corneal abrasion",
+        "pressure, MPa",
+        "peak",
+    ] {
+        assert!(text.contains(words), "{words}\n{text}");
+    }
+    let text = picture(&model(&[], Depth::Mono), (160, 50));
+    assert!(
+        text.contains("load, N") && text.contains("Injuries"),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "\x1b8?");
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(
+            text.contains("8 Injury: What would experiments say?"),
+            "{text}"
+        );
+        assert!(
+            text.contains("the curve above") && !text.contains('…'),
+            "{text}"
+        );
+    }
+    let mut seen = String::new();
+    for _ in 0..60 {
+        seen += &picture(&model, (80, 24));
+        press(&mut model, "\x1b[6~");
+    }
+    for word in ["Rank correlation", "Opening", "not diagnosis"] {
+        assert!(seen.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn front_back_and_up_are_named_on_the_eye_and_its_monitored_nodes_marked() {
+    let mut model = model(&[], Depth::Mono);
+    press(&mut model, "\x1b2");
+    for size in SIZES {
+        let text = picture(&model, size);
+        let eye: Vec<&str> = text.lines().skip(1).collect();
+        for word in ["front", "back", "up"] {
+            assert!(eye.iter().any(|line| line.contains(word)), "{word}\n{text}");
+        }
+        // The legend stands at the right.
+        let letters: String = eye
+            .iter()
+            .flat_map(|line| line.chars().take(size.0 as usize - 24))
+            .collect();
+        for letter in ['C', 'F', 'R', 'T'] {
+            assert!(letters.contains(letter), "{letter}\n{text}");
+        }
+    }
 }

@@ -62,9 +62,9 @@ const WIRE: [&str; 5] = [
 pub static FIGURES: &[Figures] = &[
     Figures {
         name: "run",
-        command: "contrecoup run presets/paper-300n.ron",
-        form: Form::Of("contrecoup run presets/paper-300n.ron"),
-        excerpt: |text| before(text, "\nResearch"),
+        command: "contrecoup run presets/paper-300n.ron --mesh-error",
+        form: Form::Of("contrecoup run presets/paper-300n.ron --mesh-error"),
+        excerpt: |text| before(text, "\nSolved"),
     },
     Figures {
         name: "coverage",

@@ -102,7 +102,7 @@ pub fn app(arguments: &[&str]) -> CommandBuilder {
 /// The app with nothing asked for, once it shows its first result, with the cursor on the force.
 pub fn started() -> Term {
     let term = Term::start(app(&[]));
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(TO_FORCE);
     term.wait_for("▸Peak force");
     term

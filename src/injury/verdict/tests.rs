@@ -87,8 +87,8 @@ fn eyes_of_another_species_count_after_what_knows_the_object_only() {
 #[test]
 fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
     let spoiled = Validity {
-        computes: true,
         spoiled: Some("mesh folded at 0.480 ms".to_owned()),
+        next: "try a smaller blow",
         ..Validity::default()
     };
     let rupture = |blow| of(Some(blow), 1.1e6, 21e6, &spoiled).swap_remove(0);
@@ -97,8 +97,12 @@ fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
     assert_eq!(none.range, None);
     assert!(none.words().starts_with("no measure is usable: "));
     assert!(none.words().contains("mesh folded at 0.480 ms"));
-    assert!(none.words().contains("finer mesh"));
-    let paper = of(Some(SQUASH), 0.0, 0.0, &Validity::default()).swap_remove(0);
+    assert!(none.words().ends_with("try a smaller blow"));
+    let of_paper = Validity {
+        next: "take the model Physiological",
+        ..Validity::default()
+    };
+    let paper = of(Some(SQUASH), 0.0, 0.0, &of_paper).swap_remove(0);
     assert!(paper.words().ends_with("take the model Physiological"));
 }
 

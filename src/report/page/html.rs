@@ -6,6 +6,7 @@ use super::eye::{Picture, STYLE};
 use super::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
+use crate::report::figure::{SCALE, unusable};
 use crate::report::text::{capital, percent};
 use crate::scenario::load::to_ron;
 use crate::study::Answer;
@@ -102,6 +103,7 @@ fn blow(entry: &Entry) -> Markup {
                     @for (name, words) in verdicts(answer) {
                         p.verdict { strong { (name) } ": " (words) }
                     }
+                    @if let Some(why) = unusable(answer) { p.flag { (why) } }
                     @for flag in &answer.flags {
                         p.flag { strong { (flag.kind.name()) } ": " (flag.message) }
                     }
@@ -162,14 +164,14 @@ fn results(answer: &Answer) -> Markup {
             thead { tr {
                 th { "result" } th { "value" } th {} th { "at" } th { "step ±" } th { "mesh ±" }
             } }
-            tbody { @for row in rows(answer) {
+            tbody class=[answer.spoiled().map(|_| "raw")] { @for row in rows(answer) {
                 tr {
                     th { (row.name) } td { (row.value) } td.unit { (row.unit) } td { (row.at) }
                     td { (row.step) } td { (row.mesh) }
                 }
             } }
         }
-        p.note { "The damage index is no probability. Energy is balanced within " (balance) "; \
+        p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \
             - : no error is known." }
     }
 }

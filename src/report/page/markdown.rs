@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use super::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
+use crate::report::figure::{SCALE, unusable};
 use crate::study::comparison::{Entry, columns};
 
 /// Writes it.
@@ -40,6 +41,9 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
     for (name, words) in verdicts(answer) {
         writeln!(out, "- **{name}**: {}", escaped(&words))?;
     }
+    if let Some(why) = unusable(answer) {
+        writeln!(out, "- {}", escaped(&why))?;
+    }
     for flag in &answer.flags {
         writeln!(
             out,
@@ -60,6 +64,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
             row.name, row.value, row.unit, row.at
         )?;
     }
+    writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
     writeln!(out, "\n| input | value |\n|---|---|")?;
     for (label, text) in inputs(&entry.scenario) {
         writeln!(out, "| {label} | {} |", escaped(&text))?;

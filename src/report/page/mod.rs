@@ -16,7 +16,7 @@ use std::path::Path;
 use crate::injury::{Verdict, lines};
 use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing};
-use crate::report::compare::cell;
+use crate::report::figure::Figure;
 use crate::report::text::{capital, percent};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
@@ -143,7 +143,7 @@ fn rows(answer: &Answer) -> Vec<Row> {
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
         Row {
             name: capital(of.row().label),
-            value: cell(answer, of),
+            value: Figure::of(answer, of).map_or_else(String::new, |figure| figure.number),
             unit: of.row().unit,
             at: answer
                 .peak(of)
@@ -153,11 +153,6 @@ fn rows(answer: &Answer) -> Vec<Row> {
         }
     };
     answer.results().present().map(row).collect()
-}
-
-/// A result with its unit, and as many digits as its errors allow.
-pub fn cell_with_unit(answer: &Answer, of: Quantity) -> String {
-    format!("{} {}", cell(answer, of), of.row().unit)
 }
 
 /// What is to be believed of each injury: its name and the words.

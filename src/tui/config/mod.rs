@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 
 use super::keys::chosen::Keys;
 use super::terminal::caps::{ColorFlag, Symbols};
+use super::view::heat::HeatMap;
 use crate::scenario::library;
 use crate::scenario::load::read_text;
 use crate::scenario::problem::ScenarioError;
@@ -25,6 +26,8 @@ pub struct Config {
     pub color: ColorFlag,
     /// Which symbols; `None` by the terminal.
     pub symbols: Option<Symbols>,
+    /// Which colours stand for heat.
+    pub heat: HeatMap,
     /// Most frames a second of a replay.
     pub fps: u8,
     /// Whether the mouse is listened to.
@@ -42,6 +45,7 @@ impl Default for Config {
         Self {
             color: ColorFlag::Auto,
             symbols: None,
+            heat: HeatMap::Hot,
             fps: 12,
             mouse: false,
             idle: true,
@@ -150,7 +154,7 @@ mod tests {
         assert_eq!(
             complaint("(colour: \"auto\")"),
             "config.ron:1:10: colour: there is no such setting; did you mean color? \
-             (allowed: color, symbols, fps, mouse, idle, start, keys)"
+             (allowed: color, symbols, heat, fps, mouse, idle, start, keys)"
         );
         assert!(complaint("(fps: 1, fps: 2)").contains("fps: is given twice"));
         assert!(complaint("(keys: (undoo: \"x\"))").contains(":16: keys.undoo: there is no such"));

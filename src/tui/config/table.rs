@@ -9,6 +9,7 @@ use crate::tui::keys::Press;
 use crate::tui::keys::chosen::{Keys, open_to_choice};
 use crate::tui::screens::SCREENS;
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
+use crate::tui::view::heat::HeatMap;
 
 /// One setting.
 pub struct Setting {
@@ -71,6 +72,17 @@ pub static SETTINGS: &[Setting] = &[
                 put: |config, at| {
                     config.symbols = at.checked_sub(1).map(|at| Symbols::value_variants()[at]);
                 },
+            },
+        ),
+    },
+    Setting {
+        name: "heat",
+        about: "Which colours stand for force and pressure, of 256",
+        kind: Kind::Word(
+            words::<HeatMap>,
+            Place {
+                get: |config| place(&config.heat),
+                put: |config, at| config.heat = HeatMap::value_variants()[at],
             },
         ),
     },

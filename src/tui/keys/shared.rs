@@ -101,7 +101,8 @@ pub(crate) static TIME: KeyTable = KeyTable::new("Time", &[
     named("last_frame", bind(&[END], |m| time::stay_at(m, m.window().unwrap_or(0.0)), "", "to the last frame")),
     named("faster", bind(&[c('+'), c('=')], |m| m.clock.change_speed(true), "speed", "twice as fast")),
     named("slower", bind(&[c('-'), c('_')], |m| m.clock.change_speed(false), "&", "half as fast")),
-    named("exaggerate", bind(&[c('z')], |m| m.clock.change_zoom(), "zoom", "exaggerate displacement: x 1, 2, 5, 10")),
+    named("exaggerate", bind(&[c('z')], |m| m.clock.change_zoom(), "larger", "show motion larger: x 1, 2, 5, 10")),
+    named("heat", bind(&[c('C')], |m| m.look.heat = m.look.heat.other(), "", "colours of force: the paper's, or even ones")),
     named("detail", bind(&[c('e')], |m| m.clock.change_detail(), "detail", "edges, nodes or outline")),
 ]);
 

@@ -5,15 +5,15 @@ use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
 use crate::recording::Traces;
-use crate::report::text::significant;
+use crate::report::figure::at_a_moment;
 use crate::study::course::{COURSES, Course, Group};
-use crate::tui::clock::peak_at;
+use crate::tui::clock::peak_said;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
 use crate::tui::step::Step;
 use crate::tui::update::time;
-use crate::tui::view::chart::{Chart, Curve, value_at};
+use crate::tui::view::chart::{Chart, Curve, active, value_at};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
@@ -25,6 +25,57 @@ type View = Vec<Vec<Course>>;
 /// Charts of one curve each that stand in one view, and curves that stand in one chart.
 const MAX_CHARTS: usize = 4;
 const MAX_CURVES: usize = 6;
+
+/// What the screen keeps to itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Forces {
+    view: usize,
+    zoom: Zoom,
+}
+
+/// How much of the time is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Zoom {
+    /// All that was asked for.
+    Whole,
+    /// That in which something happens, halved so many times about the cursor.
+    Close(u32),
+}
+
+impl Default for Zoom {
+    fn default() -> Self {
+        Self::Close(0)
+    }
+}
+
+/// Halved so many times at most.
+const CLOSEST: u32 = 6;
+
+impl Zoom {
+    fn nearer(self) -> Self {
+        match self {
+            Self::Whole => Self::Close(0),
+            Self::Close(times) => Self::Close((times + 1).min(CLOSEST)),
+        }
+    }
+
+    fn farther(self) -> Self {
+        match self {
+            Self::Whole | Self::Close(0) => Self::Whole,
+            Self::Close(times) => Self::Close(times - 1),
+        }
+    }
+
+    /// The ends of the time drawn, of a window with something in `active`.
+    fn span(self, active: (f64, f64), window: f64, cursor: f64) -> (f64, f64) {
+        let Self::Close(times) = self else {
+            return (0.0, window);
+        };
+        let wide = (active.1 - active.0) / f64::from(1 << times);
+        let from = (cursor - 0.5 * wide).clamp(active.0, (active.1 - wide).max(active.0));
+        (from, from + wide)
+    }
+}
 
 /// Every course that is drawn as a curve; of the load and the force of contact that which drives.
 pub fn drawn() -> impl Iterator<Item = Course> {
@@ -58,7 +109,7 @@ fn views(traces: &Traces) -> Vec<View> {
 }
 
 pub(crate) const SCREEN: Screen = Screen::new(
-    "Forces",
+    ("Forces", "When and how hard?"),
     "the force profiles",
     &[Pane {
         name: "forces",
@@ -74,6 +125,8 @@ const KEYS: KeyTable = KeyTable::new("Forces", &[
     bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the cursor to the right"),
     bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "the cursor far to the left"),
     bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "the cursor far to the right"),
+    bind(&[c('i')], |m| m.screens.forces.zoom = m.screens.forces.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
+    bind(&[c('o')], |m| m.screens.forces.zoom = m.screens.forces.zoom.farther(), "&", "twice of the time shown, up to the whole"),
     bind(&[c('v')], next_view, "view", "all four forces, one of them, growth, energies"),
 ]);
 
@@ -81,7 +134,7 @@ const KEYS: KeyTable = KeyTable::new("Forces", &[
 fn next_view(model: &mut Model) {
     let traces = model.shown.as_ref().and_then(|s| s.answer.traces.as_ref());
     let count = traces.map_or(1, |t| views(t).len().max(1));
-    let view = &mut model.screens.forces;
+    let view = &mut model.screens.forces.view;
     *view = (*view % count + 1) % count;
 }
 
@@ -93,9 +146,9 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     };
     let time = model.time();
     let mut text = format!(" cursor {:.4} ms", time * 1e3);
-    if let Some(peak) = peak_at(&shown.answer, time) {
-        text.push_str("  peak ");
-        text.push_str(&peak);
+    let room = area.width.saturating_sub(width(&text) + 2);
+    if let Some(peak) = peak_said(&shown.answer, time, |peak| width(peak) < room) {
+        text.extend(["  ", &peak]);
     }
     let end = put(buffer, area, (0, 0), &text, theme.strong());
     let said = model.stale().unwrap_or(model.material());
@@ -111,7 +164,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let views = views(traces);
-    let Some(view) = views.get(model.screens.forces % views.len().max(1)) else {
+    let Some(view) = views.get(model.screens.forces.view % views.len().max(1)) else {
         return;
     };
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
@@ -147,6 +200,9 @@ fn chart(
         [only] => recorded(traces).iter().position(|c| c == only),
         _ => None,
     };
+    let values = courses.iter().map(|course| course.values(traces));
+    let window = shown.answer.window();
+    let active = active(&traces.time, values, window);
     let curves = courses
         .iter()
         .enumerate()
@@ -159,11 +215,12 @@ fn chart(
         .collect();
     let reading = |course: &Course| {
         let value = value_at(&traces.time, course.values(traces), time)?;
-        Some(significant(value * course.row().factor))
+        let value = value * course.row().factor;
+        Some(at_a_moment(&shown.answer, *course, value))
     };
     let (title, now) = if let [only] = courses {
         let unit = only.row().unit;
-        let now = reading(only).map_or(String::new(), |v| format!("{v} {unit}"));
+        let now = reading(only).unwrap_or_default();
         (format!("{}, {unit}", only.label(traces)), now)
     } else {
         (String::new(), String::new())
@@ -173,8 +230,7 @@ fn chart(
         .enumerate()
         .map(|(i, course)| {
             let now = reading(course).unwrap_or_default();
-            let (label, unit) = (course.label(traces), course.row().unit);
-            format!("{} {label} {now} {unit}", mark(i))
+            format!("{} {} {now}", mark(i), course.label(traces))
         })
         .collect();
     // What does not fit into one line of the legend takes two.
@@ -194,7 +250,7 @@ fn chart(
         title: &title,
         reading: &now,
         curves,
-        window: shown.answer.window(),
+        span: model.screens.forces.zoom.span(active, window, time),
         cursor: time,
         look: model.look,
     }
@@ -218,4 +274,26 @@ const LEGEND: u16 = 8;
 /// Tells curves apart in ASCII and in legends without colour.
 pub fn mark(index: usize) -> char {
     ['1', '2', '3', '4', '5', '6'][index % 6]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zoom_halves_the_time_about_the_cursor_and_stays_inside_it() {
+        let (active, window) = ((1.0, 5.0), 9.0);
+        let mut zoom = Zoom::default();
+        assert_eq!(zoom.span(active, window, 2.0), (1.0, 5.0));
+        assert_eq!(zoom.farther().span(active, window, 2.0), (0.0, 9.0));
+        zoom = zoom.nearer();
+        assert_eq!(zoom.span(active, window, 3.5), (2.5, 4.5));
+        assert_eq!(zoom.span(active, window, 0.0), (1.0, 3.0));
+        assert_eq!(zoom.span(active, window, 8.0), (3.0, 5.0));
+        for _ in 0..20 {
+            zoom = zoom.nearer();
+        }
+        assert_eq!(zoom, Zoom::Close(CLOSEST));
+        assert_eq!(Zoom::Whole.nearer(), Zoom::Close(0));
+    }
 }

@@ -5,23 +5,22 @@ use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
 use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines};
-use crate::report::text::significant;
+use crate::report::figure::{Figure, Off, SCALE, unusable, within};
+use crate::study::Quantity;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
-use crate::tui::view::text::{
-    fitted, flag_name, flowed, numeral, put, put_right, seen, width, wrapped,
-};
+use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Columns of the injury's name and of the figures behind the bar.
 const NAME: u16 = 18;
-const FIGURES: u16 = 23;
+const FIGURES: u16 = 28;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
 pub(crate) const SCREEN: Screen = Screen::new(
-    "Injury",
+    ("Injury", "What would experiments say?"),
     "what published injury curves say",
     &[Pane {
         name: "curves",
@@ -55,27 +54,38 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let risks = shown.answer.risks();
-    let index = format!(
-        " Paper's index {} %, no probability",
-        significant(shown.answer.index.damage())
-    );
-    let end = put(buffer, area, (0, 0), &index, theme.strong());
-    if let Some(why) = model.stale()
-        && end + width(why) + 2 < area.width
-    {
-        put_right(buffer, area, (area.width - 1, 0), why, theme.warning());
+    let figure = Figure::of(&shown.answer, Quantity::Damage);
+    let figure = figure.map_or_else(String::new, |figure| figure.to_string());
+    let (index, style) = match unusable(&shown.answer) {
+        None => (format!("Paper's index {figure} ({SCALE})"), theme.strong()),
+        Some(why) => (why, theme.warning()),
+    };
+    let room = usize::from(area.width.saturating_sub(2));
+    let index = wrapped(&index, room);
+    let end = 1 + index.last().map_or(0, |line| width(line));
+    for (y, line) in (0..).zip(&index) {
+        put(buffer, area, (1, y), line, style);
     }
-    let flags = flags(shown, usize::from(area.width.saturating_sub(2)));
-    for (y, line) in (1..).zip(&flags) {
+    let last = index.len() as u16 - 1;
+    let (right, style) = match model.stale() {
+        Some(why) => (why, theme.warning()),
+        None => (SCREEN.question, theme.heading()),
+    };
+    if end + width(right) + 2 < area.width {
+        put_right(buffer, area, (area.width - 1, last), right, style);
+    }
+    let flags = flags(shown, room);
+    for (y, line) in (last + 1..).zip(&flags) {
         put(buffer, area, (1, y), line, theme.warning());
     }
+    let above = last + flags.len() as u16;
     let area = Rect {
-        y: area.y + flags.len() as u16,
-        height: area.height.saturating_sub(flags.len() as u16),
+        y: area.y + above,
+        height: area.height.saturating_sub(above),
         ..area
     };
     let verdicts = shown.answer.verdicts();
-    let rows = answers(&verdicts, theme, area, buffer);
+    let rows = answers(&verdicts, false, theme, area, buffer);
     if risks.is_empty() {
         return;
     }
@@ -84,13 +94,6 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: area.height.saturating_sub(rows),
         ..area
     };
-    let bar = Rect::new(
-        area.x + NAME,
-        area.y,
-        area.width.saturating_sub(NAME + FIGURES),
-        area.height,
-    );
-    put(buffer, area, (1, 1), "published curves", theme.heading());
     let marks: Vec<String> = MARKS.split("  ").map(str::to_owned).collect();
     let marks = flowed(&marks, area.width.saturating_sub(2));
     let last = area.height.saturating_sub(marks.len() as u16);
@@ -101,12 +104,53 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: last,
         ..area
     };
-    put(buffer, bar, (0, 1), "0", theme.quiet());
-    put_right(buffer, bar, (bar.width / 2 + 2, 1), "50 %", theme.quiet());
-    put_right(buffer, bar, (bar.width, 1), "100 %", theme.quiet());
     let chosen = model.screens.injury % risks.len();
-    let room = area.height.saturating_sub(2 + below(area)).max(1);
-    let first = (chosen + 1).saturating_sub(usize::from(room));
+    let list = Rect {
+        height: area.height.saturating_sub(below(area)),
+        ..area
+    };
+    curves((&risks, &verdicts), Some(chosen), theme, list, buffer);
+    let foot = Rect {
+        y: area.y + area.height - below(area),
+        height: below(area),
+        ..area
+    };
+    let part = part_of(&verdicts, &risks[chosen]);
+    explain(&risks[chosen], part, theme, foot, buffer);
+}
+
+/// The part that a curve has in the verdicts.
+fn part_of<'a>(verdicts: &'a [Verdict], risk: &Risk) -> Option<&'a Part> {
+    let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
+    let part = parts.find(|(of, _)| of.curve == risk.curve)?;
+    Some(&part.1)
+}
+
+/// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if one is.
+pub fn curves(
+    (risks, verdicts): (&[Risk], &[Verdict]),
+    chosen: Option<usize>,
+    theme: Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    if risks.is_empty() || area.height < 3 {
+        return;
+    }
+    let bar = Rect::new(
+        area.x + NAME,
+        area.y,
+        area.width.saturating_sub(NAME + FIGURES),
+        area.height,
+    );
+    put(buffer, area, (1, 1), "published curves", theme.heading());
+    put(buffer, bar, (0, 1), "0", theme.quiet());
+    if bar.width > 15 {
+        put_right(buffer, bar, (bar.width / 2 + 2, 1), "50 %", theme.quiet());
+    }
+    put_right(buffer, bar, (bar.width, 1), "100 %", theme.quiet());
+    let room = area.height - 2;
+    let first = (chosen.unwrap_or(0) + 1).saturating_sub(usize::from(room));
     let shown = usize::from(room).min(risks.len());
     let text = seen(first, shown, risks.len());
     put_right(buffer, area, (area.width - 1, 1), &text, theme.quiet());
@@ -116,32 +160,46 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         let new = before != Some(risk.curve.injury);
         before = Some(risk.curve.injury);
         let name = if new { risk.curve.injury.name() } else { "" };
-        line(risk, (name, i == chosen), y, theme, (area, bar), buffer);
+        let valid = !matches!(part_of(verdicts, risk), Some(Part::NotValid(_)));
+        line(
+            risk,
+            (name, chosen == Some(i), valid),
+            y,
+            theme,
+            (area, bar),
+            buffer,
+        );
     }
-    let foot = Rect {
-        y: area.y + area.height - below(area),
-        height: below(area),
-        ..area
-    };
-    let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
-    let part = parts.find(|(risk, _)| risk.curve == risks[chosen].curve);
-    explain(&risks[chosen], part.map(|p| &p.1), theme, foot, buffer);
 }
 
-/// The verdicts, a line for each injury; returns the rows taken. The words of a single one are wrapped.
-fn answers(verdicts: &[Verdict], theme: Theme, area: Rect, buffer: &mut Buffer) -> u16 {
+/// The verdicts, a line for each injury or, if all words are wanted, as many as they take; returns the rows taken.
+/// The words of a single one are wrapped.
+pub fn answers(
+    verdicts: &[Verdict],
+    whole: bool,
+    theme: Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> u16 {
     let lines = lines(verdicts);
     let room = usize::from(area.width.saturating_sub(NAME + 1));
+    let single = lines.len() == 1;
     let mut y = 1;
-    for (name, words) in &lines {
+    for ((name, words), verdict) in lines.iter().zip(verdicts) {
         put(buffer, area, (1, y), name, theme.text());
-        let words = if lines.len() == 1 {
+        let words = if whole || single {
             wrapped(words, room)
         } else {
-            vec![fitted(words, room)]
+            let mut forms = verdict.forms().into_iter();
+            let form = forms.find(|form| usize::from(width(form)) <= room);
+            vec![form.unwrap_or_else(|| fitted(words, room))]
+        };
+        let style = match verdict.range {
+            Some((_, high)) => theme.risk(high),
+            None => theme.text(),
         };
         for line in &words {
-            put(buffer, area, (NAME, y), line, theme.strong());
+            put(buffer, area, (NAME, y), line, style);
             y += 1;
         }
     }
@@ -180,7 +238,7 @@ fn paragraph(text: &str, top: u16, theme: Theme, area: Rect, buffer: &mut Buffer
 
 fn line(
     risk: &Risk,
-    (name, chosen): (&str, bool),
+    (name, chosen, valid): (&str, bool, bool),
     y: u16,
     theme: Theme,
     (area, bar): (Rect, Rect),
@@ -195,27 +253,32 @@ fn line(
     let column = |share: f64| (share.clamp(0.0, 1.0) * last).round() as u16;
     let (low, high) = (column(risk.band.0), column(risk.band.1));
     for x in 0..bar.width {
-        let (mark, style) = if x == column(risk.risk) {
-            ("◆", theme.gauge(risk.risk))
+        let (mark, style) = if !valid {
+            (" ", theme.quiet())
+        } else if x == column(risk.risk) {
+            ("◆", theme.risk(risk.risk))
         } else if (low..=high).contains(&x) {
-            ("═", theme.gauge(risk.risk))
+            ("═", theme.risk(risk.risk))
         } else {
             ("·", theme.quiet())
         };
         put(buffer, bar, (x, y), mark, style);
     }
+    if !valid {
+        put(buffer, bar, (0, y), "not valid here", theme.quiet());
+    }
     let percent = format!("{:.0} %", 100.0 * risk.risk);
-    put_right(
-        buffer,
-        area,
-        (NAME + bar.width + 6, y),
-        &percent,
-        theme.strong(),
-    );
+    let style = if valid { theme.strong() } else { theme.quiet() };
+    put_right(buffer, area, (NAME + bar.width + 6, y), &percent, style);
     let (unit, scale) = risk.curve.measure.unit();
     let marks = risk.marks();
-    let room = FIGURES - 7 - (width(unit) + 1) - (width(&marks) + 1);
-    let value = format!("{} {unit}", numeral(risk.value / scale, room));
+    let error = 100.0 * risk.error;
+    let off = if error > 0.0 {
+        format!(" {}", Off::Both(error)).replace(" %", "%")
+    } else {
+        String::new()
+    };
+    let value = format!("{} {unit}{off}", within(risk.value / scale, Some(error)));
     put(
         buffer,
         area,

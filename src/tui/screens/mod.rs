@@ -28,8 +28,8 @@ pub const SCREENS: &[Screen] = &[
 /// What the screens keep to themselves.
 #[derive(Default)]
 pub struct Screens {
-    /// The view of the force profiles.
-    pub forces: usize,
+    /// What the force profiles show.
+    pub forces: forces::Forces,
     /// The presets side by side.
     pub compare: compare::comparison::Comparison,
     /// Speed against error.

@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
 use crate::eye::Region;
+use crate::report::figure::at_a_moment;
 use crate::report::text::significant;
 use crate::study::Quantity;
 use crate::study::course::{Beside, COURSES, Course, Group};
-use crate::tui::clock::{Colouring, peak_at};
+use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
@@ -20,14 +21,14 @@ use crate::tui::view::chart::{Curve, value_at};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
+use crate::tui::view::text::{put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
 pub(crate) const SCREEN: Screen = Screen::new(
-    "Replay",
+    ("Replay", "What moved?"),
     "the replay in full size",
     &[Pane {
         name: "replay",
@@ -82,15 +83,15 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         buffer[(side.x - 1, picture.y + y)].reset();
     }
     if model.clock.zoom() > 1 {
-        let text = format!(" displacement ×{} ", model.clock.zoom());
-        put(buffer, picture, (0, 0), &text, theme.warning());
+        let text = format!(" motion shown {}x larger ", model.clock.zoom());
+        put(buffer, picture, (2, 0), &text, theme.warning());
     }
     if let Some(why) = model.stale() {
         let text = format!(" {why} ");
         put(
             buffer,
             picture,
-            (0, picture.height - 1),
+            (0, picture.height - 2),
             &text,
             theme.warning(),
         );
@@ -130,27 +131,20 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let label = traces.map_or(row.label, |traces| course.label(traces));
         let now = traces.and_then(|t| value_at(&t.time, course.values(t), time));
         put(buffer, area, (0, y), label, theme.text());
-        let reading = |value: f64| format!("{} {}", reading_of(value * row.factor), row.unit);
+        let reading = |value: f64| at_a_moment(&shown.answer, course, value * row.factor);
         let text = now.map_or("-".to_owned(), reading);
-        put_right(buffer, area, (20, y), &text, theme.strong());
+        put_right(buffer, area, (area.width - 1, y), &text, theme.strong());
         y += 1;
     }
     let unverified = !unverified(&shown.scenario).is_empty();
-    if let Some(peak) = peak_at(&shown.answer, time) {
-        let room = usize::from(area.width - 1);
-        let mut lines = wrapped(&format!("peak {peak}"), room);
-        // What stands below keeps its lines.
-        let rows = area.height.saturating_sub(y + 1 + u16::from(unverified));
-        if lines.len() > usize::from(rows) {
-            lines.truncate(rows.into());
-            if let Some(last) = lines.last_mut() {
-                *last = fitted(&format!("{last} …{}", " ".repeat(room)), room);
-            }
-        }
-        for line in lines {
-            put(buffer, area, (0, y), &line, theme.cursor());
-            y += 1;
-        }
+    let room = usize::from(area.width - 1);
+    // What stands below keeps its lines.
+    let rows = usize::from(area.height.saturating_sub(y + 1 + u16::from(unverified)));
+    let fits = |text: &str| wrapped(text, room).len() <= rows;
+    let peak = peak_said(&shown.answer, time, fits).unwrap_or_default();
+    for line in wrapped(&peak, room) {
+        put(buffer, area, (0, y), &line, theme.cursor());
+        y += 1;
     }
     if unverified && y + 1 < area.height {
         let at = (0, area.height - 2);
@@ -158,15 +152,6 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     }
     let material = model.material();
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
-}
-
-/// Below this a force in N or a way in mm is rounding.
-const NEGLIGIBLE: f64 = 5e-4;
-
-/// A reading of the moment; what means nothing is 0.
-fn reading_of(value: f64) -> String {
-    let value = if value.abs() < NEGLIGIBLE { 0.0 } else { value };
-    significant(value)
 }
 
 /// Steps of force with their colours, and the parts of the eye with theirs.

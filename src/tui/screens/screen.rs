@@ -37,6 +37,8 @@ pub enum Mouse {
 pub struct Screen {
     /// Its name in the title bar.
     pub title: &'static str,
+    /// The question that it answers.
+    pub question: &'static str,
     /// What it is for, in the words of the help.
     pub purpose: &'static str,
     /// What Tab moves between, at least one.
@@ -66,13 +68,14 @@ pub struct Screen {
 impl Screen {
     /// A screen that only shows the answer: the wheel goes through its time.
     pub const fn new(
-        title: &'static str,
+        (title, question): (&'static str, &'static str),
         purpose: &'static str,
         panes: &'static [Pane],
         draw: fn(&Model, Rect, &mut Buffer),
     ) -> Self {
         Self {
             title,
+            question,
             purpose,
             panes,
             draw,

@@ -5,6 +5,7 @@ use crate::tui::model::{Look, Model};
 use crate::tui::open::prepare;
 use crate::tui::task::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::view::heat::HeatMap;
 use crossterm::event::{KeyCode, KeyEvent};
 
 /// Opened, without its first simulation.
@@ -12,6 +13,7 @@ pub fn opened() -> Model {
     let look = Look {
         depth: Depth::Mono,
         symbols: Symbols::Braille,
+        heat: HeatMap::Hot,
     };
     prepare(&[], look).unwrap()
 }

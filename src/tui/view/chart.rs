@@ -32,12 +32,47 @@ pub fn value_at(time: &[f64], values: &[f64], at: f64) -> Option<f64> {
     Some(values[after - 1] + share * (values[after] - values[after - 1]))
 }
 
-/// The range of several curves, 0 among them.
-fn range(curves: &[Curve], window: f64) -> (f64, f64) {
+/// A curve does something while it is above this share of its largest value.
+const ACTIVE: f64 = 0.02;
+/// Left before and after, as a share of the whole.
+const LEFT: f64 = 0.03;
+
+/// From when to when something happens in any of some values over the same times, of all up to `window`.
+pub fn active<'a>(
+    time: &[f64],
+    values: impl Iterator<Item = &'a [f64]>,
+    window: f64,
+) -> (f64, f64) {
+    let mut span: Option<(f64, f64)> = None;
+    for values in values {
+        let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let high = |value: &f64| value.abs() > ACTIVE * largest;
+        let ends = (values.iter().position(high), values.iter().rposition(high));
+        let (Some(first), Some(last)) = ends else {
+            continue;
+        };
+        let (first, last) = (time[first], time[last]);
+        span = Some(span.map_or((first, last), |(from, to)| (first.min(from), last.max(to))));
+    }
+    let Some((first, last)) = span else {
+        return (0.0, window);
+    };
+    let left = LEFT * window;
+    // A short flight before is no reason to leave out the beginning.
+    let from = if first < 2.0 * left {
+        0.0
+    } else {
+        first - left
+    };
+    (from, (last + left).min(window))
+}
+
+/// The range of several curves over a span of time, 0 among them.
+fn range(curves: &[Curve], (from, to): (f64, f64)) -> (f64, f64) {
     let mut range = (0.0, 0.0);
     for curve in curves {
         for (t, value) in curve.time.iter().zip(curve.values) {
-            if *t <= window {
+            if (from..=to).contains(t) {
                 range = (
                     f64::min(range.0, value * curve.factor),
                     f64::max(range.1, value * curve.factor),
@@ -48,17 +83,23 @@ fn range(curves: &[Curve], window: f64) -> (f64, f64) {
     range
 }
 
-/// Draws curves into `area`, all of the time up to `window` across and `low` to `high` upwards. A
-/// column of dots spans all values that fall into it, so no peak is lost.
-fn plot(raster: &mut Raster, curves: &[Curve], window: f64, (low, high): (f64, f64), filled: bool) {
+/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots spans all values
+/// that fall into it, so no peak is lost.
+fn plot(
+    raster: &mut Raster,
+    curves: &[Curve],
+    (start, end): (f64, f64),
+    (low, high): (f64, f64),
+    filled: bool,
+) {
     let (columns, rows) = raster.size();
     let span = if high > low { high - low } else { 1.0 };
     let row = |value: f64| f64::from(rows - 1) * (1.0 - (value - low) / span);
     for curve in curves {
         let mut previous: Option<f64> = None;
         for column in 0..columns {
-            let from = window * f64::from(column) / f64::from(columns);
-            let to = window * f64::from(column + 1) / f64::from(columns);
+            let at = |column: i32| start + (end - start) * f64::from(column) / f64::from(columns);
+            let (from, to) = (at(column), at(column + 1));
             let begin = curve.time.partition_point(|t| *t < from);
             let end = curve.time.partition_point(|t| *t < to);
             let inside = curve.values[begin..end].iter().copied();
@@ -97,14 +138,21 @@ fn plot(raster: &mut Raster, curves: &[Curve], window: f64, (low, high): (f64, f
 }
 
 /// A curve without axes, with a mark at the present moment below it.
-pub fn spark(curve: Curve, window: f64, now: f64, look: Look, area: Rect, buffer: &mut Buffer) {
+pub fn spark(
+    curve: Curve,
+    span: (f64, f64),
+    now: f64,
+    look: Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(look);
     let mut raster = Raster::new(area, look.symbols);
     let curves = [curve];
-    let range = range(&curves, window);
-    plot(&mut raster, &curves, window, range, true);
+    let range = range(&curves, span);
+    plot(&mut raster, &curves, span, range, true);
     raster.paint(buffer);
-    let share = (now / window).clamp(0.0, 1.0);
+    let share = ((now - span.0) / (span.1 - span.0)).clamp(0.0, 1.0);
     let column = (share * f64::from(area.width.saturating_sub(1))).round() as u16;
     if area.height > 0 {
         let cell = &mut buffer[(area.x + column, area.y + area.height - 1)];
@@ -117,9 +165,9 @@ pub fn spark(curve: Curve, window: f64, now: f64, look: Look, area: Rect, buffer
 
 /// A curve over the whole of a raster, filled down to 0.
 pub fn fill(raster: &mut Raster, curve: Curve, window: f64) {
-    let curves = [curve];
-    let range = range(&curves, window);
-    plot(raster, &curves, window, range, true);
+    let (curves, span) = ([curve], (0.0, window));
+    let range = range(&curves, span);
+    plot(raster, &curves, span, range, true);
 }
 
 /// Several curves with axes and a cursor.
@@ -130,8 +178,8 @@ pub struct Chart<'a> {
     pub reading: &'a str,
     /// What it shows.
     pub curves: Vec<Curve<'a>>,
-    /// The end of the time axis, in s.
-    pub window: f64,
+    /// The ends of the time axis, in s.
+    pub span: (f64, f64),
     /// The cursor, in s.
     pub cursor: f64,
     /// How things are drawn.
@@ -158,7 +206,7 @@ impl Chart<'_> {
             area.width - LABELS - 1,
             area.height - 3,
         );
-        let (low, high) = range(&self.curves, self.window);
+        let (low, high) = range(&self.curves, self.span);
         let (low, high) = if high > low {
             (low, high)
         } else {
@@ -167,10 +215,13 @@ impl Chart<'_> {
         self.axes(area, field, (low, high), buffer);
         let mut raster = Raster::new(field, self.look.symbols);
         let (columns, rows) = raster.size();
-        let at = (self.cursor / self.window).clamp(0.0, 1.0) * f64::from(columns - 1);
-        let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
-        raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
-        plot(&mut raster, &self.curves, self.window, (low, high), false);
+        let (start, end) = self.span;
+        let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
+        if (start..=end).contains(&self.cursor) {
+            let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
+            raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
+        }
+        plot(&mut raster, &self.curves, self.span, (low, high), false);
         raster.paint(buffer);
     }
 
@@ -190,10 +241,10 @@ impl Chart<'_> {
             put_right(buffer, area, (LABELS, y), &tick_label(value), theme.quiet());
             put(buffer, area, (LABELS, y), "┤", theme.line());
         }
-        let window_ms = self.window * 1e3;
+        let (start, end) = (self.span.0 * 1e3, self.span.1 * 1e3);
         let mut free = 0;
-        for value in ticks(0.0, window_ms, usize::from(field.width / 9).clamp(2, 10)) {
-            let share = value / window_ms;
+        for value in ticks(start, end, usize::from(field.width / 9).clamp(2, 10)) {
+            let share = (value - start) / (end - start);
             let x = LABELS + 1 + (share * f64::from(field.width - 1)).round() as u16;
             let label = tick_label(value);
             let left = x
@@ -245,6 +296,21 @@ mod tests {
         assert_eq!(ticks(0.0, 72.9, 3), [0.0, 50.0]);
         assert_eq!(ticks(-1.0, 1.0, 4), [-1.0, -0.5, 0.0, 0.5, 1.0]);
         assert!(ticks(0.0, 0.0, 3).is_empty());
+    }
+
+    #[test]
+    fn a_chart_goes_from_the_first_to_the_last_that_happens() {
+        let time: Vec<f64> = (0..=100).map(f64::from).collect();
+        let during = |from: usize, to: usize| -> Vec<f64> {
+            let on = |i: usize| if (from..=to).contains(&i) { -5.0 } else { 0.05 };
+            (0..=100).map(on).collect()
+        };
+        let (early, late, nothing) = (during(3, 20), during(40, 60), vec![0.0; 101]);
+        let of = |values: &[&Vec<f64>]| active(&time, values.iter().map(|v| &v[..]), 100.0);
+        assert_eq!(of(&[&early, &nothing]), (0.0, 23.0));
+        assert_eq!(of(&[&late]), (37.0, 63.0));
+        assert_eq!(of(&[&late, &early]), (0.0, 63.0));
+        assert_eq!(of(&[&nothing]), (0.0, 100.0));
     }
 
     #[test]

@@ -6,18 +6,20 @@
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use super::fill::fill;
 use super::heat::{heat_glyph, step_of, thresholds};
 use super::projection::Projection;
 use super::raster::{Ink, Raster};
+use super::text::{put, width};
 use super::theme::Theme;
 use crate::eye::Region;
 use crate::recording::{Frame, nearest};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Kind};
-use crate::study::Answer;
 use crate::study::drawing::{Drawing, Line};
+use crate::study::{Answer, Quantity};
 use crate::tui::clock::Detail;
 use crate::tui::model::{Look, Shown};
 use crate::tui::terminal::caps::Symbols;
@@ -25,6 +27,11 @@ use crate::tui::terminal::caps::Symbols;
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
 const ARC_M: f64 = 13.0e-3;
+
+/// From so many columns on a picture says which way is which.
+const NAMED: u16 = 14;
+/// Times this close are one, in s.
+const SAME_TIME: f64 = 1e-9;
 
 /// Ranks of what lies over what.
 const COLD: u8 = 1;
@@ -71,7 +78,7 @@ impl Scene<'_> {
         let projection = Projection::new(&raster, self.shown.drawing.reach);
         let theme = Theme::of(self.look);
         let thresholds = thresholds(self.largest, theme.heat_steps());
-        let mut digits = Vec::new();
+        let (mut digits, mut marks) = (Vec::new(), Vec::new());
         if let Some(frame) = frame_at(&self.shown.answer, self.time) {
             let picture = Picture {
                 scene: self,
@@ -91,6 +98,9 @@ impl Scene<'_> {
             if theme.is_mono() && self.highest.is_none() {
                 digits = picture.digits(&raster);
             }
+            if !self.lean && self.highest.is_none() {
+                marks = picture.monitors(&raster);
+            }
         }
         self.arrow(&projection, theme, &mut raster);
         raster.paint(buffer);
@@ -99,6 +109,10 @@ impl Scene<'_> {
                 .set_char(heat_glyph(step))
                 .set_style(theme.heat(step));
         }
+        for (at, letter, style) in marks {
+            buffer[at].set_char(letter).set_style(style);
+        }
+        directions(theme, area, buffer);
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
@@ -136,6 +150,27 @@ impl Scene<'_> {
                 projection.polar(end, ARC_M + 1.6e-3),
                 ink,
             );
+        }
+    }
+}
+
+/// Which way is which, in the corners that the eye leaves free.
+fn directions(theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let bottom = area.height.saturating_sub(1);
+    // The last column may be that of a margin.
+    let right = area.width.saturating_sub(5);
+    let words = [("front", 0, bottom), ("back", right, bottom), ("up", 0, 0)];
+    if area.width < NAMED {
+        return;
+    }
+    for (word, x, y) in words {
+        let cells = (x..x + width(word)).map(|x| (area.x + x, area.y + y));
+        if area.height > 0
+            && cells
+                .clone()
+                .all(|at| buffer[at].symbol().trim().is_empty())
+        {
+            put(buffer, area, (x, y), word, theme.quiet());
         }
     }
 }
@@ -319,7 +354,31 @@ impl Picture<'_> {
         digits
     }
 
-    /// The object is drawn in the load's own style, where it is whatever the zoom.
+    /// The nodes whose forces are shown, by the first letter of their names; the one that has its peak now in
+    /// reverse.
+    fn monitors(&self, raster: &Raster) -> Vec<((u16, u16), char, Style)> {
+        let forces = [
+            Quantity::ForceCentre,
+            Quantity::ForceFront,
+            Quantity::ForceRight,
+            Quantity::ForceTop,
+        ];
+        let mark = |(node, of): (&usize, Quantity)| {
+            let (x, y) = self.place(*node);
+            let letter = of.row().short.chars().next()?.to_ascii_uppercase();
+            let peak = self.scene.shown.answer.peak(of)?;
+            let style = if (peak.time - self.scene.time).abs() < SAME_TIME {
+                self.theme.focus()
+            } else {
+                self.theme.strong()
+            };
+            Some((raster.cell(x, y)?, letter, style))
+        };
+        let nodes = self.drawing.monitors.iter().zip(forces);
+        nodes.filter_map(mark).collect()
+    }
+
+    /// The object is drawn in the load's own style, where it is however large motion is shown.
     fn projectile(&self, raster: &mut Raster) {
         let Some(outline) = self.drawing.object(self.frame) else {
             return;

@@ -1,6 +1,29 @@
 //! The steps of the colour scale: which force begins each, and how it is written.
 
+use clap::ValueEnum;
+
 use crate::study::Answer;
+
+/// From which colours to which heat goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum HeatMap {
+    /// The paper's, from red to white.
+    #[default]
+    Hot,
+    /// Even steps of lightness from grey to yellow, alike to most who see colours otherwise.
+    Cividis,
+}
+
+impl HeatMap {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Hot => Self::Cividis,
+            Self::Cividis => Self::Hot,
+        }
+    }
+}
 
 /// The forces at which the steps of heat begin: each twice the one before, the last at or below
 /// the largest force.

@@ -34,8 +34,8 @@ const PROGRAM: &str = "contrecoup ";
 
 /// Columns that the preset's name can claim in the title.
 const LONGEST_NAME: u16 = 26;
-/// What is left of it, at least, beside the names of all screens.
-const SHORTENED_NAME: u16 = 10;
+/// What is left of it, at least, beside the names of all screens: the mark of an edit.
+const MARK: u16 = 2;
 
 /// Draws the whole screen.
 pub fn draw(model: &Model, buffer: &mut Buffer) {
@@ -87,12 +87,21 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String)> {
     // A long name gives way before the screens do.
     let full = text::width(&model.title());
     let name = full.min(LONGEST_NAME) + 2;
-    // Where room is short the program's name gives way, then the space between the names of the
-    // screens, then those of the others.
-    let label = |place: usize, screen: &Screen, form: Form| match form {
-        Form::Brief if place != model.screen => format!(" {} ", place + 1),
-        Form::Tight => format!(" {} {}", place + 1, screen.title),
-        Form::Brief | Form::Wide => format!(" {} {} ", place + 1, screen.title),
+    // Where room is short the program's name gives way, then the question of the screen on show, then the space
+    // between the names of the screens, then those of the others.
+    let label = |place: usize, screen: &Screen, (form, asks): (Form, bool)| {
+        let (number, title) = (place + 1, screen.title);
+        match form {
+            _ if place == model.screen && asks => {
+                format!("[{number} {title}: {}]", screen.question)
+            }
+            _ if place == model.screen => format!("[{number} {title}]"),
+            // The bracket before it is space enough.
+            Form::Tight if place == model.screen + 1 => format!("{number} {title}"),
+            Form::Brief => format!(" {number} "),
+            Form::Tight => format!(" {number} {title}"),
+            Form::Wide => format!(" {number} {title} "),
+        }
     };
     let length = |form| {
         let labels = SCREENS.iter().enumerate();
@@ -100,16 +109,17 @@ pub fn tabs(model: &Model, columns: u16) -> Vec<(u16, String)> {
             .map(|(place, screen)| text::width(&label(place, screen, form)))
             .sum::<u16>()
     };
-    let tight = length(Form::Tight) + full.min(SHORTENED_NAME) + 1;
-    let form = if length(Form::Wide) + name < columns {
-        Form::Wide
-    } else if tight <= columns {
-        Form::Tight
-    } else {
-        Form::Brief
-    };
-    let named = columns.saturating_sub(length(Form::Wide) + name) > text::width(PROGRAM);
-    let mut x = match (form, named) {
+    let candidates = [
+        ((Form::Wide, true), name),
+        ((Form::Wide, false), name),
+        ((Form::Tight, false), MARK),
+        ((Form::Brief, true), name),
+    ];
+    let fits = |(form, name): &((Form, bool), u16)| length(*form) + name < columns;
+    let form = candidates.into_iter().find(fits);
+    let form = form.map_or((Form::Brief, false), |(form, _)| form);
+    let named = columns.saturating_sub(length((Form::Wide, true)) + name) > text::width(PROGRAM);
+    let mut x = match (form.0, named) {
         (_, true) => 1 + text::width(PROGRAM),
         (Form::Tight, _) => 0,
         _ => 1,
@@ -164,11 +174,17 @@ fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         x = put(buffer, row, (at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
-    // The mark of an edit is worth more than letters of the name.
-    let name = if usize::from(text::width(&name)) > room && model.is_edited() {
-        text::fitted(model.work.name(), room.saturating_sub(2)) + " *"
+    // The mark of an edit is worth more than the name, of which parts are worth nothing while it is short.
+    let (short, mark) = if model.is_edited() {
+        (format!("{} *", model.work.name()), "*")
     } else {
-        text::fitted(&name, room)
+        (name.clone(), "")
+    };
+    let fits = |name: &&String| usize::from(text::width(name)) <= room;
+    let name = match [&name, &short].into_iter().find(fits) {
+        Some(name) => name.clone(),
+        None if room < usize::from(LONGEST_NAME) => mark.to_owned(),
+        None => text::fitted(&name, room),
     };
     let left = area.width.saturating_sub(text::width(&name) + margin);
     put(buffer, row, (left, 0), &name, theme.bar());

@@ -7,7 +7,8 @@ use tui_input::Input;
 
 use super::text::{fitted, put, width, wrapped};
 use super::theme::Theme;
-use crate::tui::keys::tables;
+use crate::guide;
+use crate::tui::keys::{KeyTable, tables};
 use crate::tui::model::{Model, Overlay, Question};
 
 /// Draws what is in front, if anything is.
@@ -20,6 +21,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         Some(Overlay::Question(question)) => ask(model, question, area, buffer),
     }
 }
+
+/// Columns that a frame takes.
+const MARGIN: u16 = 4;
 
 /// A frame in the middle; gives the space inside.
 fn frame(
@@ -59,7 +63,7 @@ fn frame(
         &format!(" {title} "),
         theme.heading(),
     );
-    Rect::new(place.x + 2, place.y + 1, wide - 4, high - 2)
+    Rect::new(place.x + 2, place.y + 1, wide - MARGIN, high - 2)
 }
 
 /// Text that is being typed, with its cursor, scrolled so that the cursor is seen.
@@ -82,20 +86,85 @@ pub fn input(input: &Input, style: Style, cursor: Style, area: Rect, buffer: &mu
     }
 }
 
-fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    let mut lines: Vec<(String, String)> = Vec::new();
-    for table in tables() {
-        lines.push((table.title.to_owned(), String::new()));
+/// Columns of the help, and of the keys in it.
+const HELP: u16 = 76;
+const KEYS: u16 = 18;
+
+/// The help as lines: a heading, or keys and what they do. First what counts on the screen on show, then the rest,
+/// then every word explained.
+fn help_lines(model: &Model, room: usize) -> Vec<(String, String)> {
+    let screen = model.on_show();
+    let heading = |text: String| (text, String::new());
+    let mut lines = vec![heading(format!(
+        "{} {}: {}",
+        model.screen + 1,
+        screen.title,
+        screen.question
+    ))];
+    let own = || screen.panes.iter().flat_map(|pane| pane.keys);
+    let is_own = |table: &&KeyTable| own().any(|own| own.title == table.title);
+    let rest = tables().into_iter().filter(|table| !is_own(table));
+    for table in own().chain(rest) {
+        lines.push(heading(table.title.to_owned()));
         for binding in table.bindings {
-            lines.push((
-                format!("  {}", binding.names(&model.keys).join(" ")),
-                binding.help.to_owned(),
-            ));
+            let mut keys =
+                wrapped(&binding.names(&model.keys).join(" "), usize::from(KEYS) - 3).into_iter();
+            let mut words = wrapped(binding.help, room - usize::from(KEYS)).into_iter();
+            loop {
+                let (key, word) = (keys.next(), words.next());
+                if key.is_none() && word.is_none() {
+                    break;
+                }
+                let (key, word) = (key.unwrap_or_default(), word.unwrap_or_default());
+                lines.push((format!("  {key}"), format!(" {word}")));
+            }
         }
     }
-    lines.push((super::PURPOSE.to_owned(), String::new()));
-    let inside = frame("Keys", (58, area.height), theme, area, buffer);
+    lines.push(heading("Words".to_owned()));
+    lines.extend(glossary(room));
+    lines.push(heading(super::PURPOSE.to_owned()));
+    lines
+}
+
+/// How many lines the help has where it is narrowest, and the most of them.
+pub fn help_rows(model: &Model) -> u16 {
+    let room = super::SMALLEST.0 - MARGIN;
+    u16::try_from(help_lines(model, room.into()).len()).unwrap_or(u16::MAX)
+}
+
+/// The glossary of the guide, wrapped; its headings without their marks.
+fn glossary(room: usize) -> Vec<(String, String)> {
+    let mut lines = Vec::new();
+    let mut entry = String::new();
+    let end = |entry: &mut String, lines: &mut Vec<(String, String)>| {
+        for (i, line) in wrapped(entry, room - 4).iter().enumerate() {
+            lines.push((
+                String::new(),
+                format!("{}{line}", if i == 0 { "" } else { "  " }),
+            ));
+        }
+        entry.clear();
+    };
+    let page = guide::TOPICS.iter().find(|topic| topic.name == "glossary");
+    for line in page.into_iter().flat_map(|topic| topic.page.lines()) {
+        if let Some(text) = line.strip_prefix("- ") {
+            end(&mut entry, &mut lines);
+            text.clone_into(&mut entry);
+        } else if let Some(text) = line.strip_prefix("## ") {
+            end(&mut entry, &mut lines);
+            lines.push((text.to_owned(), String::new()));
+        } else if !line.starts_with('#') {
+            entry.extend([" ", line.trim()]);
+        }
+    }
+    end(&mut entry, &mut lines);
+    lines
+}
+
+fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let inside = frame("Help", (HELP, area.height), theme, area, buffer);
+    let lines = help_lines(model, usize::from(inside.width));
     let last = (lines.len() as u16).saturating_sub(inside.height);
     for (y, (keys, what)) in lines
         .iter()
@@ -109,7 +178,9 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
             theme.strong()
         };
         put(buffer, inside, (0, y as u16), keys, style);
-        put(buffer, inside, (18, y as u16), what, theme.text());
+        // Words of the glossary have no keys before them.
+        let x = if keys.is_empty() { 2 } else { KEYS - 1 };
+        put(buffer, inside, (x, y as u16), what, theme.text());
     }
 }
 

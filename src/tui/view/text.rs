@@ -120,6 +120,19 @@ pub fn to_ascii(buffer: &mut Buffer) {
             buffer.content[at].set_symbol("+");
             buffer.content[at + 1].set_symbol("-");
         }
+        // An error right behind its sign has the space before it.
+        let column = at % columns;
+        if column > 0 && column + 1 < columns && buffer.content[at].symbol() == "±" {
+            let (before, after) = (
+                buffer.content[at - 1].symbol(),
+                buffer.content[at + 1].symbol(),
+            );
+            if before == " " && after.starts_with(|c: char| c.is_ascii_digit() || "<?".contains(c))
+            {
+                buffer.content[at - 1].set_symbol("+");
+                buffer.content[at].set_symbol("-");
+            }
+        }
     }
     for cell in &mut buffer.content {
         let plain = match cell.symbol() {
@@ -193,6 +206,7 @@ mod tests {
             ("300±30 N  ", "300~30 N  "),
             ("x   300 ± ", "x   300 +-"),
             ("x    300 ±", "x    300 ~"),
+            ("73 N ±48 %", "73 N+-48 %"),
         ] {
             let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
             put(

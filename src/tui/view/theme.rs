@@ -2,11 +2,14 @@
 //!
 //! Palettes are made by hand: the sixteen are those that stay legible on dark and light grounds
 //! (bright black and blue do not), and heat has as many steps as can be told apart. Without colours
-//! bold, dim, underline and reverse do the work.
+//! bold, dim, underline and reverse do the work. Of the 256 every role has a contrast of 4.5 at least, on
+//! black and on the bar. Left out: a palette of 256 for light grounds, where `--color 16` is the better choice.
 
 use ratatui::style::{Color, Modifier, Style};
 
+use super::heat::HeatMap;
 use crate::eye::Region;
+use crate::injury::gravity;
 use crate::tui::model::Look;
 use crate::tui::terminal::caps::Depth;
 
@@ -14,6 +17,7 @@ use crate::tui::terminal::caps::Depth;
 #[derive(Debug, Clone, Copy)]
 pub struct Theme {
     depth: Depth,
+    heat: HeatMap,
 }
 
 const BOLD: Modifier = Modifier::BOLD;
@@ -28,20 +32,28 @@ const HOT_16: [Color; 5] = [
     Color::LightYellow,
     Color::White,
 ];
-const HOT_256: [Color; 7] = [
-    Color::Indexed(88),
-    Color::Indexed(124),
-    Color::Indexed(196),
-    Color::Indexed(202),
-    Color::Indexed(214),
-    Color::Indexed(226),
-    Color::Indexed(231),
+/// Of the same map, what can be read on black.
+const HOT_256: [u8; 7] = [196, 202, 208, 214, 220, 228, 231];
+/// The upper half of cividis (Nunez, Anderton and Renslow 2018, doi:10.1371/journal.pone.0199239): the nearest of
+/// the 256 in even steps of lightness.
+const CIVIDIS_256: [u8; 5] = [243, 246, 144, 185, 227];
+
+/// How grave something is, from harmless on, for index and risk alike.
+const GRAVE_16: [Color; 4] = [
+    Color::LightGreen,
+    Color::LightYellow,
+    Color::LightRed,
+    Color::LightRed,
 ];
+const GRAVE_256: [u8; 4] = [114, 221, 209, 203];
 
 impl Theme {
     /// The theme of a look.
     pub fn of(look: Look) -> Self {
-        Self { depth: look.depth }
+        Self {
+            depth: look.depth,
+            heat: look.heat,
+        }
     }
 
     fn pick(self, mono: Style, sixteen: Color, many: Color) -> Style {
@@ -119,7 +131,8 @@ impl Theme {
                 .fg(Color::Indexed(16))
                 .bg(Color::Indexed(80))
                 .add_modifier(BOLD),
-            _ => Style::new().add_modifier(BOLD),
+            // The bar is reversed, so this is not.
+            _ => Style::new().remove_modifier(REVERSED).add_modifier(BOLD),
         }
     }
 
@@ -160,26 +173,39 @@ impl Theme {
         self.pick(mono, sixteen[i], Color::Indexed(many[i]))
     }
 
-    /// Share of a gauge that is filled: below, near and above its threshold.
-    pub fn gauge(self, share: f64) -> Style {
-        if share < 0.5 {
-            self.pick(Style::new(), Color::LightGreen, Color::Indexed(114))
-        } else if share < 1.0 {
-            self.pick(Style::new(), Color::LightYellow, Color::Indexed(221))
-        } else {
-            self.pick(
-                Style::new().add_modifier(BOLD),
-                Color::LightRed,
-                Color::Indexed(203),
-            )
+    /// One of four steps from harmless to grave.
+    fn grave(self, step: usize) -> Style {
+        let step = step.min(GRAVE_256.len() - 1);
+        let mono = Style::new();
+        let style = self.pick(mono, GRAVE_16[step], Color::Indexed(GRAVE_256[step]));
+        match step {
+            0 | 1 => style,
+            2 if self.depth != Depth::Mono => style,
+            _ => style.add_modifier(BOLD),
         }
+    }
+
+    /// Something that is so many times its limit.
+    pub fn gauge(self, share: f64) -> Style {
+        self.grave(
+            [0.5, 1.0, 2.0]
+                .iter()
+                .take_while(|limit| share >= **limit)
+                .count(),
+        )
+    }
+
+    /// A risk from 0 to 1, by the words of the verdicts.
+    pub fn risk(self, risk: f64) -> Style {
+        self.grave(gravity(risk))
     }
 
     /// How many steps of heat there are above cold.
     pub fn heat_steps(self) -> usize {
-        match self.depth {
-            Depth::Mono | Depth::TwoFiveSix => HOT_256.len(),
-            Depth::Sixteen => HOT_16.len(),
+        match (self.depth, self.heat) {
+            (Depth::Sixteen, _) => HOT_16.len(),
+            (Depth::TwoFiveSix, HeatMap::Cividis) => CIVIDIS_256.len(),
+            (Depth::Mono | Depth::TwoFiveSix, _) => HOT_256.len(),
         }
     }
 
@@ -188,11 +214,15 @@ impl Theme {
         let Some(step) = step.checked_sub(1) else {
             return self.quiet();
         };
-        match self.depth {
-            Depth::Mono if step + 2 < HOT_256.len() => Style::new(),
-            Depth::Mono => Style::new().add_modifier(BOLD),
-            Depth::Sixteen => Style::new().fg(HOT_16[step.min(HOT_16.len() - 1)]),
-            Depth::TwoFiveSix => Style::new().fg(HOT_256[step.min(HOT_256.len() - 1)]),
+        let step = step.min(self.heat_steps() - 1);
+        match (self.depth, self.heat) {
+            (Depth::Mono, _) if step + 2 < HOT_256.len() => Style::new(),
+            (Depth::Mono, _) => Style::new().add_modifier(BOLD),
+            (Depth::Sixteen, _) => Style::new().fg(HOT_16[step]),
+            (Depth::TwoFiveSix, HeatMap::Hot) => Style::new().fg(Color::Indexed(HOT_256[step])),
+            (Depth::TwoFiveSix, HeatMap::Cividis) => {
+                Style::new().fg(Color::Indexed(CIVIDIS_256[step]))
+            }
         }
     }
 
@@ -213,6 +243,128 @@ impl Theme {
             // Brown beside dark red would be one colour.
             Region::Fat => self.pick(dim, Color::Reset, Color::Indexed(101)),
             Region::Orbit => self.pick(Style::new(), Color::Green, Color::Indexed(108)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::terminal::caps::Symbols;
+
+    /// The contrast that text needs (WCAG 2.1, 1.4.3).
+    const READABLE: f64 = 4.5;
+
+    fn theme(depth: Depth, heat: HeatMap) -> Theme {
+        Theme::of(Look {
+            depth,
+            symbols: Symbols::Braille,
+            heat,
+        })
+    }
+
+    /// Red, green and blue of one of the 256 colours, from 0 to 1.
+    fn rgb(color: Color) -> [f64; 3] {
+        let Color::Indexed(index) = color else {
+            panic!("{color:?} is none of the 256");
+        };
+        let level = |step: u8| {
+            if step == 0 {
+                0.0
+            } else {
+                f64::from(55 + 40 * u32::from(step))
+            }
+        };
+        let bytes = match index {
+            16..=231 => {
+                let cube = index - 16;
+                [cube / 36, cube / 6 % 6, cube % 6].map(level)
+            }
+            232.. => [f64::from(8 + 10 * u32::from(index - 232)); 3],
+            _ => panic!("{index} depends on the terminal"),
+        };
+        bytes.map(|byte| byte / 255.0)
+    }
+
+    /// Relative luminance as WCAG has it.
+    fn luminance(color: Color) -> f64 {
+        let linear = |c: f64| {
+            if c <= 0.040_45 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        let [red, green, blue] = rgb(color).map(linear);
+        0.2126 * red + 0.7152 * green + 0.0722 * blue
+    }
+
+    fn contrast(a: Color, b: Color) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn every_role_can_be_read_on_its_ground() {
+        for heat in [HeatMap::Hot, HeatMap::Cividis] {
+            let theme = theme(Depth::TwoFiveSix, heat);
+            let black = Color::Indexed(16);
+            let mut roles = vec![
+                theme.text(),
+                theme.quiet(),
+                theme.heading(),
+                theme.strong(),
+                theme.warning(),
+                theme.error(),
+                theme.bar(),
+                theme.bar_strong(),
+                theme.bar_chosen(),
+                theme.load(),
+                theme.cursor(),
+            ];
+            roles.extend((0..6).map(|i| theme.curve(i)));
+            roles.extend((0..4).map(|step| theme.grave(step)));
+            roles.extend((0..=theme.heat_steps()).map(|step| theme.heat(step)));
+            let regions = [
+                Region::Interior,
+                Region::Lens,
+                Region::Shell,
+                Region::Retina,
+                Region::Fat,
+                Region::Orbit,
+            ];
+            roles.extend(regions.map(|region| theme.region(region)));
+            for role in roles {
+                // What has no colour of its own is the terminal's.
+                let Some(ink) = role.fg else { continue };
+                let ratio = contrast(ink, role.bg.unwrap_or(black));
+                assert!(ratio >= READABLE, "{role:?}: {ratio:.2}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_even_map_goes_up_in_even_steps_of_lightness() {
+        let theme = theme(Depth::TwoFiveSix, HeatMap::Cividis);
+        let lightness = |step| {
+            let ink = theme.heat(step).fg.unwrap();
+            116.0 * luminance(ink).cbrt() - 16.0
+        };
+        let steps: Vec<f64> = (2..=theme.heat_steps())
+            .map(|step| lightness(step) - lightness(step - 1))
+            .collect();
+        let most = steps.iter().copied().fold(0.0, f64::max);
+        let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least > 5.0 && most < 1.5 * least, "{steps:?}");
+    }
+
+    #[test]
+    fn what_is_chosen_in_a_bar_stands_out_without_colours() {
+        for depth in [Depth::Mono, Depth::Sixteen] {
+            let theme = theme(depth, HeatMap::Hot);
+            let chosen = theme.bar().patch(theme.bar_chosen());
+            assert!(theme.bar().add_modifier.contains(REVERSED));
+            assert!(!chosen.add_modifier.contains(REVERSED));
         }
     }
 }

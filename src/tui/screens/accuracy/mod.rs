@@ -26,7 +26,7 @@ pub(crate) const SCREEN: Screen = Screen {
         false
     },
     ..Screen::new(
-        "Accuracy",
+        ("Accuracy", "Which integrator and step?"),
         "speed against error",
         &[Pane {
             name: "points",

@@ -36,7 +36,7 @@ pub(crate) const SCREEN: Screen = Screen {
     timed,
     answers,
     ..Screen::new(
-        "Compare",
+        ("Compare", "Which is worse?"),
         "compare presets",
         &[
             Pane {

@@ -52,7 +52,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
         title: &format!("{}, {}", labels.join(" or "), row.unit),
         reading: &reading,
         curves,
-        window,
+        span: (0.0, window),
         cursor: model.time(),
         look: model.look,
     }

@@ -34,7 +34,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
     let highest = highest.reduce(f64::max);
     let zoom = match model.clock.zoom() {
         1 => String::new(),
-        zoom => format!("  displacement ×{zoom}"),
+        times => format!("  shown {times}x larger"),
     };
     let text = format!("{:.3} ms{zoom}", model.time() * 1e3);
     put(buffer, area, (34, 0), &text, theme.strong());

@@ -13,7 +13,7 @@ pub(crate) const SCREEN: Screen = Screen {
     attend: ensemble::attend,
     cancel: |model| model.ensemble.task.end(&mut model.out),
     ..Screen::new(
-        "Doubt",
+        ("Doubt", "How sure?"),
         "what the doubt in the inputs does",
         &[Pane {
             name: "outputs",

@@ -31,7 +31,7 @@ const HALF_WIDTH: &str = "impact.half_width_deg";
 pub(crate) const SCREEN: Screen = Screen {
     mouse,
     ..Screen::new(
-        "Main",
+        ("Main", "How bad?"),
         "form, eye, traces, score",
         &[
             Pane {

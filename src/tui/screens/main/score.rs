@@ -1,22 +1,21 @@
-//! What to believe of the injuries, the damage index as a gauge, its three parts against their thresholds,
-//! errors and flags.
+//! What to believe of the injuries, the damage index as a gauge, its three parts against their limits, what is not
+//! known of the inputs, and flags. Every figure bears its error; the line above says what of.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::injury::{ENERGY, Injury, MERIDIAN, SHELL, Term, Verdict, lines};
-use crate::report::errors::{of_damage, worst};
-use crate::report::text::{digits, significant};
+use crate::injury::{Injury, Term, Verdict, lines};
+use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::study::{Flag, Quantity};
-use crate::tui::ensemble::is_whole;
 use crate::tui::model::{Model, Shown};
-use crate::tui::view::text::{fitted, flag_name, numeral, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
-/// How many rows it takes of so many.
-pub fn height(of: u16) -> u16 {
+/// How many rows it takes of so many; `beside` says whether all verdicts stand beside it.
+pub fn height(of: u16, beside: bool) -> u16 {
     match of {
+        28.. if beside => ROOM + 1,
         ..20 => 8,
         20..28 => 9,
         _ => ROOM + ANSWERS,
@@ -47,22 +46,16 @@ fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) 
     }
 }
 
-/// Where the gauge of the index begins, and its fewest columns.
-const GAUGE: u16 = 18;
+/// The fewest columns of a gauge.
 const SHORTEST: u16 = 4;
+/// Rows of the index and its parts, and those below.
+const INDEX: u16 = 1;
+const BELOW: u16 = 5;
 
 /// Draws the score below a line that says whether it is out of date.
 pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let index = &shown.answer.index;
-    for x in 0..area.width {
-        put(buffer, area, (x, 0), "─", theme.line());
-    }
-    let heading = match model.stale() {
-        Some(why) => format!(" {why} "),
-        None => String::new(),
-    };
-    put(buffer, area, (1, 0), &heading, theme.warning());
+    heading(model, shown, theme, area, buffer);
     let rows = if area.height >= ROOM + ANSWERS {
         ANSWERS
     } else {
@@ -74,164 +67,221 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         height: area.height.saturating_sub(rows),
         ..area
     };
-    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
-
-    let damage = index.damage();
-    put(buffer, line(1), (0, 0), "Damage", theme.heading());
-    let number = format!("{} %", numeral(damage, 8));
-    put_right(buffer, line(1), (17, 0), &number, theme.strong());
-    let band = band(model, shown, area.width);
-    let beside = if band.is_empty() { 0 } else { width(&band) + 1 };
-    put_right(buffer, line(1), (area.width, 0), &band, theme.text());
-    let wide = area.width.saturating_sub(GAUGE + beside);
-    let gauge = Rect::new(area.x + GAUGE, area.y + 1, wide, 1);
-    bar(
-        damage / 100.0,
-        theme.gauge(damage / 100.0),
-        theme,
-        gauge,
-        buffer,
-    );
-
-    let parts = [
-        ("S shell", "%", index.shell_growth, SHELL),
-        ("M meridian", "%", index.meridian_growth, MERIDIAN),
-        ("E energy", "J", index.energy, ENERGY),
-    ];
-    let points = parts.map(|(_, _, value, term)| points(value, term, area.width));
-    // The bars end where the longest of them begins.
-    let beside = points.iter().map(|text| width(text)).max().unwrap_or(0) + 1;
-    for (y, (of, points)) in (2..).zip(parts.into_iter().zip(&points)) {
-        part(of, (points, beside.max(8)), theme, line(y), buffer);
+    let block = Rect {
+        y: area.y + INDEX,
+        height: BELOW - INDEX,
+        ..area
+    };
+    match unusable(&shown.answer) {
+        Some(why) => raw(shown, &why, theme, block, buffer),
+        None => index(shown, theme, block, buffer),
     }
-    errors(shown, model.idle, theme, line(5), buffer);
+    below(model, shown, theme, area, buffer);
     flags(shown, theme, area, buffer);
+}
+
+/// The line above: whether the score is out of date, and what its errors come from.
+fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    for x in 0..area.width {
+        put(buffer, area, (x, 0), "─", theme.line());
+    }
+    let (text, style) = match model.stale() {
+        Some(why) => (why, theme.warning()),
+        None => (model.on_show().question, theme.heading()),
+    };
+    let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
+    let causes = match (&shown.answer.errors.mesh, model.idle) {
+        (Some(_), _) => " ± step and mesh ",
+        (None, true) => " ± step; mesh to come ",
+        (None, false) => " ± step; mesh off ",
+    };
+    if end + width(causes) < area.width {
+        put_right(buffer, area, (area.width - 1, 0), causes, theme.quiet());
+    }
+}
+
+/// The index with its gauge, and its parts.
+fn index(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let answer = &shown.answer;
+    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
+    let damage = answer.index.damage();
+    if let Some(figure) = Figure::of(answer, Quantity::Damage) {
+        put(buffer, area, (0, 0), "Index", theme.heading());
+        let end = put(buffer, area, (6, 0), &figure.to_string(), theme.strong());
+        let texts = [format!(" ({SCALE})"), " (100 = worst)".to_owned()];
+        let room = area.width.saturating_sub(end);
+        let text = texts.iter().find(|text| width(text) + SHORTEST < room);
+        let text = text.unwrap_or(&texts[1]);
+        let end = put(buffer, area, (end, 0), text, theme.quiet()) + 1;
+        let gauge = Rect::new(area.x + end, area.y, area.width.saturating_sub(end), 1);
+        let share = damage / 100.0;
+        if gauge.width >= SHORTEST {
+            bar(share, theme.gauge(share), theme, gauge, buffer);
+        }
+    }
+    for (y, (of, term)) in (1..).zip(PARTS) {
+        if let Some(value) = answer.result(of) {
+            part(shown, (of, value, term), theme, line(y), buffer);
+        }
+    }
+}
+
+/// In place of an index that means nothing: why, what to do, and the figures without weight.
+fn raw(shown: &Shown, why: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let mut said = wrapped(why, usize::from(area.width));
+    let most = usize::from(area.height - 1);
+    let rest = said.split_off(said.len().min(most - 1)).join(" ");
+    if !rest.is_empty() {
+        said.push(fitted(&rest, usize::from(area.width)));
+    }
+    for (y, text) in (0..).zip(&said) {
+        put(buffer, area, (0, y), text, theme.warning());
+    }
+    let answer = &shown.answer;
+    let index = Figure::of(answer, Quantity::Damage).map_or_else(String::new, |f| f.number);
+    let times = PARTS.iter().filter_map(|(of, term)| {
+        let times = times(shown, *of, answer.result(*of)?, *term)?;
+        Some(format!("{} {times}", of.row().short))
+    });
+    let times: Vec<String> = times.collect();
+    let texts = [
+        format!("raw: index {index}, {} x limit", times.join(", ")),
+        format!("raw {index}: {} x", times.join(" ")),
+    ];
+    let fits = |text: &&String| width(text) <= area.width;
+    let text = texts.iter().find(fits).unwrap_or(&texts[1]);
+    put(buffer, area, (0, said.len() as u16), text, theme.quiet());
+}
+
+/// How many times its limit a part of the index is.
+fn times(shown: &Shown, of: Quantity, value: f64, term: Term) -> Option<String> {
+    let figure = Figure::of(&shown.answer, of)?;
+    let text = times_its_limit(&figure, value, term);
+    Some(text.split(' ').next()?.to_owned())
 }
 
 /// What to believe of each injury, the gravest first, in so many rows from the second on.
 fn answers(shown: &Shown, rows: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let verdicts = shown.answer.verdicts();
-    let said = lines(&verdicts);
     let room = usize::from(area.width);
-    let texts: Vec<String> = if let [(name, words)] = &said[..] {
-        let mut whole = wrapped(&format!("{name}: {words}"), room);
-        let rest = whole.split_off(whole.len().min(usize::from(rows) - 1));
-        whole.push(rest.join(" "));
-        whole
+    let texts: Vec<String> = if let [(name, words)] = &lines(&verdicts)[..] {
+        let whole = wrapped(&format!("{name}: {words}"), room);
+        if whole.len() <= usize::from(rows) {
+            whole
+        } else {
+            let mut forms = verdicts.first().map_or_else(Vec::new, Verdict::forms);
+            forms.insert(1, format!("{} (8 says why)", forms[1]));
+            vec![longest(name, &forms, room)]
+        }
     } else {
-        let brief = |verdict: &Verdict| match verdict.brief() {
-            Some(words) => format!("{} {words}", verdict.injury.name()),
-            None => format!("{}: {}", verdict.injury.name(), verdict.words()),
-        };
-        verdicts.iter().map(brief).collect()
+        let one = |verdict: &Verdict| longest(verdict.injury.name(), &verdict.forms(), room);
+        verdicts.iter().map(one).collect()
     };
     for (y, text) in (1..=rows).zip(&texts) {
-        put(buffer, area, (0, y), &fitted(text, room), theme.strong());
+        put(buffer, area, (0, y), text, theme.strong());
     }
 }
 
-/// The errors of the index that the gauge shows, and how far the apex moved where there is room.
-fn errors(shown: &Shown, idle: bool, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let errors = &shown.answer.errors;
-    let waiting = if idle { "…" } else { "off" };
-    let mesh = errors
-        .mesh
-        .as_ref()
-        .map_or_else(|| waiting.to_owned(), of_damage);
-    let step = of_damage(&errors.time_step);
-    let apex = shown.answer.result(Quantity::Apex).unwrap_or_default();
-    let apex = format!("apex {} mm", significant(apex));
-    let beside = width(&apex) + 1;
-    let full = format!("Index error: step {step}, mesh {mesh}");
-    let tight = full.replace(" %", "%").replace("< ", "<");
-    let brief = tight.replace(" error:", " ±");
-    let bare = brief.replace("Index ", "");
-    // The index may be the least of the errors: where there is room, the largest is named too.
-    let whole = format!("{full}; largest step {}", worst(&errors.time_step));
-    let candidates = [
-        (&whole, beside + 1),
-        (&full, beside + 1),
-        (&tight, beside),
-        (&brief, beside),
-        (&full, 0),
-        (&tight, 0),
-        (&brief, 0),
-        (&bare, 0),
-    ];
-    let fits = |(text, beside): &(&String, u16)| width(text) + beside <= area.width;
-    let (text, beside) = candidates.into_iter().find(fits).unwrap_or((&bare, 0));
-    put(buffer, area, (0, 0), text, theme.text());
-    if beside > 0 {
-        put_right(buffer, area, (area.width, 0), &apex, theme.text());
+/// A name with the longest of some words that fits.
+fn longest(name: &str, forms: &[String], room: usize) -> String {
+    let texts = forms.iter().map(|words| format!("{name}: {words}"));
+    let mut fitting = texts.filter(|text| usize::from(width(text)) <= room);
+    fitting.next().unwrap_or_else(|| fitted(name, room))
+}
+
+/// What is not known of the inputs, and how far the apex moved where there is room.
+fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let bands = bands(model, shown);
+    let apex = Figure::of(&shown.answer, Quantity::Apex);
+    let apex = apex.map_or_else(String::new, |apex| format!("apex {apex}"));
+    let beside = width(&apex) + 2;
+    let text = bands.iter().find(|text| width(text) <= area.width);
+    let text = text.or(bands.last()).map_or("", String::as_str);
+    put(buffer, area, (0, BELOW), text, theme.text());
+    if width(text) + beside <= area.width {
+        put_right(buffer, area, (area.width, BELOW), &apex, theme.text());
     }
 }
 
-/// Where nine in ten samples of the inputs lie, once that is known. Where it holds fewer than were asked
-/// for it says so, or bears a star that the screen of its own explains.
-fn band(model: &Model, shown: &Shown, room: u16) -> String {
+/// Between what nine in ten samples of the inputs have the index, the longest words first. Where the band holds
+/// fewer than were asked for, or folded ones, it says so, or bears a star that the screen of its own explains.
+fn bands(model: &Model, shown: &Shown) -> Vec<String> {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
-        return String::new();
+        let waiting = if model.idle { "to come" } else { "off" };
+        return vec![format!("inputs unknown: {waiting}")];
     };
     let Some(band) = ensemble.band(Quantity::Damage) else {
-        return String::new();
+        return vec!["inputs unknown: no band".to_owned()];
     };
-    let span = |count| {
-        let (low, high) = (digits(band.low, count), digits(band.high, count));
-        format!("5-95 %: {low} to {high}")
-    };
-    let held = ensemble.valid().count();
-    let (mark, reason) = if is_whole(ensemble) {
-        ("", String::new())
-    } else if held < ensemble.asked as usize {
-        ("*", format!(" ({held} of {})", ensemble.asked))
+    let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
+    let span = format!("{} to {}", end(band.low), end(band.high));
+    let (held, folded) = (ensemble.valid().count(), ensemble.folded());
+    let (mark, reason) = if held < ensemble.asked as usize {
+        ("*", format!("{held} of {}", ensemble.asked))
+    } else if folded > 0 {
+        ("*", format!("{held}, {folded} folded"))
     } else {
-        ("*", format!(" ({} folded)", ensemble.folded()))
+        ("", held.to_string())
     };
-    let marked = [4, 3, 2].map(|count| span(count) + mark);
-    let mut texts = std::iter::once(span(4) + &reason).chain(marked);
-    let free = room.saturating_sub(GAUGE + SHORTEST + 1);
-    let fitting = texts.find(|text| width(text) <= free);
-    fitting.unwrap_or_else(|| format!("{:.0}-{:.0}{mark}", band.low, band.high))
+    vec![
+        format!("inputs unknown: {span} (90 % of {reason})"),
+        format!("inputs unknown: {span}{mark} (90 %)"),
+        format!("inputs unknown: {span}{mark}"),
+        format!("inputs: {span}{mark}"),
+    ]
 }
 
-/// Below so many columns units and weights give way.
-const ROOMY: u16 = 40;
+/// Below so many columns a part has no room for the result behind it, nor for a bar.
+const ROOMY: u16 = 46;
+/// Where the figure of a part ends, and the columns of a number of times.
+const FIGURE: u16 = 27;
+const TIMES: u16 = 6;
+/// From so many columns on there is room for all words beside a bar.
+const SPACIOUS: u16 = 56;
 
-/// What a part adds to the index, and the points of its threshold where there is room.
-fn points(value: f64, term: Term, room: u16) -> String {
-    let points = match term.points(value) {
-        points if points.abs() >= 1e5 => format!("{points:.1e}"),
-        points if points.abs() >= 1e3 => format!("{points:.0}"),
-        points => format!("{points:.1}"),
-    };
-    if room < ROOMY {
-        points
-    } else {
-        format!("{points}/{:.0}", term.weight)
-    }
-}
-
-/// One part of the index: its value, its threshold, and how near it comes.
+/// One part of the index: its value, and how many times its limit that is.
 fn part(
-    (label, unit, value, term): (&str, &str, f64, Term),
-    (points, beside): (&str, u16),
+    shown: &Shown,
+    (of, value, term): (Quantity, f64, Term),
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    put(buffer, area, (0, 0), label, theme.text());
-    let room = 20 - width(label) - width(unit) - 2;
-    let number = format!("{} {unit}", numeral(value, room));
-    put_right(buffer, area, (20, 0), &number, theme.strong());
-    let limit = if area.width < ROOMY {
-        format!("of {}", term.threshold)
-    } else {
-        format!("of {} {unit}", term.threshold)
+    let (Some(figure), Some(times)) =
+        (Figure::of(&shown.answer, of), times(shown, of, value, term))
+    else {
+        return;
     };
-    put(buffer, area, (21, 0), &limit, theme.quiet());
-    put_right(buffer, area, (area.width, 0), points, theme.quiet());
-    let (left, right) = (31, area.width.saturating_sub(beside));
-    if right > left + 3 {
+    let label = of
+        .row()
+        .label
+        .split(' ')
+        .take(2)
+        .collect::<Vec<_>>()
+        .join(" ");
+    put(buffer, area, (0, 0), &label, theme.text());
+    if area.width < ROOMY {
+        let texts = [
+            format!("{times} x its limit {}", figure.off),
+            format!("{times} x limit {}", figure.off),
+        ];
+        let room = area.width.saturating_sub(width(&label) + 1);
+        let text = texts.iter().find(|text| width(text) <= room);
+        let text = text.unwrap_or(&texts[1]).trim_end();
+        put_right(buffer, area, (area.width, 0), text, theme.strong());
+        return;
+    }
+    put_right(buffer, area, (FIGURE, 0), &figure.to_string(), theme.text());
+    let words = if area.width < SPACIOUS {
+        "x limit"
+    } else {
+        "x its limit"
+    };
+    let text = format!("{times} {words}");
+    put_right(buffer, area, (area.width, 0), &text, theme.strong());
+    let beside = TIMES + 2 + width(words);
+    let (left, right) = (FIGURE + 2, area.width.saturating_sub(beside));
+    if right >= left + SHORTEST {
         let share = value / term.threshold;
         let field = Rect::new(area.x + left, area.y, right - left, 1);
         bar(share, theme.gauge(share), theme, field, buffer);
@@ -262,8 +312,6 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let broken: Vec<String> = whole.iter().flat_map(|text| wrapped(text, room)).collect();
     let lines = if broken.len() <= rows {
         broken
-    } else if whole.len() <= rows {
-        whole.iter().map(|text| fitted(text, room)).collect()
     } else {
         let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
         let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
@@ -275,34 +323,5 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     };
     for (i, line) in lines.iter().take(rows).enumerate() {
         put(buffer, area, (0, 6 + i as u16), line, theme.warning());
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tui::model::Look;
-    use crate::tui::terminal::caps::{Depth, Symbols};
-
-    #[test]
-    fn a_long_number_leaves_the_name_of_its_part_whole() {
-        let look = Look {
-            depth: Depth::Mono,
-            symbols: Symbols::Braille,
-        };
-        for value in [1.016e-13, -0.0063, -1.016e-13, 0.2091, 1e9] {
-            for wide in [34, 50, 85] {
-                let area = Rect::new(0, 0, wide, 1);
-                let mut buffer = Buffer::empty(area);
-                let of = ("M meridian", "%", value, MERIDIAN);
-                part(of, ("0.0", 8), Theme::of(look), area, &mut buffer);
-                let cells = buffer.content.iter();
-                let text: String = cells.map(ratatui::buffer::Cell::symbol).collect();
-                let words: Vec<&str> = text.split_whitespace().collect();
-                assert_eq!((words[0], words[1], words[3]), ("M", "meridian", "%"));
-                let shown: f64 = words[2].parse().unwrap();
-                assert!((shown / value - 1.0).abs() < 0.05, "{text}");
-            }
-        }
     }
 }

@@ -6,12 +6,13 @@ use ratatui::layout::Rect;
 use super::DIAL;
 use super::{form, score};
 use crate::recording::Peak;
-use crate::report::text::digits;
-use crate::study::course::Course;
+use crate::report::figure::Figure;
+use crate::study::course::{Beside, Course};
 use crate::study::{Answer, Quantity};
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::injury;
 use crate::tui::screens::replay::pressures;
-use crate::tui::view::chart::{Curve, spark};
+use crate::tui::view::chart::{Chart, Curve, active, spark};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
@@ -27,7 +28,14 @@ pub struct Layout {
     pub eye: Rect,
     traces: Rect,
     score: Rect,
+    /// What published curves say, where there is room for it.
+    risks: Option<Rect>,
 }
+
+/// From so many columns on risks and a pressure stand at the right.
+const WIDE: u16 = 140;
+/// Their columns.
+const RISKS: u16 = 58;
 
 /// Divides the screen.
 pub fn layout(area: Rect) -> Layout {
@@ -36,15 +44,21 @@ pub fn layout(area: Rect) -> Layout {
         70..100 => 29,
         _ => 34,
     };
+    let risks = (area.width >= WIDE).then(|| Rect {
+        x: area.x + area.width - RISKS,
+        width: RISKS,
+        ..area
+    });
     let right = Rect::new(
         area.x + left + 1,
         area.y,
-        area.width - left - 1,
+        area.width - left - 1 - risks.map_or(0, |risks| risks.width + 1),
         area.height,
     );
-    let below = score::height(right.height);
+    let below = score::height(right.height, risks.is_some());
     let upper = right.height - below;
     let wide = (upper * 2).min(right.width * 11 / 20);
+    let wide = wide.min(right.width.saturating_sub(NARROWEST + 1));
     Layout {
         form: Rect {
             width: left,
@@ -54,6 +68,7 @@ pub fn layout(area: Rect) -> Layout {
         eye: Rect::new(right.x, right.y + 1, wide, upper - 1),
         traces: Rect::new(right.x + wide + 1, right.y, right.width - wide - 1, upper),
         score: Rect::new(right.x, right.y + upper, right.width, below),
+        risks,
     }
 }
 
@@ -72,6 +87,77 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     eye(model, shown, parts.eye, buffer);
     sparklines(model, shown, parts.traces, buffer);
     score::draw(model, shown, parts.score, buffer);
+    if let Some(place) = parts.risks {
+        for y in 0..area.height {
+            put(buffer, place, (0, y), "│", theme.line());
+        }
+        let inside = Rect {
+            x: place.x + 1,
+            width: place.width - 1,
+            ..place
+        };
+        risks(model, shown, inside, buffer);
+    }
+}
+
+/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an eye without one
+/// what acts on it.
+fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    put(buffer, area, (1, 0), "Injuries", theme.heading());
+    let below = area.height / 3;
+    let upper = Rect {
+        height: area.height - below,
+        ..area
+    };
+    let verdicts = shown.answer.verdicts();
+    let used = injury::answers(&verdicts, true, theme, upper, buffer);
+    let curves = Rect {
+        y: upper.y + used + 1,
+        height: upper.height.saturating_sub(used + 1),
+        ..upper
+    };
+    let risks = shown.answer.risks();
+    injury::curves((&risks, &verdicts), None, theme, curves, buffer);
+    let Some(traces) = &shown.answer.traces else {
+        return;
+    };
+    let courses = [
+        Course::Of(Quantity::Pressure),
+        Course::Beside(Beside::Drive),
+    ];
+    let recorded = |course: &&Course| !course.values(traces).is_empty();
+    let Some(&course) = courses.iter().find(recorded) else {
+        return;
+    };
+    let (row, values) = (course.row(), course.values(traces));
+    let window = shown.answer.window();
+    let reading = match course {
+        Course::Of(of) => Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}")),
+        Course::Beside(_) => None,
+    };
+    Chart {
+        title: &format!("{}, {}", course.label(traces), row.unit),
+        reading: &reading.unwrap_or_default(),
+        curves: vec![Curve {
+            time: &traces.time,
+            values,
+            factor: row.factor,
+            ink: Ink::solid(theme.curve(0), 2, '*'),
+        }],
+        span: active(&traces.time, std::iter::once(values), window),
+        cursor: model.time(),
+        look: model.look,
+    }
+    .draw(
+        Rect {
+            y: upper.y + upper.height,
+            height: below,
+            width: area.width - 1,
+            ..area
+        },
+        buffer,
+    );
 }
 
 /// Before the first result: what is being done, or why there is none.
@@ -107,7 +193,7 @@ fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
     .draw(picture, buffer);
     let zoom = match model.clock.zoom() {
         1 => String::new(),
-        zoom => format!(" moved ×{zoom}"),
+        times => format!(" shown {times}x larger"),
     };
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
@@ -128,62 +214,56 @@ fn sparks(answer: &Answer) -> Vec<(Quantity, Peak)> {
 }
 
 /// Below this many columns the time of a peak stands at its curve.
-const TIMED: u16 = 22;
+const TIMED: u16 = 30;
+/// The fewest columns of the curves: a name, a figure and its error.
+const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.
 const LONGEST: usize = 7;
 
-/// The name of a curve, its peak and the time of that, which together fit with a space between them.
-/// Where room is short the space before the unit gives way, then letters of the name, digits of the
-/// value and of the time, and at last the time.
-fn caption(quantity: Quantity, peak: Peak, room: u16) -> (String, String, String) {
-    let row = quantity.row();
-    let (value, ms) = (peak.value * row.factor, peak.time * 1e3);
-    let beside = |after: u8| {
-        if ms < 10.0 {
-            format!("{ms:.0$}ms", usize::from(after))
-        } else {
-            format!("{}ms", digits(ms, i32::from(after) + 1))
-        }
-    };
+/// The name of a curve, its peak with its error and the time of that, which together fit with a space between them.
+/// Where room is short the spaces give way, then letters of the name, the time, and at last the error.
+fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
+    let name = of.row().short;
+    let ms = peak.time * 1e3;
     let times = match room {
-        26.. => vec![format!("at {ms:.3} ms"), beside(3), beside(2)],
-        TIMED.. => vec![beside(3), beside(2)],
+        TIMED.. => vec![
+            format!("at {ms:.3} ms"),
+            format!("{ms:.3}ms"),
+            format!("{ms:.2}ms"),
+        ],
         _ => vec![String::new()],
     };
-    let brief = match row.short.get(..LONGEST - 2) {
-        Some(start) if row.short.len() > LONGEST => format!("{start}."),
-        _ => row.short.to_owned(),
+    let brief = match name.get(..LONGEST - 2) {
+        Some(start) if name.len() > LONGEST => format!("{start}."),
+        _ => name.to_owned(),
     };
-    let brief = brief.as_str();
-    let clear = [
-        (row.short, digits(value, 4), " "),
-        (brief, digits(value, 4), " "),
-        (brief, digits(value, 4), ""),
-        (brief, digits(value, 3), ""),
-        (brief, digits(value, 2), ""),
-    ];
-    let rough = [digits(value, 1), format!("{value:.0e}")];
-    let mut candidates = Vec::new();
-    for time in &times {
-        for (label, number, gap) in &clear {
-            let text = format!("{number}{gap}{}", row.unit);
-            candidates.push(((*label).to_owned(), text, time.clone()));
-        }
-    }
+    let whole = figure.to_string();
+    let tight = whole.replace(" %", "%");
+    let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
+    let closest = close.replace(' ', "");
+    let bare = |count| figure.coarser(count).bare().replace(' ', "");
+    let small = figure.off.percent().is_some_and(|error| error < 1.0);
+    let error = figure.off.to_string().replace(' ', "");
+    let least = if small { "±<1%" } else { &error };
+    let closer = [(3, &error[..]), (2, &error), (2, least)];
+    let closer = closer.map(|(count, error)| bare(count) + error);
+    let bare = bare(2);
     let none = String::new();
+    let mut candidates = Vec::new();
     for time in times.iter().chain([&none]) {
-        for number in &rough {
-            let text = format!("{number}{}", row.unit);
-            candidates.push((brief.to_owned(), text, time.clone()));
+        for name in [name, &brief] {
+            for text in [&whole, &tight, &close, &closest] {
+                candidates.push((name.to_owned(), text.clone(), time.clone()));
+            }
         }
     }
-    let wide = |(label, value, time): &(String, String, String)| {
+    candidates.extend(closer.map(|text| (brief.clone(), text, none.clone())));
+    let wide = |(name, text, time): &(String, String, String)| {
         let after = if time.is_empty() { 0 } else { width(time) + 1 };
-        width(label) + 1 + width(value) + after
+        width(name) + 1 + width(text) + after
     };
-    let last = candidates.pop().unwrap_or_default();
     let mut fitting = candidates.into_iter().filter(|parts| wide(parts) <= room);
-    fitting.next().unwrap_or(last)
+    fitting.next().unwrap_or((brief, bare, none))
 }
 
 /// The curves, each with its peak and when it came.
@@ -193,24 +273,34 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let sparks = sparks(&shown.answer);
+    let values = |of: &Quantity| Course::Of(*of).values(recorded);
+    let drawn = sparks.iter().map(|(of, _)| values(of));
+    let window = shown.answer.window();
+    // What comes before is little, and the eye beside it begins at rest.
+    let span = (0.0, active(&recorded.time, drawn, window).1);
     let each = (area.height / sparks.len().max(1) as u16).max(1);
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = area.y + each * i as u16;
+        let Some(figure) = Figure::of(&shown.answer, quantity) else {
+            continue;
+        };
         if top >= area.y + area.height {
             break;
         }
         let row = Rect::new(area.x, top, area.width, 1);
-        let (label, value, time) = caption(quantity, peak, area.width);
+        let (label, value, time) = caption(quantity, &figure, peak, area.width);
         put(buffer, row, (0, 0), &label, theme.heading());
         let left = area.width - width(&time);
         put(buffer, row, (left, 0), &time, theme.quiet());
         let right = if time.is_empty() { left } else { left - 1 };
-        put_right(buffer, row, (right, 0), &value, theme.strong());
-        if each < 2 {
-            continue;
-        }
-        let values = Course::Of(quantity).values(recorded);
-        if values.is_empty() {
+        let style = if shown.answer.spoiled().is_some() {
+            theme.quiet()
+        } else {
+            theme.strong()
+        };
+        put_right(buffer, row, (right, 0), &value, style);
+        let values = values(&quantity);
+        if each < 2 || values.is_empty() {
             continue;
         }
         let curve = Curve {
@@ -220,8 +310,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
             ink: Ink::solid(theme.curve(i), 1, '*'),
         };
         let field = Rect::new(area.x, top + 1, area.width, each - 1);
-        let window = shown.answer.window();
-        spark(curve, window, model.time(), model.look, field, buffer);
+        spark(curve, span, model.time(), model.look, field, buffer);
         if area.width < TIMED {
             // The peaks come early, so the end of the curve has room for a word.
             let time = format!(" {:.3} ms", peak.time * 1e3);
@@ -233,24 +322,28 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::figure::Off;
 
     #[test]
-    fn a_caption_keeps_its_parts_apart() {
+    fn a_caption_keeps_its_parts_apart_and_its_error() {
         let drawn = |q: &&Quantity| q.row().trace.is_some_and(|trace| trace.spark);
         for &quantity in Quantity::ALL.iter().filter(drawn) {
-            for value in [12.4, 5199.0, 0.002, -0.0063, 1.016e-13] {
-                for ms in [0.362, 12.345] {
-                    let peak = Peak {
-                        value: value / quantity.row().factor,
-                        time: ms * 1e-3,
-                    };
-                    for room in 15..30 {
-                        let (label, value, time) = caption(quantity, peak, room);
-                        let long = width(&label) + 1 + width(&value);
-                        let after = if time.is_empty() { 0 } else { width(&time) + 1 };
-                        assert!(long + after <= room, "{label} {value} {time} in {room}");
-                        assert_eq!(time.is_empty(), room < TIMED, "{label} {value} in {room}");
-                    }
+            for (number, error) in [("12", 35.0), ("5199", 0.016), ("0.20", 0.42), ("73", 119.0)] {
+                let figure = Figure {
+                    number: number.to_owned(),
+                    unit: quantity.row().unit,
+                    off: Off::Both(error),
+                };
+                let peak = Peak {
+                    value: 1.0,
+                    time: 12.345e-3,
+                };
+                for room in NARROWEST..50 {
+                    let (label, value, time) = caption(quantity, &figure, peak, room);
+                    let long = width(&label) + 1 + width(&value);
+                    let after = if time.is_empty() { 0 } else { width(&time) + 1 };
+                    assert!(long + after <= room, "{label} {value} {time} in {room}");
+                    assert!(value.contains('±'), "{label} {value} in {room}");
                 }
             }
         }

@@ -24,7 +24,7 @@ pub(crate) const SCREEN: Screen = Screen {
         false
     },
     ..Screen::new(
-        "Map",
+        ("Map", "What if?"),
         "a result over two inputs",
         &[Pane {
             name: "map",

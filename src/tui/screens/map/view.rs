@@ -8,6 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::report::figure::with_unit;
 use crate::report::text::{capital, significant};
 use crate::scenario::doubt::number;
 use crate::study::Quantity;
@@ -90,9 +91,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let steps = if whole == 100.0 && unit == "%" {
         "tens of %".to_owned()
     } else {
-        format!("steps of {} {unit}", part(0.1))
+        format!("steps of {}", with_unit(&part(0.1), unit))
     };
-    let lines = format!("+# {}, {} {unit}", part(0.5), part(1.0));
+    let lines = format!("+# {}, {}", part(0.5), with_unit(&part(1.0), unit));
     let legend = format!("0-9: {steps}  {lines}  * above  ▒ folded  o yours");
     put(
         buffer,
@@ -286,8 +287,8 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         } else {
             ""
         };
-        let value = significant(value);
-        format!("{} {about}{value} {}{folded}", row.label, row.unit)
+        let value = with_unit(&significant(value), row.unit);
+        format!("{} {about}{value}{folded}", row.label)
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
     format!("X {}, {}: {value}", part(x, a), part(y, b))
