@@ -124,7 +124,7 @@ fn over_ssh_the_app_opens_on_a_bare_root_without_a_locale() {
         "env -i PATH=$PATH TERM=$TERM chroot {}",
         root.path().display()
     );
-    let Some(server) = Server::start(&format!("exec {clean} /contrecoup tui")) else {
+    let Some(server) = Server::start(&format!("exec {clean} /contrecoup tui paper-300n")) else {
         return;
     };
     let mut term = server.open();

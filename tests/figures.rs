@@ -84,13 +84,13 @@ fn list(name: &str) -> Option<String> {
     }
 }
 
-/// Every field of a scenario and what it accepts, in 80 columns.
+/// Every field of a scenario, what it means and what it accepts, in 80 columns.
 fn fields() -> String {
     const NAMES: usize = 30;
     let mut text = String::new();
     for field in FIELDS {
         let mut line = format!("{:<NAMES$}", field.path);
-        for word in field.allowed().split(' ') {
+        for word in format!("{}: {}", field.help, field.allowed()).split(' ') {
             if line.chars().count() + 1 + word.chars().count() > 80 {
                 text += &(line + "\n");
                 line = " ".repeat(NAMES);

@@ -214,7 +214,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
 fn random_keys_and_sizes_in_a_terminal_end_in_a_clean_one() {
     let home = tempfile::tempdir().unwrap();
     let mut dice = Dice(7);
-    let mut command = app(&["--mouse"]);
+    let mut command = app(&["tui", "paper-300n", "--mouse"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::open(command, (80, 24), Replies::Prompt);
     term.wait_for("Index 26");

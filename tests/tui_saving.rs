@@ -8,12 +8,12 @@ use std::fs;
 use std::process::Command;
 
 use portable_pty::CommandBuilder;
-use support::{RIGHT, TO_FORCE, Term, app, plain};
+use support::{DOWN, RIGHT, TO_FORCE, Term, app, plain};
 
 #[test]
 fn a_preset_is_saved_and_replaced_only_when_told() {
     let home = tempfile::tempdir().unwrap();
-    let mut command = app(&[]);
+    let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(command);
     term.wait_for("Index 26");
@@ -98,7 +98,10 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
 fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     let home = tempfile::tempdir().unwrap();
     let mut shell = CommandBuilder::new("bash");
-    let line = format!("ulimit -f 0; exec {}", env!("CARGO_BIN_EXE_contrecoup"));
+    let line = format!(
+        "ulimit -f 0; exec {} tui paper-300n",
+        env!("CARGO_BIN_EXE_contrecoup")
+    );
     shell.args(["-c", &line]);
     plain(&mut shell);
     shell.env("XDG_CONFIG_HOME", home.path());
@@ -114,7 +117,7 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     term.keys("\x1b");
     term.wait_without("Name");
     term.keys("q");
-    term.wait_for("not saved. Quit and lose");
+    term.wait_for("not saved as a preset");
     term.keys("y");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();
@@ -124,7 +127,7 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
 
 #[test]
 fn a_folder_that_cannot_be_made_is_explained() {
-    let mut command = app(&[]);
+    let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", "/dev/null");
     let term = Term::start(command);
     term.wait_for("Index 26");
@@ -151,7 +154,7 @@ fn the_app_holds_a_thousand_presets_of_ones_own_and_says_so_of_more() {
     for i in 1..1003 {
         fs::hard_link(&first, folder.join(format!("own-{i:04}.ron"))).unwrap();
     }
-    let mut command = app(&["tui", "--color", "never"]);
+    let mut command = app(&["tui", "paper-300n", "--color", "never"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
     term.wait_for("Index 26");
@@ -165,4 +168,81 @@ fn the_app_holds_a_thousand_presets_of_ones_own_and_says_so_of_more() {
     term.wait_for("own-0001 already");
     term.keys("y");
     term.wait_for("saved as own-0001");
+}
+
+#[test]
+fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("contrecoup/presets");
+    let mut command = app(&["tui", "paper-300n"]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let term = Term::start(command);
+    term.wait_for("26.42 %");
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
+    term.wait_for("paper-300n *");
+    term.keys("s");
+    term.wait_for("Name");
+    term.keys("\x15my blow\r");
+    term.wait_for("saved as my blow");
+    // Own presets stand on top, and the cursor is on the one in hand.
+    term.keys("p");
+    term.wait_for("own");
+    term.keys("\x1bOQ");
+    term.wait_for("Another name for my blow");
+    term.keys("\x15mine\r");
+    term.wait_for("renamed to mine");
+    let text = fs::read_to_string(folder.join("mine.ron")).unwrap();
+    assert!(text.contains("name: \"mine\"") && text.contains("force_n: 310.0"));
+    assert!(!folder.join("my blow.ron").exists());
+    term.keys("\x1b[3~");
+    term.wait_for("for good");
+    term.keys("n");
+    term.wait_without("for good");
+    assert!(folder.join("mine.ron").exists());
+    term.keys("\x1b[3~");
+    term.wait_for("for good");
+    term.keys("y");
+    term.wait_for("removed mine");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+}
+
+#[test]
+fn the_first_start_asks_what_hit_the_eye_and_later_ones_go_on_where_one_left_off() {
+    let home = tempfile::tempdir().unwrap();
+    let open = || {
+        let mut command = app(&[]);
+        command.env("XDG_CONFIG_HOME", home.path());
+        Term::start(command)
+    };
+    let mut term = open();
+    term.wait_for("What hit the eye?");
+    term.keys("squash");
+    term.wait_for("24 g");
+    term.keys("\r");
+    term.wait_without("What hit the eye?");
+    term.wait_for("▸Preset");
+    term.keys(&DOWN.repeat(5));
+    term.wait_for("▸Speed");
+    term.keys("55\r");
+    term.wait_for("55 m/s");
+    term.keys("\x1b3");
+    term.wait_for("cursor");
+    term.keys("q");
+    term.wait_for("again next time");
+    term.keys("y");
+    assert_eq!(term.exit_code(), 0);
+    let mut term = open();
+    term.wait_for("cursor");
+    term.keys("\x1b1");
+    term.wait_for("55 m/s");
+    term.wait_for("squash-ball *");
+    term.keys("\x03");
+    assert_eq!(term.exit_code(), 130);
+    // A damaged file is told and costs nothing but the place.
+    let file = home.path().join("contrecoup/last.ron");
+    fs::write(&file, "(screen: ").unwrap();
+    let term = open();
+    term.wait_for("where you left off cannot be read");
+    term.keys(DOWN);
+    term.wait_for("paper-300n");
 }

@@ -8,11 +8,14 @@
 #![cfg(feature = "app")]
 
 use contrecoup::scenario::Scenario;
+use contrecoup::study::threshold::{Crossing, Threshold};
 use contrecoup::study::{Answer, unwatched};
-use contrecoup::tui::model::Model;
+use contrecoup::tui::model::{Model, Overlay};
+use contrecoup::tui::picker::Picker;
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::task::{Question, Report};
 use contrecoup::tui::terminal::caps::Depth;
+use contrecoup::tui::threshold::FindThreshold;
 use contrecoup::tui::update::{Message, update};
 use drawn::{
     SIZES, cells, model, model_by, open_mapped, open_measured, open_sampled, picture, press,
@@ -228,10 +231,49 @@ fn figures_of_no_checked_source_are_marked() {
 }
 
 #[test]
+fn the_list_of_what_can_be_opened() {
+    screen("picker", &["bb-56"], "p");
+    pictures("first_start", &[], &SIZES, |model| {
+        let mut picker = Picker::at(&model.choices, "");
+        picker.first = true;
+        model.overlay = Some(Overlay::Picker(picker));
+    });
+}
+
+#[test]
+fn the_question_at_which_value_a_result_is_reached() {
+    pictures("threshold", &["bb-56"], &SIZES[..2], |model| {
+        press(model, "jjjjjt");
+    });
+    pictures("threshold_found", &["bb-56"], &[USUAL], |model| {
+        press(model, "jjjjjt\x1b[A\x1b[A\r");
+        let Some(Overlay::Threshold(asking)) = &model.overlay else {
+            panic!("nothing is asked")
+        };
+        let job = asking.task.job.as_ref().unwrap();
+        let crossing = Crossing {
+            at: 61.234,
+            rising: true,
+            step: Some(0.1),
+            mesh: Some(18.0),
+            jump: None,
+            flags: Vec::new(),
+            caution: None,
+        };
+        let found = Threshold {
+            seen: Vec::new(),
+            crossings: vec![crossing],
+        };
+        let report = Report::done::<FindThreshold>(job.ticket, Ok(found));
+        update(model, Message::News(report));
+    });
+}
+
+#[test]
 fn overlays() {
     for (name, keys) in [
         ("help", "?"),
-        ("picker", "p"),
+        ("picker_searched", "psqua ball"),
         ("save", "s"),
         ("save_hidden", "ls\x15paper-300n\r"),
         ("letter_in_a_number", "7u"),

@@ -18,7 +18,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use ssh::Server;
-use support::{Replies, TO_FORCE, Term};
+use support::{HOME, Replies, TO_FORCE, Term};
 
 /// A client that compresses, or not, by way of a port that counts what comes from the server.
 fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
@@ -30,7 +30,10 @@ fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
 }
 
 fn app_server() -> Option<Server> {
-    Server::start(&format!("{} tui", env!("CARGO_BIN_EXE_contrecoup")))
+    Server::start(&format!(
+        "XDG_CONFIG_HOME={HOME} {} tui",
+        env!("CARGO_BIN_EXE_contrecoup")
+    ))
 }
 
 /// Passes bytes on after `delay`, at no more than `rate` bytes a second.
@@ -113,7 +116,10 @@ fn a_dropped_connection_leaves_no_process_behind() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("pid");
     let app = env!("CARGO_BIN_EXE_contrecoup");
-    let command = format!("echo $$ > {}; exec {app} tui", file.display());
+    let command = format!(
+        "echo $$ > {}; XDG_CONFIG_HOME={HOME} exec {app} tui",
+        file.display()
+    );
     let Some(server) = Server::start(&command) else {
         return;
     };
@@ -145,7 +151,9 @@ fn through_ssh_an_idle_screen_is_silent() {
 fn through_ssh_replay_frames_keep_their_budget_in_every_number_of_colours() {
     for colours in ["never", "16", "256"] {
         let app = env!("CARGO_BIN_EXE_contrecoup");
-        let Some(server) = Server::start(&format!("{app} --color {colours}")) else {
+        let Some(server) =
+            Server::start(&format!("XDG_CONFIG_HOME={HOME} {app} --color {colours}"))
+        else {
             return;
         };
         for compressed in [false, true] {

@@ -12,6 +12,63 @@ use crate::plain_text::printable;
 use crate::scenario::Scenario;
 use crate::study::threshold::{Crossing, Question, Threshold};
 
+/// A text with the unit of what is varied.
+fn with_unit(question: &Question, text: &str) -> String {
+    united(text, question.field.unit)
+}
+
+/// Where the result passes the value, no finer than it is known.
+fn at(question: &Question, crossing: &Crossing) -> String {
+    let largest = [crossing.step, crossing.mesh];
+    let largest = largest.into_iter().flatten().fold(0.0, f64::max);
+    with_unit(question, &allowing(crossing.at, Some(largest)))
+}
+
+/// A crossing in one line: `50 % at 61 m/s ± 2`, by the larger error.
+pub fn brief(question: &Question, crossing: &Crossing) -> String {
+    let unit = question.quantity.row().unit;
+    let target = united(&question.target.to_string(), unit);
+    let at = format!("{target} at {}", at(question, crossing));
+    let way = if crossing.rising { "" } else { ", falling" };
+    let off = match (crossing.jump, crossing.step, crossing.mesh) {
+        (Some(_), ..) => ": it jumps there".to_owned(),
+        (None, Some(step), Some(mesh)) => {
+            let off = step.max(mesh);
+            if off > question.range.1 - question.range.0 {
+                ", error beyond the range".to_owned()
+            } else if off > 0.0 {
+                format!(" ± {}", digits(off, 2))
+            } else {
+                String::new()
+            }
+        }
+        _ => ", error not known".to_owned(),
+    };
+    format!("{at}{off}{way}")
+}
+
+/// That the result never has the value, and what it has instead.
+pub fn never(question: &Question, threshold: &Threshold) -> String {
+    let (low, high) = (
+        end(question, threshold, false),
+        end(question, threshold, true),
+    );
+    format!("Never: {low} to {high}.")
+}
+
+/// The least or the greatest result that was seen, and where.
+fn end(question: &Question, threshold: &Threshold, highest: bool) -> String {
+    let values: Vec<(f64, f64)> = known(threshold).collect();
+    let (at, value) = if highest {
+        self::highest(&values)
+    } else {
+        lowest(&values)
+    };
+    let at = with_unit(question, &significant(at));
+    let value = united(&significant(value), question.quantity.row().unit);
+    format!("{value} at {at}")
+}
+
 /// Prints where the result reaches the value.
 ///
 /// # Errors
@@ -23,17 +80,14 @@ pub fn text(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let row = question.quantity.row();
-    let (field, unit) = (question.field, question.field.unit);
-    let with_unit = |text: String| united(&text, unit);
+    let with_unit = |text: String| with_unit(question, &text);
     writeln!(out, "{}\n", printable(&scenario.name))?;
     let target = united(&question.target.to_string(), row.unit);
     let what = format!("{} {target}", capital(row.label));
     for crossing in &threshold.crossings {
-        let largest = [crossing.step, crossing.mesh];
-        let largest = largest.into_iter().flatten().fold(0.0, f64::max);
-        let at = with_unit(allowing(crossing.at, Some(largest)));
+        let at = at(question, crossing);
         let way = if crossing.rising { "rising" } else { "falling" };
-        writeln!(out, "{what} at {at} ({}), {way}", field.path)?;
+        writeln!(out, "{what} at {at} ({}), {way}", question.field.path)?;
         let whole = question.range.1 - question.range.0;
         for line in lines(crossing, whole, row.unit, &with_unit) {
             writeln!(out, "  {line}")?;
@@ -46,13 +100,6 @@ pub fn text(
             writeln!(out, "  beware: {}", caution.text())?;
         }
     }
-    let values: Vec<(f64, f64)> = known(threshold).collect();
-    let (low, high) = (lowest(&values), highest(&values));
-    let end = |(at, value): (f64, f64)| {
-        let at = with_unit(significant(at));
-        let value = united(&significant(value), row.unit);
-        format!("{value} at {at}")
-    };
     match threshold.crossings.len() {
         0 => writeln!(out, "{what}: never")?,
         1 => writeln!(out)?,
@@ -64,8 +111,8 @@ pub fn text(
         threshold.seen.len(),
         significant(question.range.0),
         with_unit(significant(question.range.1)),
-        end(low),
-        end(high),
+        end(question, threshold, false),
+        end(question, threshold, true),
     )?;
     let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
     if let Some((at, Err(why))) = refused.first() {

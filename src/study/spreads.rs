@@ -55,6 +55,7 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
 
 /// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.
 pub static SLOPE: Field = Field {
+    help: "How steep the curve of a risk is where no source says it",
     path: "injury.slope",
     label: "Slope of curves",
     unit: "",

@@ -129,6 +129,16 @@ impl Question {
         solve(&scenario, Keep::default(), &mut |_| until(stop))
     }
 
+    /// The value of the field now.
+    pub fn present(&self) -> f64 {
+        match &self.field.kind {
+            Kind::Number(_, place) => (place.get)(&self.scenario).copied(),
+            Kind::OptionalNumber(_, place) => (place.get)(&self.scenario).copied().flatten(),
+            _ => None,
+        }
+        .unwrap_or(f64::NAN)
+    }
+
     /// The values that are looked at first: evenly where the range has both signs or is narrow, else by
     /// ratios from the present value on.
     fn grid(&self) -> Vec<f64> {
@@ -136,9 +146,10 @@ impl Question {
         if from < 0.0 || to <= 4.0 * from || from == to {
             return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
         }
-        let present = self.field.text(&self.scenario);
-        let present = present.and_then(|text| text.parse::<f64>().ok());
-        let middle = present.filter(|x| *x > 0.0).unwrap_or(LEAST_SHARE * to);
+        let middle = match self.present() {
+            present if present > 0.0 => present,
+            _ => LEAST_SHARE * to,
+        };
         let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
         let least = from.max(LEAST_SHARE * middle);
         let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);

@@ -57,7 +57,7 @@ pub struct Typing {
 }
 
 impl Default for Form {
-    /// On the preset, where digits still switch screens.
+    /// On the preset: what hits the eye comes before by how much.
     fn default() -> Self {
         Self {
             selected: Row::Preset,

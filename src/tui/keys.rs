@@ -287,7 +287,8 @@ pub fn markdown() -> String {
 mod tests {
     use super::*;
     use crate::tui::form::Row;
-    use crate::tui::model::{Overlay, Question};
+    use crate::tui::model::{Naming, Overlay, Question};
+    use crate::tui::picker::Picker;
     use crate::tui::update::driven::opened;
     use crate::tui::update::{Effect, Message, update};
 
@@ -308,9 +309,9 @@ mod tests {
         models.push(model);
         for overlay in [
             Overlay::Help(0),
-            Overlay::Picker(0),
-            Overlay::SaveAs(tui_input::Input::default(), None),
-            Overlay::Question(Question::Quit),
+            Overlay::Picker(Picker::default()),
+            Overlay::Name(Naming::Save, tui_input::Input::default(), None),
+            Overlay::Question(Question::Quit { kept: false }),
         ] {
             let mut model = opened();
             model.overlay = Some(overlay);
@@ -367,9 +368,11 @@ mod tests {
                     if model.overlay.is_some() {
                         continue;
                     }
-                    let typed = begins_value(&model) && event == KeyEvent::from(digit);
+                    // In the form a digit is a value, or nothing.
+                    let kept = begins_value(&model) && event == KeyEvent::from(digit);
+                    let typed = kept && model.form.takes_numbers();
                     update(&mut model, Message::Key(event));
-                    assert!(typed || model.screen == i, "{i} from {place}");
+                    assert_eq!(model.screen, if kept { 0 } else { i }, "{i} from {place}");
                     assert_eq!(model.form.typing.is_some(), typed);
                 }
             }

@@ -10,10 +10,12 @@ use super::ensemble::Samples;
 use super::form::Form;
 use super::guest;
 use super::keys::chosen::Keys;
+use super::picker::Picker;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
 use super::task::{Outbox, Task};
 use super::terminal::caps::{Depth, Symbols};
+use super::threshold::Asking;
 use super::undo::History;
 use super::view::heat::{HeatMap, highest, hottest};
 use crate::scenario::{self, Scenario};
@@ -103,23 +105,73 @@ impl Shown {
 pub enum Overlay {
     /// The keys, scrolled down so far.
     Help(u16),
-    /// The presets, with a cursor.
-    Picker(usize),
-    /// A name is being typed to save under.
-    SaveAs(Input, Option<String>),
+    /// Everything that can be opened.
+    Picker(Picker),
+    /// At which value of a number does a result reach this?
+    Threshold(Box<Asking>),
+    /// A name is being typed, and what is wrong with it.
+    Name(Naming, Input, Option<String>),
     /// Something is asked.
     Question(Question),
+}
+
+/// What a name is typed for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Naming {
+    /// To save what is worked on.
+    Save,
+    /// To give the preset of this name another one.
+    Rename(String),
 }
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Question {
+    /// Remove the preset of this name?
+    Remove(String),
     /// Replace the preset of this name?
     Replace(String),
     /// Save under the name of a preset that the program brings along?
     Hide(String),
-    /// Quit without saving?
-    Quit,
+    /// Quit without saving? The next start may bring the changes back.
+    Quit {
+        /// Whether it does.
+        kept: bool,
+    },
+}
+
+impl Question {
+    /// It in a few words.
+    pub fn brief(&self) -> String {
+        match self {
+            Self::Remove(name) => format!("Remove the preset {name}?"),
+            Self::Replace(name) => format!("Replace the preset {name}?"),
+            Self::Hide(name) => format!("Hide the preset {name}?"),
+            Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
+        }
+    }
+
+    /// The same with what it would do.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Remove(name) => {
+                format!("This removes your preset {name} from the disk, for good. Remove it?")
+            }
+            Self::Replace(name) => {
+                format!("There is a preset {name} already. Put this one in its place?")
+            }
+            Self::Hide(name) => format!(
+                "{name} comes with the program. A preset of your own of that name hides it. Save it?"
+            ),
+            Self::Quit { kept: false } => {
+                "The changes are not saved. Quit and lose them?".to_owned()
+            }
+            Self::Quit { kept: true } => {
+                "The changes are not saved as a preset. Quit? They are there again next time."
+                    .to_owned()
+            }
+        }
+    }
 }
 
 /// How things are drawn.
@@ -172,6 +224,8 @@ pub struct Model {
     pub mouse: bool,
     /// Whether mesh errors and bands are computed while nothing else is wanted.
     pub idle: bool,
+    /// Whether the next start goes on from here.
+    pub goes_on: bool,
     /// Whether whoever works is a [guest](super::guest).
     pub guest: bool,
     /// Keys of the person's own choice.
@@ -206,6 +260,7 @@ impl Model {
             look,
             mouse: false,
             idle: true,
+            goes_on: false,
             guest: false,
             keys: Keys::default(),
             dragging: false,

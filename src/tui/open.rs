@@ -8,7 +8,9 @@ use clap::Args;
 
 use super::config::Config;
 use super::guest;
-use super::model::{Choice, Look, Model, Work};
+use super::last::{self, Left};
+use super::model::{Choice, Look, Model, Overlay, Work};
+use super::picker::Picker;
 use super::screens::SCREENS;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
@@ -17,7 +19,7 @@ use crate::scenario::library::{self, Origin, resolve};
 use crate::scenario::problem::{Problem, ScenarioError};
 
 /// What is opened if nothing is asked for.
-const FIRST: &str = "paper-300n";
+pub(super) const FIRST: &str = "paper-300n";
 
 /// What the app is opened on, and how.
 #[derive(Debug, Args)]
@@ -127,7 +129,14 @@ pub fn run(
         symbols: symbols(flags.symbols.or(config.symbols), env),
         heat: config.heat,
     };
-    let mut model = prepare(sources, look)?;
+    // Who asks for something, or wants one screen always, goes on from nowhere.
+    let goes_on = guest.is_none() && config.start.is_none();
+    let mut model = if goes_on && sources.is_empty() {
+        resume(look)?
+    } else {
+        prepare(sources, look)?
+    };
+    model.goes_on = goes_on;
     if guest.is_some() {
         welcome(&mut model, sources)?;
     }
@@ -135,16 +144,52 @@ pub fn run(
     model.idle = config.idle;
     model.keys = config.keys;
     // Several that were given are compared.
-    if sources.len() < 2 {
-        update::show(&mut model, config.start);
+    if let Some(screen) = config.start
+        && sources.len() < 2
+    {
+        update::show(&mut model, screen);
     }
     let settings = terminal::Settings {
         fps: flags.fps.unwrap_or(config.fps),
         fail_on: flags.fail_on,
         idle: guest,
     };
-    let code = terminal::run(model, &settings)?;
+    let (code, model) = terminal::run(model, &settings)?;
+    if goes_on {
+        // Where nothing can be kept, the next start asks again: no reason to fail now.
+        let _ = last::write(&Left::of(&model));
+    }
     Ok(ExitCode::from(code))
+}
+
+/// A model that goes on where the app was left; the first time it asks what hit the eye.
+fn resume(look: Look) -> Result<Model, ScenarioError> {
+    let left = match last::read() {
+        Ok(Some(left)) => left,
+        Ok(None) => {
+            let mut model = prepare(&[], look)?;
+            let mut picker = Picker::at(&model.choices, "");
+            picker.first = true;
+            model.overlay = Some(Overlay::Picker(picker));
+            return Ok(model);
+        }
+        Err(error) => {
+            let mut model = prepare(&[], look)?;
+            model.notice = Some(format!("where you left off cannot be read: {error}"));
+            return Ok(model);
+        }
+    };
+    let other = |_| {
+        let mut model = prepare(&[], look)?;
+        model.notice = Some(format!("{} cannot be opened any more", left.source));
+        Ok::<_, ScenarioError>(model)
+    };
+    let mut model = prepare(std::slice::from_ref(&left.source), look).or_else(other)?;
+    if let Some(changed) = left.changed {
+        model.work.scenario = changed;
+    }
+    update::show(&mut model, left.screen);
+    Ok(model)
 }
 
 /// Leaves of what can be opened what is for guests.
@@ -202,7 +247,7 @@ pub const MAX_OWN: usize = 1000;
 
 /// Every preset that can be opened; a broken one says why it cannot.
 pub fn choices() -> Vec<Choice> {
-    let mut presets = library::list().unwrap_or_default();
+    let mut presets = library::list().unwrap_or_else(|_| library::built_in());
     let mut own = 0;
     presets.retain(|preset| {
         own += usize::from(matches!(preset.origin, Origin::User(_)));

@@ -5,16 +5,17 @@
 
 use std::time::Duration;
 
-use crossterm::event::{KeyEvent, MouseEvent};
+use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 use tui_input::Input;
 
 use super::ensemble;
 use super::keys::{self, Act};
-use super::model::{Choice, Model, Overlay, Question, Work};
+use super::model::{Choice, Model, Naming, Overlay, Question, Work};
 use super::save::SaveError;
 use super::screens::SCREENS;
 use super::simulation;
 use super::task::{Report, Request, Ticket};
+use super::threshold;
 use super::view::overlay::help_rows;
 
 #[cfg(test)]
@@ -41,6 +42,10 @@ pub enum Message {
     News(Report),
     /// A preset was saved under this name, or not.
     Saved(String, Result<(), SaveError>),
+    /// The preset of the first name has the second one, or not.
+    Renamed(String, String, Result<(), SaveError>),
+    /// The preset of this name was removed, or not.
+    Removed(String, Result<(), SaveError>),
     /// These can be opened now.
     Choices(Vec<Choice>),
     /// What came of something that was done outside.
@@ -56,6 +61,10 @@ pub enum Effect {
     Stop(Ticket),
     /// Save a preset: name, text, whether it may replace another.
     Save(String, String, bool),
+    /// Give the preset of the first name the second one.
+    Rename(String, String),
+    /// Remove the preset of this name.
+    Remove(String),
     /// Write a page: the beginning of its file's name, and its text.
     Page(String, Vec<u8>),
     /// Put this on the clipboard.
@@ -86,7 +95,9 @@ pub fn update(model: &mut Model, message: Message) -> Vec<Effect> {
         Message::Mouse(event, size) => mouse::hear(model, event, size),
         Message::News(report) => hear(model, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
-        Message::Choices(choices) => model.choices = choices,
+        Message::Renamed(from, to, outcome) => presets::renamed(model, &from, to, outcome),
+        Message::Removed(name, outcome) => presets::removed(model, &name, outcome),
+        Message::Choices(choices) => presets::take(model, choices),
         Message::Said(words) => model.notice = Some(words),
     }
     attend(model);
@@ -98,6 +109,7 @@ fn hear(model: &mut Model, report: Report) {
     let mut report = Some(report);
     simulation::hear(model, &mut report);
     ensemble::hear(model, &mut report);
+    threshold::hear(model, &mut report);
     for screen in SCREENS {
         (screen.hear)(model, &mut report);
     }
@@ -148,12 +160,30 @@ fn key(model: &mut Model, event: KeyEvent) {
             run(model);
         }
         Some(Act::Show(place)) => show(model, place),
-        Some(Act::Type) => {
+        Some(Act::Type) if model.form.takes_numbers() => {
             typing::begin(model, true);
             typing::key(model, event);
         }
+        Some(Act::Type) => model.notice = Some(elsewhere(event)),
         None => typing::key(model, event),
     }
+}
+
+/// What to press for the screen of a digit where digits are values.
+fn elsewhere(event: KeyEvent) -> String {
+    let number = match event.code {
+        KeyCode::Char(digit) => digit.to_digit(10).unwrap_or(0),
+        _ => 0,
+    };
+    let screen = number
+        .checked_sub(1)
+        .and_then(|at| SCREENS.get(at as usize));
+    screen.map_or("no number is typed here".to_owned(), |screen| {
+        format!(
+            "no number is typed here: F{number} or Alt-{number} shows {}",
+            screen.title
+        )
+    })
 }
 
 /// Shows the screen of a place in the list.
@@ -191,7 +221,9 @@ pub(crate) fn toggle_mouse(model: &mut Model) {
 /// Leaves, after a question if work would be lost.
 pub(crate) fn quit(model: &mut Model) {
     if model.is_edited() {
-        model.overlay = Some(Overlay::Question(Question::Quit));
+        model.overlay = Some(Overlay::Question(Question::Quit {
+            kept: model.goes_on,
+        }));
     } else {
         model.out.effects.push(Effect::Quit(0));
     }
@@ -211,9 +243,8 @@ pub(crate) fn scroll(model: &mut Model, by: i16) {
         let line = line.saturating_add_signed(by).min(help_rows(model));
         model.overlay = Some(Overlay::Help(line));
     }
-    if let Some(Overlay::Picker(row)) = &mut model.overlay {
-        let last = model.choices.len().saturating_sub(1);
-        *row = row.saturating_add_signed(isize::from(by)).min(last);
+    if let Some(Overlay::Picker(picker)) = &mut model.overlay {
+        picker.go(isize::from(by));
     }
 }
 
@@ -236,15 +267,20 @@ pub(crate) fn travel(model: &mut Model, back: bool) {
 /// Accepts what is chosen in front of the screen, or what is typed.
 pub(crate) fn accept(model: &mut Model) {
     match &model.overlay {
-        Some(Overlay::Picker(row)) => {
-            let row = *row;
-            model.overlay = None;
-            presets::open(model, row);
+        Some(Overlay::Picker(picker)) => {
+            if let Some(at) = picker.shown.get(picker.row).copied() {
+                model.overlay = None;
+                presets::open(model, at);
+            }
         }
-        Some(Overlay::SaveAs(input, _)) => {
-            let name = input.value().trim().to_owned();
-            presets::save(model, name, false);
+        Some(Overlay::Name(naming, input, _)) => {
+            let (naming, name) = (naming.clone(), input.value().trim().to_owned());
+            match naming {
+                Naming::Save => presets::save(model, name, false),
+                Naming::Rename(from) => presets::rename(model, from, name),
+            }
         }
+        Some(Overlay::Threshold(_)) => threshold::accept(model),
         Some(_) => {}
         None => typing::accept(model),
     }
@@ -252,8 +288,17 @@ pub(crate) fn accept(model: &mut Model) {
 
 /// Gives up what is nearest: what stands in front, what is typed, or what is being computed.
 pub(crate) fn cancel(model: &mut Model) {
-    if model.overlay.take().is_some() {
+    if threshold::stop(model) {
         return;
+    }
+    match model.overlay.take() {
+        // Back to the list that it came from.
+        Some(Overlay::Name(Naming::Rename(from), ..)) => {
+            presets::open_picker_at(model, &from);
+            return;
+        }
+        Some(_) => return,
+        None => {}
     }
     if let Some(typing) = model.form.typing.take() {
         let work = model.work.with(typing.before);
@@ -267,12 +312,21 @@ pub(crate) fn cancel(model: &mut Model) {
 /// Answers yes or no to what is asked.
 pub(crate) fn reply(model: &mut Model, yes: bool) {
     match model.overlay.take() {
-        Some(Overlay::Question(Question::Quit)) if yes => model.out.effects.push(Effect::Quit(0)),
+        Some(Overlay::Question(Question::Quit { .. })) if yes => {
+            model.out.effects.push(Effect::Quit(0));
+        }
         Some(Overlay::Question(Question::Replace(name) | Question::Hide(name))) => {
             if yes {
                 presets::save(model, name, true);
             } else {
-                model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
+                model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), None));
+            }
+        }
+        Some(Overlay::Question(Question::Remove(name))) => {
+            if yes {
+                model.out.effects.push(Effect::Remove(name));
+            } else {
+                presets::open_picker_at(model, &name);
             }
         }
         _ => {}

@@ -24,7 +24,9 @@ fn a_small_terminal_still_asks_what_it_waits_for() {
         let text = picture(&model, size).replace('\n', " ");
         let words: Vec<&str> = text.split_whitespace().collect();
         assert!(
-            words.join(" ").contains("unsaved: y quits, n stays"),
+            words
+                .join(" ")
+                .contains("Quit without saving the changes? y or n"),
             "{text}"
         );
     }
@@ -265,7 +267,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     };
     said(
         &after(&[], "ajjjjjjjj\r-"),
-        &["▸Name", "1 to 80 characters", "Enter accept  Esc restore"],
+        &["▸Name", "1 to 80", "Enter accept  Esc restore"],
     );
     said(
         &after(&["paper-600n"], &("L".repeat(30) + "\tKK")),

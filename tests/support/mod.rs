@@ -20,6 +20,9 @@ const QUESTION: &[u8] = b"\x1b[6n";
 /// The beginning of a frame.
 const FRAME: &[u8] = b"\x1b[?2026h";
 
+/// The home of tests that need none of their own.
+pub const HOME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/support/home");
+
 /// Keys as a terminal sends them.
 pub const RIGHT: &str = "\x1b[C";
 /// From the first row of the form to the peak force.
@@ -114,7 +117,8 @@ pub fn plain(command: &mut CommandBuilder) {
         command.env_remove(name);
     }
     command.env("TERM", "xterm");
-    command.env("XDG_CONFIG_HOME", "/nonexistent");
+    // A home whose config file opens the app at once, on the same every time.
+    command.env("XDG_CONFIG_HOME", HOME);
 }
 
 impl Term {

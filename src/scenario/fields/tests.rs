@@ -40,6 +40,13 @@ fn every_path_is_there_once_and_readable_in_some_scenario() {
         let readable = every_variant().iter().any(|s| field.text(s).is_some());
         assert!(readable, "{}", field.path);
         assert!(!FIELDS[..index].iter().any(|other| other.path == field.path));
+        // Three lines of the narrowest form.
+        let letters = field.help.chars().count();
+        assert!(
+            (10..=66).contains(&letters) && !field.help.ends_with('.'),
+            "{}",
+            field.path
+        );
     }
 }
 

@@ -34,8 +34,8 @@ pub struct Config {
     pub mouse: bool,
     /// Whether bands and mesh errors are computed while nothing else is wanted.
     pub idle: bool,
-    /// The place of the screen that is shown first.
-    pub start: usize,
+    /// The place of the screen that is shown first; none where the app was left.
+    pub start: Option<usize>,
     /// Keys of one's own.
     pub keys: Keys,
 }
@@ -49,7 +49,7 @@ impl Default for Config {
             fps: 12,
             mouse: false,
             idle: true,
-            start: 0,
+            start: None,
             keys: Keys::default(),
         }
     }
@@ -119,7 +119,10 @@ mod tests {
             assert_eq!(Config::read(&printed, "").unwrap(), config, "{printed}");
         }
         let config = Config::read(own, "").unwrap();
-        assert_eq!((config.fps, config.start, config.idle), (30, 6, false));
+        assert_eq!(
+            (config.fps, config.start, config.idle),
+            (30, Some(6), false)
+        );
         assert!(config.to_ron().contains("1 to 60; usually 12."));
     }
 
@@ -143,8 +146,8 @@ mod tests {
                 "config.ron:2:9: color: \"blue\" is not known here: allowed \"auto\", \"never\", \"16\", \"256\"",
                 "config.ron:3:7: fps: 99 is out of range: allowed whole numbers 1 to 60",
                 "config.ron:4:9: mouse: 1 is neither true nor false: allowed true or false",
-                "config.ron:5:9: start: \"nowhere\" is not known here: allowed \"main\", \"replay\", \"forces\", \
-                 \"compare\", \"accuracy\", \"doubt\", \"map\", \"injury\"",
+                "config.ron:5:9: start: \"nowhere\" is not known here: allowed \"last\", \"main\", \"replay\", \
+                 \"forces\", \"compare\", \"accuracy\", \"doubt\", \"map\", \"injury\"",
             ]
         );
     }

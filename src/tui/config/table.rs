@@ -103,10 +103,16 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "start",
-        about: "The screen that is shown first",
+        about: "The screen that is shown first; last: where you left off, with what you worked on",
         kind: Kind::Word(
-            || SCREENS.iter().map(|s| s.title.to_lowercase()).collect(),
-            at!(start),
+            || {
+                let titles = SCREENS.iter().map(|screen| screen.title.to_lowercase());
+                std::iter::once("last".to_owned()).chain(titles).collect()
+            },
+            Place {
+                get: |config| config.start.map_or(0, |screen| 1 + screen),
+                put: |config, at| config.start = at.checked_sub(1),
+            },
         ),
     },
 ];

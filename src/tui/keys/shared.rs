@@ -7,6 +7,7 @@ use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shi
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::SCREENS;
 use crate::tui::take_away;
+use crate::tui::threshold;
 use crate::tui::update::{self, PAGE, presets, scroll, time};
 
 pub(crate) const UP: Press = plain(KeyCode::Up);
@@ -119,14 +120,29 @@ static TYPING: KeyTable = KeyTable::new("Typing", &[
 /// In the list of presets to open.
 #[rustfmt::skip]
 static PICKER: KeyTable = KeyTable::new("List of presets", &[
-    bind(&[UP, c('k')], |m| scroll(m, -1), "preset", "the preset above"),
-    bind(&[DOWN, c('j')], |m| scroll(m, 1), "&", "the preset below"),
+    bind(&[UP], |m| scroll(m, -1), "preset", "the preset above"),
+    bind(&[DOWN], |m| scroll(m, 1), "&", "the preset below"),
     bind(&[PAGE_UP], |m| scroll(m, -PAGE), "", "ten presets up"),
     bind(&[PAGE_DOWN], |m| scroll(m, PAGE), "", "ten presets down"),
     bind(&[HOME], |m| scroll(m, -i16::MAX), "", "the first preset"),
     bind(&[END], |m| scroll(m, i16::MAX), "", "the last preset"),
     bind(&[ENTER], update::accept, "open", "open it"),
-    bind(&[ESC], update::cancel, "close", "close the list; no letter leaves it"),
+    bind(&[plain(KeyCode::F(2))], presets::ask_to_rename, "rename", "rename a preset of your own"),
+    bind(&[plain(KeyCode::Delete)], presets::ask_to_remove, "remove", "remove a preset of your own"),
+    bind(&[ESC], update::cancel, "close", "close the list; letters are searched for"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// While it is asked at which value a result reaches another one.
+#[rustfmt::skip]
+static THRESHOLD: KeyTable = KeyTable::new("At which value", &[
+    bind(&[UP], |m| threshold::next_result(m, false), "result", "the result before"),
+    bind(&[DOWN], |m| threshold::next_result(m, true), "&", "the next result"),
+    bind(&[ENTER], update::accept, "find, take", "look for the value; then take it into the form"),
+    bind(&[TAB], threshold::next_crossing, "next", "the next value, where there are several"),
+    bind(&[ESC], update::cancel, "stop", "stop looking; then close"),
     LEAVE,
     #[cfg(unix)]
     STOP,
@@ -156,14 +172,15 @@ static HELP: KeyTable = KeyTable::new("Help", &[
 ]);
 
 /// The tables of what can stand in front of a screen.
-pub(crate) static IN_FRONT: [&KeyTable; 4] = [&TYPING, &PICKER, &QUESTION, &HELP];
+pub(crate) static IN_FRONT: [&KeyTable; 5] = [&TYPING, &PICKER, &THRESHOLD, &QUESTION, &HELP];
 
 /// The keys of what stands in front of the screen now. Nothing behind it hears any.
 pub(crate) fn in_front(model: &Model) -> Option<&'static KeyTable> {
     match &model.overlay {
         Some(Overlay::Help(_)) => Some(&HELP),
         Some(Overlay::Picker(_)) => Some(&PICKER),
-        Some(Overlay::SaveAs(..)) => Some(&TYPING),
+        Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
+        Some(Overlay::Name(..)) => Some(&TYPING),
         Some(Overlay::Question(_)) => Some(&QUESTION),
         None => model.form.typing.is_some().then_some(&TYPING),
     }

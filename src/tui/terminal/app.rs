@@ -4,6 +4,7 @@
 //! the replay wants its next frame; with nothing to show it writes nothing.
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -22,7 +23,7 @@ use crate::scenario::library;
 use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
-use crate::tui::save::{SaveError, page, save};
+use crate::tui::save::{SaveError, page, remove, rename, save};
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
 
@@ -39,11 +40,11 @@ pub struct Settings {
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
-/// Runs the app until the person leaves; gives the exit code.
+/// Runs the app until the person leaves; gives the exit code and what it was left as.
 ///
 /// # Errors
 /// Where the terminal fails.
-pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
+pub fn run(model: Model, settings: &Settings) -> io::Result<(u8, Model)> {
     let (send, events) = channel();
     let signals = system::signals()?;
     let session = Session::enter()?;
@@ -68,7 +69,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
     };
     let code = app.run()?;
     let is_asleep = app.is_asleep();
-    drop(app);
+    let model = app.end();
     if is_asleep {
         // Whoever is gone hears nothing.
         let _ = writeln!(
@@ -76,7 +77,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
             "The session ended: no key was pressed for a while."
         );
     }
-    Ok(code)
+    Ok((code, model))
 }
 
 /// What the terminal shows, and the pen that drew it.
@@ -84,6 +85,14 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<u8> {
 struct Screen {
     shown: Buffer,
     pen: Pen,
+}
+
+/// Does something in the folder of the person's own presets.
+fn in_folder(act: impl FnOnce(&Path) -> Result<(), SaveError>) -> Result<(), SaveError> {
+    match library::folder() {
+        Some(folder) => act(&folder),
+        None => Err(SaveError::Failed("there is no home folder".to_owned())),
+    }
 }
 
 struct App {
@@ -106,6 +115,11 @@ struct App {
 }
 
 impl App {
+    /// Leaves the terminal and stops all work.
+    fn end(self) -> Model {
+        self.model
+    }
+
     fn run(&mut self) -> io::Result<u8> {
         self.session.listen_to_mouse(self.model.mouse)?;
         let effects = begin(&mut self.model);
@@ -340,8 +354,18 @@ impl App {
         for effect in effects {
             match effect {
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
+                Effect::Rename(from, to) => {
+                    let outcome = in_folder(|folder| rename(folder, &from, &to));
+                    self.tell(Message::Renamed(from, to, outcome))?;
+                    self.tell(Message::Choices(choices()))?;
+                }
+                Effect::Remove(name) => {
+                    let outcome = in_folder(|folder| remove(folder, &name));
+                    self.tell(Message::Removed(name, outcome))?;
+                    self.tell(Message::Choices(choices()))?;
+                }
                 Effect::Page(stem, text) => {
-                    let said = match page(std::path::Path::new("."), &stem, &text) {
+                    let said = match page(Path::new("."), &stem, &text) {
                         Ok(path) => {
                             let name = path.file_name().unwrap_or_default().to_string_lossy();
                             format!("written here: {name}")
@@ -363,10 +387,7 @@ impl App {
     }
 
     fn save(&mut self, name: String, text: &str, replace: bool) -> io::Result<()> {
-        let outcome = match library::folder() {
-            Some(folder) => save(&folder, &name, text, replace),
-            None => Err(SaveError::Failed("there is no home folder".to_owned())),
-        };
+        let outcome = in_folder(|folder| save(folder, &name, text, replace));
         let is_saved = outcome.is_ok();
         self.tell(Message::Saved(name, outcome))?;
         if is_saved {

@@ -6,7 +6,7 @@ use crate::tui::open::prepare;
 use crate::tui::task::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::heat::HeatMap;
-use crossterm::event::{KeyCode, KeyEvent};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// Opened, without its first simulation.
 pub fn opened() -> Model {
@@ -38,7 +38,12 @@ pub fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
     update(model, Message::Key(KeyEvent::from(code)))
 }
 
-/// Presses the key of a letter.
+/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every pane.
 pub fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
-    key(model, KeyCode::Char(letter))
+    let held = match letter {
+        '0'..='9' => KeyModifiers::ALT,
+        _ => KeyModifiers::NONE,
+    };
+    let event = KeyEvent::new(KeyCode::Char(letter), held);
+    update(model, Message::Key(event))
 }

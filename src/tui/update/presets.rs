@@ -1,11 +1,13 @@
-//! Opening a preset, and saving one of the person's own.
+//! Opening a preset, and saving, renaming and removing one of the person's own.
 
 use tui_input::Input;
 
 use super::{Effect, change};
+use crate::scenario::Scenario;
 use crate::scenario::load::to_ron;
-use crate::tui::model::{Choice, Model, Overlay, Question, Work};
-use crate::tui::open::MAX_OWN;
+use crate::tui::model::{Choice, Model, Naming, Overlay, Question, Work};
+use crate::tui::open::{FIRST, MAX_OWN};
+use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
 
 pub(crate) fn next_preset(model: &mut Model, forward: bool) {
@@ -32,18 +34,142 @@ pub(crate) fn open(model: &mut Model, index: usize) {
     match &choice.scenario {
         Ok(scenario) => {
             let work = Work::fresh(&choice.name, scenario);
+            let left = model.is_edited().then(|| model.work.name().to_owned());
             change(model, work, "");
+            if let Some(left) = left.filter(|_| !model.is_edited()) {
+                model.notice = Some(format!("u brings back your changes to {left}"));
+            }
         }
         Err(why) => model.form.complaint = Some(format!("{}: {why}", choice.name)),
     }
 }
 
 pub(crate) fn open_picker(model: &mut Model) {
-    let here = model
-        .choices
-        .iter()
-        .position(|choice| choice.name == model.work.source);
-    model.overlay = Some(Overlay::Picker(here.unwrap_or(0)));
+    let here = model.work.source.clone();
+    open_picker_at(model, &here);
+}
+
+/// Opens the list with the cursor on the preset of this name.
+pub(crate) fn open_picker_at(model: &mut Model, name: &str) {
+    model.overlay = Some(Overlay::Picker(Picker::at(&model.choices, name)));
+}
+
+/// The presets that can be opened are these now.
+pub(crate) fn take(model: &mut Model, choices: Vec<Choice>) {
+    model.choices = choices;
+    if let Some(Overlay::Picker(picker)) = &mut model.overlay {
+        let row = picker.row;
+        picker.search(&model.choices);
+        picker.row = row.min(picker.shown.len().saturating_sub(1));
+    }
+}
+
+/// The name of the preset with the cursor, if it is the person's own; else says that it stays.
+fn own_chosen(model: &mut Model) -> Option<String> {
+    let Some(Overlay::Picker(picker)) = &model.overlay else {
+        return None;
+    };
+    let choice = picker.chosen(&model.choices)?;
+    let name = choice.name.clone();
+    if choice.origin == "own" && check_name(&name).is_ok() {
+        return Some(name);
+    }
+    model.notice = Some(format!(
+        "{name} is no preset of your own: it stays as it is"
+    ));
+    None
+}
+
+pub(crate) fn ask_to_remove(model: &mut Model) {
+    if let Some(name) = own_chosen(model) {
+        model.overlay = Some(Overlay::Question(Question::Remove(name)));
+    }
+}
+
+pub(crate) fn ask_to_rename(model: &mut Model) {
+    if let Some(name) = own_chosen(model) {
+        let input = Input::new(name.clone());
+        model.overlay = Some(Overlay::Name(Naming::Rename(name), input, None));
+    }
+}
+
+pub(crate) fn rename(model: &mut Model, from: String, to: String) {
+    let error = match check_name(&to) {
+        Err(error) => Some(error.to_string()),
+        Ok(()) if to == from => {
+            open_picker_at(model, &from);
+            return;
+        }
+        Ok(()) if model.choices.iter().any(|choice| choice.name == to) => {
+            Some(format!("there is a preset {to} already"))
+        }
+        Ok(()) => None,
+    };
+    match error {
+        Some(_) => {
+            let input = Input::new(to);
+            model.overlay = Some(Overlay::Name(Naming::Rename(from), input, error));
+        }
+        None => model.out.effects.push(Effect::Rename(from, to)),
+    }
+}
+
+pub(crate) fn renamed(model: &mut Model, from: &str, to: String, outcome: Result<(), SaveError>) {
+    if let Err(error) = outcome {
+        let naming = Naming::Rename(from.to_owned());
+        model.overlay = Some(Overlay::Name(
+            naming,
+            Input::new(to),
+            Some(error.to_string()),
+        ));
+        return;
+    }
+    let follow = |work: &mut Work| {
+        if work.source == from {
+            work.source.clone_from(&to);
+            for scenario in [&mut work.scenario, &mut work.original] {
+                if scenario.name == from {
+                    scenario.name.clone_from(&to);
+                }
+            }
+        }
+    };
+    follow(&mut model.work);
+    model.history.amend(follow);
+    if let Some(choice) = model.choices.iter_mut().find(|choice| choice.name == from) {
+        choice.name.clone_from(&to);
+    }
+    if let Some(shown) = model
+        .shown
+        .as_mut()
+        .filter(|shown| shown.scenario.name == from)
+    {
+        shown.scenario.name.clone_from(&to);
+    }
+    model.notice = Some(format!("renamed to {to}"));
+    open_picker_at(model, &to);
+}
+
+pub(crate) fn removed(model: &mut Model, name: &str, outcome: Result<(), SaveError>) {
+    match outcome {
+        Ok(()) => {
+            // What is worked on counts from now on as changes to what is always there.
+            let base = Scenario::default();
+            let leave = |work: &mut Work| {
+                if work.source == name {
+                    FIRST.clone_into(&mut work.source);
+                    work.original.clone_from(&base);
+                }
+            };
+            leave(&mut model.work);
+            model.history.amend(leave);
+            model.choices.retain(|choice| choice.name != name);
+            model.notice = Some(format!("removed {name}"));
+        }
+        Err(error) => model.notice = Some(error.to_string()),
+    }
+    let here = model.work.source.clone();
+    open_picker_at(model, &here);
 }
 
 pub(crate) fn ask_for_name(model: &mut Model) {
@@ -63,12 +189,12 @@ pub(crate) fn ask_for_name(model: &mut Model) {
         let stem = model.work.name().trim_end_matches(".ron");
         free_name(stem, |name| model.choices.iter().any(|c| c.name == name))
     };
-    model.overlay = Some(Overlay::SaveAs(Input::new(name), None));
+    model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), None));
 }
 
 pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
     if let Err(error) = check_name(&name) {
-        if let Some(Overlay::SaveAs(_, shown)) = &mut model.overlay {
+        if let Some(Overlay::Name(_, _, shown)) = &mut model.overlay {
             *shown = Some(error.to_string());
         }
         return;
@@ -85,7 +211,7 @@ pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
     let own = model.choices.iter().filter(|choice| choice.origin == "own");
     if !replace && own.count() >= MAX_OWN {
         let full = format!("{MAX_OWN} presets of your own are there: remove one first");
-        model.overlay = Some(Overlay::SaveAs(Input::new(name), Some(full)));
+        model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), Some(full)));
         return;
     }
     let mut scenario = model.work.scenario.clone();
@@ -124,7 +250,7 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
         }
         Err(error) => {
             let input = Input::new(name);
-            model.overlay = Some(Overlay::SaveAs(input, Some(error.to_string())));
+            model.overlay = Some(Overlay::Name(Naming::Save, input, Some(error.to_string())));
         }
     }
 }

@@ -159,12 +159,16 @@ fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current(
 fn lists_of_presets_have_a_first_and_a_last() {
     let mut model = model();
     let last = model.choices.len() - 1;
+    let row = |model: &Model| match &model.overlay {
+        Some(Overlay::Picker(picker)) => picker.row,
+        _ => usize::MAX,
+    };
     press(&mut model, "p\x1b[F");
-    assert!(matches!(model.overlay, Some(Overlay::Picker(row)) if row == last));
+    assert_eq!(row(&model), last);
     press(&mut model, "\x1b[5~");
-    assert!(matches!(model.overlay, Some(Overlay::Picker(row)) if row == last - 10));
+    assert_eq!(row(&model), last - 10);
     press(&mut model, "\x1b[H\x1b[6~");
-    assert!(matches!(model.overlay, Some(Overlay::Picker(10))));
+    assert_eq!(row(&model), 10);
     press(&mut model, "\x1b");
     press(&mut model, "\x1b4\x1b[F");
     assert_eq!(model.screens.compare.row, last + 1);
@@ -215,7 +219,7 @@ fn quitting_asks_only_when_work_would_be_lost() {
 fn saving_asks_for_a_name_and_before_it_replaces() {
     let mut model = model();
     let offered = |model: &Model| match &model.overlay {
-        Some(Overlay::SaveAs(input, _)) => input.value().to_owned(),
+        Some(Overlay::Name(Naming::Save, input, _)) => input.value().to_owned(),
         _ => String::new(),
     };
     press(&mut model, "ls");
@@ -226,8 +230,8 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
     let replace = Question::Hide("paper-300n".to_owned());
     assert!(matches!(&model.overlay, Some(Overlay::Question(q)) if *q == replace));
     press(&mut model, "n");
-    press(&mut model, "\x15a b\r");
-    assert!(matches!(&model.overlay, Some(Overlay::SaveAs(_, Some(_)))));
+    press(&mut model, "\x15a/b\r");
+    assert!(matches!(&model.overlay, Some(Overlay::Name(_, _, Some(_)))));
     let effects = press(&mut model, "\x15mine\r");
     let [Effect::Save(name, text, false)] = &effects[..] else {
         panic!("{effects:?}")
@@ -382,16 +386,76 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
 }
 
 #[test]
-fn no_letter_leaves_the_list_of_presets_or_does_anything_behind_it() {
+fn letters_search_the_list_of_presets_and_do_nothing_behind_it() {
     let mut model = model();
     press(&mut model, "p");
     let before = model.work.clone();
-    for typed in "squash ball, wyr?1".chars() {
+    for typed in "qjk squash, wyr?1".chars() {
         assert!(press(&mut model, &typed.to_string()).is_empty(), "{typed}");
         let in_front = matches!(model.overlay, Some(Overlay::Picker(_)));
         assert!(in_front && model.form.typing.is_none(), "{typed}");
     }
+    // Where nothing is found, Enter opens nothing.
+    press(&mut model, "\r");
+    assert!(matches!(model.overlay, Some(Overlay::Picker(_))));
     assert!(model.work == before && model.screen == 0);
     press(&mut model, "\x1b");
     assert!(model.overlay.is_none());
+}
+
+#[test]
+fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
+    let mut model = model();
+    press(&mut model, "l");
+    press(&mut model, "psqua ball\r");
+    assert_eq!(model.work.source, "squash-ball");
+    assert!(model.notice.as_ref().unwrap().contains("u brings back"));
+    press(&mut model, "u");
+    assert_eq!(force(&model), 310.0);
+}
+
+#[test]
+fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
+    let mut model = model();
+    let (rename, delete) = ("\x1bOQ", "\x1b[3~");
+    for key in [rename, delete] {
+        press(&mut model, "pbb 56");
+        assert!(press(&mut model, key).is_empty());
+        assert!(model.notice.as_ref().unwrap().contains("stays as it is"));
+        press(&mut model, "\x1b");
+    }
+    press(&mut model, "ls\x15my blow\r");
+    let name = "my blow".to_owned();
+    update(&mut model, Message::Saved(name.clone(), Ok(())));
+    let mut own = model.choices[0].clone();
+    own.name.clone_from(&name);
+    own.scenario = Ok(model.work.scenario.clone());
+    own.origin = "own";
+    model.choices.push(own);
+    press(&mut model, "p");
+    press(&mut model, rename);
+    assert_eq!(press(&mut model, "\x15bb-56\r"), [], "that name is taken");
+    let effects = press(&mut model, "\x15hers\r");
+    let hers = "hers".to_owned();
+    assert_eq!(effects, [Effect::Rename(name.clone(), hers.clone())]);
+    update(&mut model, Message::Renamed(name, hers.clone(), Ok(())));
+    assert_eq!(
+        (&model.work.source, &model.work.scenario.name),
+        (&hers, &hers)
+    );
+    assert!(!model.is_edited());
+    // No leaves it, and leads back to the list.
+    assert_eq!(press(&mut model, &format!("{delete}n")), []);
+    let effects = press(&mut model, &format!("{delete}y"));
+    assert_eq!(effects, [Effect::Remove(hers.clone())]);
+    update(&mut model, Message::Removed(hers.clone(), Ok(())));
+    assert!(model.choices.iter().all(|choice| choice.name != hers));
+    // What it held is still worked on, and is not lost without a question.
+    assert!(model.is_edited() && force(&model) == 310.0);
+    press(&mut model, "\x1b");
+    press(&mut model, "q");
+    assert!(matches!(
+        model.overlay,
+        Some(Overlay::Question(Question::Quit { .. }))
+    ));
 }

@@ -10,6 +10,7 @@ use crate::tui::guest::allowed;
 use crate::tui::keys::begins_value;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
+use crate::tui::threshold;
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut Model, empty: bool) {
@@ -55,7 +56,7 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
 }
 
 pub(crate) fn paste(model: &mut Model, text: &str) {
-    if begins_value(model) {
+    if begins_value(model) && model.form.takes_numbers() {
         begin(model, true);
     }
     type_into(model, |input| {
@@ -68,10 +69,25 @@ pub(crate) fn paste(model: &mut Model, text: &str) {
 /// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
 /// makes none leaves the value from before, not a part of what was typed.
 pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
-    if let Some(Overlay::SaveAs(input, error)) = &mut model.overlay {
-        change(input);
-        *error = check_name(input.value()).err().map(|e| e.to_string());
-        return;
+    match &mut model.overlay {
+        Some(Overlay::Name(_, input, error)) => {
+            change(input);
+            *error = check_name(input.value()).err().map(|e| e.to_string());
+            return;
+        }
+        Some(Overlay::Picker(picker)) => {
+            let before = picker.input.value().to_owned();
+            change(&mut picker.input);
+            if picker.input.value() != before {
+                picker.search(&model.choices);
+            }
+            return;
+        }
+        Some(Overlay::Threshold(_)) => {
+            threshold::retype(model, change);
+            return;
+        }
+        _ => {}
     }
     let Some(typing) = &mut model.form.typing else {
         return;

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::text::{fitted, put, width};
 use super::theme::Theme;
 use crate::tui::keys::live;
-use crate::tui::model::{Model, Overlay, Question};
+use crate::tui::model::{Model, Overlay};
 
 /// Draws the footer.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -22,12 +22,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     }
     if let Some(Overlay::Question(question)) = &model.overlay {
-        let text = match question {
-            Question::Quit => "Quit without saving the changes?".to_owned(),
-            Question::Replace(name) => format!("Replace the preset {name}?"),
-            Question::Hide(name) => format!("Hide the preset {name}?"),
-        };
-        x = put(buffer, area, (x, 0), &text, theme.bar_strong()) + 2;
+        x = put(buffer, area, (x, 0), &question.brief(), theme.bar_strong()) + 2;
     }
     // The keys for help and for leaving are always there.
     let is_last = |word: &str| word == "keys" || word == "quit";

@@ -9,15 +9,17 @@ mod fill;
 pub mod footer;
 pub mod heat;
 pub mod overlay;
+mod picker;
 mod projection;
 pub mod raster;
 pub mod text;
 pub mod theme;
+mod threshold;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::model::{Model, Overlay, Question};
+use super::model::{Model, Overlay};
 use super::screens::{SCREENS, Screen};
 use super::terminal::caps::Symbols;
 use text::put;
@@ -63,9 +65,7 @@ pub fn body(area: Rect) -> Rect {
 fn too_small(model: &Model, area: Rect, buffer: &mut Buffer) {
     // A question takes every key, so it is asked here too.
     let question = match &model.overlay {
-        Some(Overlay::Question(Question::Quit)) => "unsaved: y quits, n stays".to_owned(),
-        Some(Overlay::Question(Question::Replace(name))) => format!("replace {name}? y or n"),
-        Some(Overlay::Question(Question::Hide(name))) => format!("hide {name}? y or n"),
+        Some(Overlay::Question(question)) => question.brief() + " y or n",
         _ => String::new(),
     };
     let mut lines = text::wrapped(&question, usize::from(area.width));

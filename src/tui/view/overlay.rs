@@ -9,15 +9,18 @@ use super::text::{fitted, put, width, wrapped};
 use super::theme::Theme;
 use crate::guide;
 use crate::tui::keys::{KeyTable, tables};
-use crate::tui::model::{Model, Overlay, Question};
+use crate::tui::model::{Model, Naming, Overlay, Question};
 
 /// Draws what is in front, if anything is.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     match &model.overlay {
         None => {}
         Some(Overlay::Help(line)) => help(model, *line, area, buffer),
-        Some(Overlay::Picker(row)) => picker(model, *row, area, buffer),
-        Some(Overlay::SaveAs(name, error)) => save(model, name, error.as_deref(), area, buffer),
+        Some(Overlay::Picker(picker)) => super::picker::draw(model, picker, area, buffer),
+        Some(Overlay::Threshold(asking)) => super::threshold::draw(model, asking, area, buffer),
+        Some(Overlay::Name(naming, name, error)) => {
+            typed_name(model, naming, (name, error.as_deref()), area, buffer);
+        }
         Some(Overlay::Question(question)) => ask(model, question, area, buffer),
     }
 }
@@ -26,7 +29,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 const MARGIN: u16 = 4;
 
 /// A frame in the middle; gives the space inside.
-fn frame(
+pub(super) fn frame(
     title: &str,
     (wide, high): (u16, u16),
     theme: Theme,
@@ -184,36 +187,19 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn picker(model: &Model, row: usize, area: Rect, buffer: &mut Buffer) {
+fn typed_name(
+    model: &Model,
+    naming: &Naming,
+    (name, error): (&Input, Option<&str>),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
-    let count = model.choices.len() as u16;
-    let inside = frame("Open", (56, count + 2), theme, area, buffer);
-    let room = usize::from(inside.height);
-    let first = row.saturating_sub(room.saturating_sub(1));
-    for (i, choice) in model.choices.iter().enumerate().skip(first).take(room) {
-        let y = (i - first) as u16;
-        let style = if i == row {
-            theme.focus()
-        } else {
-            theme.strong()
-        };
-        put(buffer, inside, (0, y), &fitted(&choice.name, 20), style);
-        let (text, style) = match &choice.scenario {
-            Ok(scenario) => (scenario.name.clone(), theme.text()),
-            Err(why) => (why.clone(), theme.error()),
-        };
-        let text = match choice.origin {
-            "" => text,
-            origin => format!("{origin}: {text}"),
-        };
-        let room = usize::from(inside.width - 21);
-        put(buffer, inside, (21, y), &fitted(&text, room), style);
-    }
-}
-
-fn save(model: &Model, name: &Input, error: Option<&str>, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    let inside = frame("Save as a preset of your own", (50, 6), theme, area, buffer);
+    let title = match naming {
+        Naming::Save => "Save as a preset of your own".to_owned(),
+        Naming::Rename(from) => format!("Another name for {}", fitted(from, 24)),
+    };
+    let inside = frame(&title, (50, 6), theme, area, buffer);
     put(buffer, inside, (0, 0), "Name", theme.text());
     let field = Rect::new(inside.x + 6, inside.y, inside.width - 6, 1);
     input(name, theme.strong(), theme.focus(), field, buffer);
@@ -226,19 +212,8 @@ fn save(model: &Model, name: &Input, error: Option<&str>, area: Rect, buffer: &m
 
 fn ask(model: &Model, question: &Question, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let text = match question {
-        Question::Replace(name) => {
-            format!("There is a preset {name} already. Put this one in its place?")
-        }
-        Question::Hide(name) => {
-            format!(
-                "{name} comes with the program. A preset of your own of that name hides it. Save it?"
-            )
-        }
-        Question::Quit => "The changes are not saved. Quit and lose them?".to_owned(),
-    };
     let inside = frame("Sure?", (50, 6), theme, area, buffer);
-    let lines = wrapped(&text, usize::from(inside.width));
+    let lines = wrapped(&question.text(), usize::from(inside.width));
     for (i, line) in lines.iter().enumerate() {
         put(buffer, inside, (0, i as u16), line, theme.text());
     }

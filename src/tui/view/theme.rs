@@ -82,6 +82,11 @@ impl Theme {
         }
     }
 
+    /// Laid over a result of what was there before the last edit.
+    pub fn stale(self) -> Style {
+        Style::new().add_modifier(DIM).remove_modifier(BOLD)
+    }
+
     /// A heading.
     pub fn heading(self) -> Style {
         self.pick(Style::new(), Color::Cyan, Color::Indexed(80))

@@ -3,7 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::FORM;
+use super::{DIAL, FORM};
+use crate::report::text::digits;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::model::{Model, Overlay};
@@ -12,13 +13,13 @@ use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Lines that are said about a field at most.
-const MAX_NOTE_LINES: usize = 5;
+const MAX_NOTE_LINES: usize = 7;
 
 /// Draws the form.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // A name to save under stands in front without taking the form away.
-    let in_front = matches!(model.overlay, None | Some(Overlay::SaveAs(..)));
+    let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
     let focused = model.pane() == FORM && in_front;
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
     let bottom = area.height - foot(model, area);
@@ -98,6 +99,16 @@ fn note(model: &Model) -> (String, Tone) {
     }
 }
 
+/// How a number is typed whose value is in doubt, once it has one.
+fn doubtful(typing: &Typing) -> Option<String> {
+    let Kind::Number(..) = typing.field.kind else {
+        return None;
+    };
+    let value = typing.input.value().trim();
+    let tenth = 0.1 * value.parse::<f64>().ok()?.abs();
+    (tenth > 0.0).then(|| format!("not sure? {value} +- {}", digits(tenth, 1)))
+}
+
 /// How far the answer is, once it takes long.
 pub fn simulating(model: &Model) -> Option<String> {
     let share = model.run.job.as_ref()?.share?;
@@ -105,25 +116,29 @@ pub fn simulating(model: &Model) -> Option<String> {
 }
 
 fn help(model: &Model) -> String {
+    if model.has_focus(DIAL) {
+        return "Turn the blow, or widen the arc it acts on".to_owned();
+    }
+    if let Some(hint) = model.form.typing.as_ref().and_then(doubtful) {
+        return hint;
+    }
     match model.form.selected {
         Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
         Row::Fold => "mesh, materials, numerics".to_owned(),
         Row::Field(field) => {
-            let said = match field.path {
-                "impact.half_width_deg" => {
-                    format!("half of the impact area; {}", allowed(field))
-                }
-                _ => allowed(field),
+            let pulse = super::pulse::said(&model.work.scenario, field.path);
+            let accepted = match pulse {
+                Some(pulse) => format!("{pulse}; {}", allowed(field)),
+                None => allowed(field),
             };
-            let said = match super::pulse::said(&model.work.scenario, field.path) {
-                Some(pulse) => format!("{pulse}; {said}"),
-                None => said,
-            };
-            if is_unverified(&model.work.scenario, field) {
-                format!("{UNVERIFIED}; {said}")
-            } else {
-                said
+            let mut said = format!("{}: {accepted}", field.help);
+            if model.work.scenario.doubt.contains_key(field.path) {
+                said = format!("F6 shows what its doubt does. {said}");
             }
+            if is_unverified(&model.work.scenario, field) {
+                said = format!("{UNVERIFIED}. {said}");
+            }
+            said
         }
     }
 }

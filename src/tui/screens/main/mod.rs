@@ -17,6 +17,7 @@ use crate::tui::keys::shared::{
 use crate::tui::keys::{Act, Binding, KeyTable, Press, TimeKeys, bind, c};
 use crate::tui::model::Model;
 use crate::tui::step::Step;
+use crate::tui::threshold;
 use crate::tui::update::{change, presets, time, typing};
 use crate::tui::view::eye;
 
@@ -36,7 +37,7 @@ pub(crate) const SCREEN: Screen = Screen {
         &[
             Pane {
                 name: "form",
-                keys: &[NUMBER_KEYS, FORM_KEYS],
+                keys: &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
                 time: TimeKeys::Late,
             },
             Pane {
@@ -67,6 +68,19 @@ const NUMBER_KEYS: KeyTable = KeyTable {
     counts: |model| model.form.takes_numbers(),
 };
 
+/// A digit never leaves the form: whoever types one means a value.
+const OTHER_KEYS: KeyTable = KeyTable {
+    title: "Form: another row",
+    bindings: &[Binding {
+        presses: NUMERALS.first_chunk::<10>().unwrap().as_slice(),
+        act: Act::Type,
+        short: "",
+        help: "nothing: F2 or Alt-2 shows a screen",
+        name: "",
+    }],
+    counts: |model| !model.form.takes_numbers(),
+};
+
 #[rustfmt::skip]
 const FORM_KEYS: KeyTable = KeyTable::new("Form", &[
     bind(&[UP, c('k')], |m| m.form.go(&m.work.scenario, -1), "field", "the field above"),
@@ -76,6 +90,7 @@ const FORM_KEYS: KeyTable = KeyTable::new("Form", &[
     bind(&[SHIFT_LEFT, c('H')], |m| step(m, Step::MUCH_LESS), "", "a large step down"),
     bind(&[SHIFT_RIGHT, c('L')], |m| step(m, Step::MUCH_MORE), "", "a large step up"),
     bind(&[ENTER], enter, "edit", "edit the value, open the list, unfold"),
+    bind(&[c('t')], threshold::ask, "threshold", "at which value of it a result reaches what you ask"),
     bind(&[c('a')], |m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
 ]);
 
@@ -158,7 +173,7 @@ fn furthest(
     reached.map_or(whole, Ok)
 }
 
-/// Points at rows, turns the blow on the eye, and steps by its wheel.
+/// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
 fn mouse(model: &mut Model, mouse: Mouse, area: Rect) -> bool {
     let parts = view::layout(area);
     let row_at = |model: &Model, (x, y): (u16, u16)| {
@@ -183,11 +198,7 @@ fn mouse(model: &mut Model, mouse: Mouse, area: Rect) -> bool {
         Mouse::Wheel(at, by) => {
             model.form.complaint = None;
             match row_at(model, at) {
-                Some(Some(row)) if row == model.form.selected => {
-                    if let Row::Field(field) = row {
-                        nudge(model, field.path, by);
-                    }
-                }
+                // A wheel that scrolls must not change what it passes over.
                 Some(_) => {
                     let rows = if by.up { -1 } else { 1 };
                     model.form.go(&model.work.scenario, rows);

@@ -98,6 +98,18 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         };
         risks(model, shown, inside, buffer);
     }
+    if model.stale().is_some() {
+        // All but the line that says so.
+        let (above, below) = (
+            parts.right.height - parts.score.height,
+            parts.score.height - 1,
+        );
+        for (y, height) in [(0, above), (above + 1, below)] {
+            let stale = Rect::new(parts.right.x, parts.right.y + y, parts.right.width, height);
+            buffer.set_style(stale, theme.stale());
+        }
+        buffer.set_style(parts.risks.unwrap_or_default(), theme.stale());
+    }
 }
 
 /// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an eye without one

@@ -124,23 +124,33 @@ fn a_digit_begins_a_value_where_a_number_is_wanted() {
 }
 
 #[test]
-fn elsewhere_digits_switch_screens_and_with_alt_everywhere() {
+fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
     let mut model = model();
+    let shape = Row::Field(fields::find("impact.shape").unwrap());
+    for row in [Row::Preset, Row::Fold, shape] {
+        model.form.selected = row;
+        let before = model.work.clone();
+        for digit in "0123456789".chars() {
+            assert!(press(&mut model, &digit.to_string()).is_empty());
+            assert!(model.screen == 0 && model.form.typing.is_none() && model.work == before);
+        }
+        press(&mut model, "4");
+        assert!(
+            model
+                .notice
+                .as_ref()
+                .unwrap()
+                .ends_with("F4 or Alt-4 shows Compare")
+        );
+        press(&mut model, "\x1b[200~12\x1b[201~");
+        assert!(model.form.typing.is_none());
+    }
     press(&mut model, "\x1b3");
     assert_eq!(model.screen, 2);
     press(&mut model, "2");
     assert_eq!(model.screen, 1);
     press(&mut model, "1\t3");
     assert_eq!(model.screen, 2, "the dial takes no digits");
-    // Nor does a row that holds a name or a list to choose from.
-    press(&mut model, "1\t");
-    model.form.selected = Row::Preset;
-    press(&mut model, "2");
-    assert_eq!(model.screen, 1);
-    press(&mut model, "1");
-    model.form.selected = Row::Field(fields::find("impact.shape").unwrap());
-    press(&mut model, "2");
-    assert_eq!(model.screen, 1);
     press(&mut model, "\x1b[11~");
     assert_eq!(model.screen, 0);
 }

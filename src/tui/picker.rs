@@ -1,0 +1,159 @@
+//! The list of everything that can be opened: which of it is shown for what is typed, and in which order.
+//!
+//! A person's own presets come first, then what flies at an eye, then blows that are a force. What is typed is
+//! searched for word by word in name and title; the nearest comes first. Where nothing has every letter, a
+//! letter of each word may be wrong.
+
+use frizbee::{CaseMatching, Config, Matcher, Pattern};
+use tui_input::Input;
+
+use super::model::Choice;
+use crate::scenario::problem::plain;
+use crate::scenario::{Impact, Scenario};
+
+/// The list with what is typed to search it.
+#[derive(Default)]
+pub struct Picker {
+    /// What is searched for.
+    pub input: Input,
+    /// The row with the cursor.
+    pub row: usize,
+    /// The places in the list of choices that are shown, the first on top.
+    pub shown: Vec<usize>,
+    /// Whether it asks what hit the eye, which it does once.
+    pub first: bool,
+}
+
+impl Picker {
+    /// Everything, the cursor on the choice of this name.
+    pub fn at(choices: &[Choice], name: &str) -> Self {
+        let mut picker = Self::default();
+        picker.search(choices);
+        let here = |at: &usize| choices[*at].name == name;
+        picker.row = picker.shown.iter().position(here).unwrap_or(0);
+        picker
+    }
+
+    /// Shows what fits to what is typed, the cursor on the first.
+    pub fn search(&mut self, choices: &[Choice]) {
+        self.row = 0;
+        self.shown = (0..choices.len()).collect();
+        self.shown.sort_by_key(|at| rank(&choices[*at]));
+        let words: Vec<&str> = self.input.value().split_whitespace().collect();
+        if words.is_empty() {
+            return;
+        }
+        let texts: Vec<String> = self.shown.iter().map(|at| text(&choices[*at])).collect();
+        let found = [0, 1].map(|typos| {
+            let config = Config {
+                max_typos: Some(typos),
+                casing: CaseMatching::Ignore,
+                ..Config::default()
+            };
+            let patterns: Vec<Pattern> = words
+                .iter()
+                .map(|word| Pattern::new(word, frizbee::PatternConfig::default()))
+                .collect();
+            Matcher::from_patterns(&patterns, &config).match_list(&texts)
+        });
+        let found = found.into_iter().find(|found| !found.is_empty());
+        let places = found.unwrap_or_default().into_iter();
+        self.shown = places.map(|m| self.shown[m.index as usize]).collect();
+    }
+
+    /// The choice with the cursor.
+    pub fn chosen<'a>(&self, choices: &'a [Choice]) -> Option<&'a Choice> {
+        choices.get(*self.shown.get(self.row)?)
+    }
+
+    /// Moves the cursor by so many rows.
+    pub fn go(&mut self, by: isize) {
+        let last = self.shown.len().saturating_sub(1);
+        self.row = self.row.saturating_add_signed(by).min(last);
+    }
+}
+
+/// What comes first.
+fn rank(choice: &Choice) -> u8 {
+    match (&choice.scenario, choice.origin) {
+        (_, "own") => 0,
+        (_, "file") => 1,
+        (Ok(scenario), _) if matches!(scenario.impact, Impact::Projectile(_)) => 2,
+        _ => 3,
+    }
+}
+
+/// What is searched.
+fn text(choice: &Choice) -> String {
+    let title = choice.scenario.as_ref().map_or("", |s| s.name.as_str());
+    format!("{} {title}", choice.name)
+}
+
+/// Mass, size and speed of what flies; of a force the force, nothing and how long it acts.
+pub fn facts(scenario: &Scenario) -> [String; 3] {
+    let with = |value: f64, unit: &str| format!("{} {unit}", plain(value));
+    match &scenario.impact {
+        Impact::Projectile(shot) => [
+            with(shot.mass_g, "g"),
+            with(shot.diameter_mm, "mm"),
+            with(shot.speed_m_s, "m/s"),
+        ],
+        Impact::ForcePulse(pulse) => [
+            with(pulse.peak_n(), "N"),
+            String::new(),
+            with(pulse.duration_ms, "ms"),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::open::choices;
+
+    fn found(text: &str) -> Vec<String> {
+        let choices = choices();
+        let mut picker = Picker {
+            input: Input::new(text.to_owned()),
+            ..Picker::default()
+        };
+        picker.search(&choices);
+        let name = |at: &usize| choices[*at].name.clone();
+        picker.shown.iter().map(name).collect()
+    }
+
+    #[test]
+    fn what_is_typed_finds_its_preset_first() {
+        for (typed, first) in [
+            ("squash", "squash-ball"),
+            ("squash ball", "squash-ball"),
+            ("SQUASH", "squash-ball"),
+            ("sqsh", "squash-ball"),
+            ("squish", "squash-ball"),
+            ("paper 300", "paper-300n"),
+            ("bb 92", "bb-92"),
+            ("air soft 75", "airsoft-75"),
+            ("cork", "champagne-cork"),
+        ] {
+            assert_eq!(
+                found(typed).first().map(String::as_str),
+                Some(first),
+                "{typed}"
+            );
+        }
+        assert!(found("zzzqqq").is_empty());
+    }
+
+    #[test]
+    fn objects_come_before_forces_and_ones_own_before_both() {
+        let mut choices = choices();
+        let mut own = choices[0].clone();
+        own.origin = "own";
+        own.name = "zebra".to_owned();
+        choices.push(own);
+        let picker = Picker::at(&choices, "nowhere");
+        let ranks: Vec<u8> = picker.shown.iter().map(|at| rank(&choices[*at])).collect();
+        assert!(ranks.is_sorted() && ranks[0] == 0 && ranks.contains(&2) && ranks.contains(&3));
+        assert_eq!(picker.chosen(&choices).unwrap().name, "zebra");
+    }
+}

@@ -1,0 +1,125 @@
+//! The list of everything that can be opened.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::overlay::{frame, input};
+use super::text::{fitted, put, put_right, seen, width};
+use super::theme::Theme;
+use crate::tui::model::{Choice, Model};
+use crate::tui::picker::{Picker, facts};
+
+/// Columns of a name, and the ends of the three facts.
+const NAME: u16 = 20;
+const FACTS: [u16; 3] = [28, 37, 47];
+/// Where a title or the origin begins.
+const REST: u16 = 49;
+/// Rows above the list and below it.
+const ABOVE: u16 = 2;
+
+/// What the first start says below the list.
+const WELCOME: [&str; 2] = [
+    "Every number can be changed then. p lists these again.",
+    "Esc: the paper's own blow, a force of 300 N for 0.2 ms.",
+];
+
+/// Draws the list in the middle of `area`.
+pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let title = if picker.first {
+        "What hit the eye?"
+    } else {
+        "Open"
+    };
+    let below = if picker.first {
+        1 + WELCOME.len() as u16
+    } else {
+        0
+    };
+    let high = model.choices.len() as u16 + ABOVE + below + 2;
+    let inside = frame(title, (area.width.min(92), high), theme, area, buffer);
+    let room = usize::from(inside.height.saturating_sub(ABOVE + below));
+    let first = picker.row.saturating_sub(room.saturating_sub(1));
+    let count = seen(first, room, picker.shown.len());
+    put_right(buffer, inside, (inside.width, 0), &count, theme.quiet());
+    let after = put(buffer, inside, (0, 0), "Find ", theme.heading());
+    let field = inside.width.saturating_sub(after + width(&count) + 1);
+    let field = Rect::new(inside.x + after, inside.y, field, 1);
+    input(&picker.input, theme.strong(), theme.focus(), field, buffer);
+    heads(theme, inside, buffer);
+    let rows = picker.shown.iter().enumerate().skip(first).take(room);
+    for (y, (i, at)) in (ABOVE..).zip(rows) {
+        let line = Rect::new(inside.x, inside.y + y, inside.width, 1);
+        row(&model.choices[*at], i == picker.row, theme, line, buffer);
+    }
+    if picker.shown.is_empty() {
+        put(
+            buffer,
+            inside,
+            (0, ABOVE),
+            "nothing is called so",
+            theme.quiet(),
+        );
+    }
+    if picker.first {
+        let top = inside.height.saturating_sub(WELCOME.len() as u16);
+        for (y, text) in (top..).zip(WELCOME) {
+            put(
+                buffer,
+                inside,
+                (0, y),
+                &fitted(text, usize::from(inside.width)),
+                theme.text(),
+            );
+        }
+    }
+}
+
+fn heads(theme: Theme, inside: Rect, buffer: &mut Buffer) {
+    for (right, head) in FACTS.into_iter().zip(["mass", "size", "speed"]) {
+        put_right(buffer, inside, (right, 1), head, theme.quiet());
+    }
+    put(buffer, inside, (0, 1), "preset", theme.quiet());
+}
+
+fn row(choice: &Choice, chosen: bool, theme: Theme, line: Rect, buffer: &mut Buffer) {
+    let style = if chosen {
+        theme.focus()
+    } else {
+        theme.strong()
+    };
+    put(
+        buffer,
+        line,
+        (0, 0),
+        &fitted(&choice.name, usize::from(NAME)),
+        style,
+    );
+    let scenario = match &choice.scenario {
+        Ok(scenario) => scenario,
+        Err(why) => {
+            let room = usize::from(line.width - NAME - 1);
+            put(
+                buffer,
+                line,
+                (NAME + 1, 0),
+                &fitted(why, room),
+                theme.error(),
+            );
+            return;
+        }
+    };
+    for (right, fact) in FACTS.into_iter().zip(facts(scenario)) {
+        put_right(buffer, line, (right, 0), &fact, theme.text());
+    }
+    let room = usize::from(line.width.saturating_sub(REST));
+    let rest = match choice.origin {
+        "" => scenario.name.clone(),
+        origin if room < 20 => origin.to_owned(),
+        origin => format!("{origin}: {}", scenario.name),
+    };
+    // A title that is cut to a word or two says nothing.
+    if room >= 20 || !choice.origin.is_empty() {
+        put(buffer, line, (REST, 0), &fitted(&rest, room), theme.text());
+    }
+}
