@@ -51,7 +51,7 @@ fn all_fly_at_the_eye_of_revolution_fold_nothing_and_come_in_the_order_of_what_i
         .map(|(name, scenario)| {
             assert!(matches!(scenario.model, Model::Physiological(_)), "{name}");
             let extremes = hit(scenario);
-            assert!(extremes.folded_at.is_none(), "{name}");
+            assert!(extremes.fold.is_none(), "{name}");
             assert!(extremes.energy_residual < 0.01, "{name}");
             (name.clone(), extremes)
         })

@@ -282,6 +282,45 @@ fn a_folded_mesh_is_flagged_with_its_time() {
 }
 
 #[test]
+fn a_mesh_that_opens_again_is_told_from_one_that_stays_folded() {
+    for (force, stays, says) in [
+        (1000.0, false, "and open again at the end"),
+        (1200.0, true, "and still at the end"),
+    ] {
+        let answer = answer(&scenario(&head_on(force, 0.2)));
+        let fold = answer.left.fold().expect("1 kN folds the mesh");
+        assert_eq!(fold.stays, stays, "{fold:?}");
+        // By the front, where the blow falls, and a few of many quads.
+        assert!(fold.front_angle().abs() < 0.5 && fold.radius() < 12e-3);
+        assert!(fold.quads > 0 && fold.quads < fold.of / 5);
+        let open = answer.simulated - fold.since - fold.lasted;
+        assert_eq!(open.abs() > 1e-12, !stays, "{open}");
+        let flag = &answer.flags[0];
+        assert_eq!(flag.kind, FlagKind::MeshFolded);
+        assert!(flag.whole().ends_with(says), "{}", flag.whole());
+        assert!(
+            flag.message
+                .contains(&format!("{} of {} quads", fold.quads, fold.of))
+        );
+    }
+}
+
+#[test]
+fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
+    for level in [1, 3] {
+        let mut tiny = scenario(&head_on(1e-300, 0.2));
+        tiny.eye.level = level;
+        let answer = answer(&tiny);
+        let kinds: Vec<FlagKind> = answer.flags.iter().map(|f| f.kind).collect();
+        assert_eq!(kinds, [FlagKind::LostInRounding]);
+        assert!(answer.results().present().all(|(_, value)| value == 0.0));
+        tiny.impact = scenario(&head_on(1e-5, 0.2)).impact;
+        let answer = self::answer(&tiny);
+        assert!(answer.flags.is_empty() && answer.index.damage() > 0.0);
+    }
+}
+
+#[test]
 fn stopping_early_changes_no_result_in_random_scenes() {
     use contrecoup::study::Case;
     use contrecoup::study::coverage::Drawn;
@@ -300,11 +339,7 @@ fn stopping_early_changes_no_result_in_random_scenes() {
         let full = case.run(&plan, whole, &mut unwatched).unwrap();
         let (a, b) = (&early.recording.extremes, &full.recording.extremes);
         assert_eq!(case.results(a), case.results(b), "scene {index}");
-        assert_eq!(
-            (a.strain, a.folded_at),
-            (b.strain, b.folded_at),
-            "scene {index}"
-        );
+        assert_eq!((a.strain, a.fold), (b.strain, b.fold), "scene {index}");
         assert!(early.cost.steps <= full.cost.steps);
         assert!(
             full.simulated > 2.999_999e-3,

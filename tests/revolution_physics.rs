@@ -153,7 +153,7 @@ fn nothing_hard_folds_a_cell_at_any_level_or_goes_through() {
                             e.energy_residual,
                             run.steps
                         );
-                        assert!(e.folded_at.is_none(), "{level} {what}");
+                        assert!(e.fold.is_none(), "{level} {what}");
                         assert!(
                             e.energy_residual < 0.02,
                             "{level} {what} {}",
@@ -281,7 +281,7 @@ fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
                 e.energy_residual,
                 run.steps
             );
-            assert!(e.folded_at.is_none(), "{level} {what}");
+            assert!(e.fold.is_none(), "{level} {what}");
             assert!(
                 e.energy_residual < 0.01,
                 "{level} {what} {}",
@@ -442,7 +442,7 @@ fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
         match try_hit(&eyes[i % 3], object, 1.0, STEP_SHARE) {
             Ok(run) => {
                 let e = &run.extremes;
-                assert!(e.folded_at.is_none(), "{i} {object:?}");
+                assert!(e.fold.is_none(), "{i} {object:?}");
                 worst = worst.max(e.energy_residual);
             }
             Err(refusal) => panic!("{i} {object:?}: {refusal}"),

@@ -64,7 +64,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     progress.clear();
     for flag in &answer.flags {
-        writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.message)?;
+        writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.whole())?;
     }
     Ok(())
 }

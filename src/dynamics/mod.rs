@@ -28,6 +28,7 @@ mod aligned;
 mod composition;
 mod contact;
 mod coupled;
+mod fold;
 mod kept;
 mod kernel;
 mod lanes;
@@ -51,6 +52,8 @@ mod system;
 mod verlet;
 
 pub use crate::scenario::Integrator;
+pub use fold::Fold;
+pub(crate) use fold::FoldWatch;
 pub use kept::{Frame, Keep, Peak, Spacing, Traces};
 pub use march::{Cost, Diverged, LOCAL_TOLERANCE, Plan};
 pub use method::{Drag, Method};

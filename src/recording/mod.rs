@@ -10,7 +10,7 @@ mod recorder;
 mod settling;
 mod shot;
 
-pub use crate::dynamics::{Frame, Keep, Peak, Spacing, Traces};
+pub use crate::dynamics::{Fold, Frame, Keep, Peak, Spacing, Traces};
 pub use export::FrameWriter;
 pub(crate) use frames::FrameTaker;
 #[cfg(feature = "app")]
@@ -39,8 +39,8 @@ pub struct Extremes {
     pub strain: Peak,
     /// Smallest ratio of a quad's signed area to its area at rest.
     pub least_quad_ratio: f64,
-    /// When a quad's signed area first reached zero, in s.
-    pub folded_at: Option<f64>,
+    /// Of quads whose signed area reached zero.
+    pub fold: Option<Fold>,
     /// Largest |work in - kinetic - elastic - dissipated| as a share of the work in.
     pub energy_residual: f64,
     /// Whether a growth was largest at the very end of the window.
@@ -48,6 +48,8 @@ pub struct Extremes {
     /// Whether the energy left at the end of the window could still raise a force or the growth of
     /// the shell; if not, those are proven final.
     pub could_rise: bool,
+    /// Whether a load was so small that all it does is rounding, and was taken as nothing.
+    pub lost_in_rounding: bool,
     /// What the projectile did, where the scene has one.
     pub shot: Option<ShotExtremes>,
 }

@@ -6,8 +6,11 @@ use super::lengths::{Growth, Kind, Point};
 use super::settling::{Bend, Bounds, ShellBound};
 use super::shot::ShotWatch;
 use super::{Extremes, Recording};
-use crate::dynamics::{ArcLoad, Keep, Observer, Peak, Piece, State, Survey, System, Traces};
-use crate::eye::{Eye, Hat};
+use crate::dynamics::{
+    ArcLoad, FoldWatch, Keep, Observer, Peak, Piece, State, Survey, System, Traces,
+};
+use crate::eye::{Eye, Hat, Region};
+use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
 /// Points tried for the peak of a node force in each of the mesh's shortest periods.
@@ -30,6 +33,54 @@ const MAX_ROWS: usize = 100_000;
 /// stiffest tissue hold no more at that stretch.
 const ROUNDING_J: f64 = 1e-13;
 
+/// A quad of the mesh, to find out which of them have folded.
+#[derive(Debug, Clone, Copy)]
+struct Quad {
+    corners: [usize; 4],
+    /// Twice its area at rest, in m2.
+    area: f64,
+    /// Where it lies at rest.
+    middle: Point2<f64>,
+    part: Region,
+}
+
+impl Quad {
+    fn new(eye: &Eye, corners: [usize; 4]) -> Self {
+        let at = |node: usize| eye.nodes[node].position;
+        let sum = corners
+            .iter()
+            .fold(Vector2::zeros(), |sum, &n| sum + at(n).coords);
+        let regions = corners.map(|node| eye.nodes[node].region);
+        Self {
+            corners,
+            area: crossed(corners.map(at)),
+            middle: Point2::from(sum / 4.0),
+            part: if regions.contains(&Region::Lens) {
+                Region::Lens
+            } else if regions.into_iter().all(Region::in_globe) {
+                Region::Interior
+            } else {
+                Region::Fat
+            },
+        }
+    }
+
+    /// Its signed area over that at rest, with its corners `at` some places.
+    fn ratio(&self, at: impl Fn(usize) -> Point2<f64>) -> f64 {
+        crossed(self.corners.map(at)) / self.area
+    }
+}
+
+/// Twice the signed area of a quad: the cross product of its diagonals.
+fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
+    (c - a).perp(&(d - b))
+}
+
+/// What rounding does to a position some 10 mm away from the middle, in m.
+const ROUNDING_M: f64 = 2e-18;
+/// A blow that gives less than so many times the energy of springs strained by that is rounding itself.
+const LOST: f64 = 1e4;
+
 /// Watches a march and records it.
 #[derive(Debug)]
 pub struct Recorder {
@@ -50,9 +101,12 @@ pub struct Recorder {
     elastic: Peak,
     strain: Peak,
     least_quad: f64,
-    folded_at: Option<f64>,
+    quads: Vec<Quad>,
+    fold: FoldWatch,
     residual: f64,
     most_energy: f64,
+    /// What springs strained by rounding alone hold, in J.
+    rounding: f64,
     rows: Option<Traces>,
     every_row: usize,
     steps: usize,
@@ -111,9 +165,19 @@ impl Recorder {
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
-            folded_at: None,
+            quads: eye
+                .quads
+                .iter()
+                .map(|corners| Quad::new(eye, *corners))
+                .collect(),
+            fold: FoldWatch::new(eye.quads.len()),
             residual: 0.0,
             most_energy: 0.0,
+            rounding: eye
+                .springs
+                .iter()
+                .map(|s| s.stiffness * ROUNDING_M * ROUNDING_M)
+                .sum(),
             rows: keep.traces.then(Traces::default),
             every_row: steps.div_ceil(MAX_ROWS).max(1),
             steps: 0,
@@ -135,9 +199,13 @@ impl Recorder {
         self.elastic.offer(survey.elastic, state.time);
         self.strain.offer(survey.strain, state.time);
         self.least_quad = self.least_quad.min(survey.quad_ratio);
-        if survey.quad_ratio <= 0.0 && self.folded_at.is_none() {
-            self.folded_at = Some(state.time);
-        }
+        let quads = &self.quads;
+        self.fold.look(
+            state.time,
+            survey.quad_ratio,
+            |quad| quads[quad].ratio(|node| state.position(system.place(node))),
+            |quad| (quads[quad].middle, quads[quad].part),
+        );
         let stored = survey.kinetic + survey.elastic;
         self.energy = stored;
         self.loaded = piece != Piece::Nothing;
@@ -227,18 +295,21 @@ impl Recorder {
             elastic: self.elastic,
             strain: self.strain,
             least_quad_ratio: self.least_quad,
-            folded_at: self.folded_at,
+            fold: self.fold.fold(),
             energy_residual: if scale > ROUNDING_J {
                 self.residual / scale
             } else {
                 0.0
             },
+            lost_in_rounding: shot.is_none()
+                && state.work != 0.0
+                && self.most_energy <= LOST * self.rounding,
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,
             shot,
         };
         let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;
-        if extremes.missed() || untouched {
+        if extremes.missed() || untouched || extremes.lost_in_rounding {
             extremes.forget_rounding();
         }
         Recording {

@@ -75,7 +75,7 @@ impl Table {
                     let first = lines(&answer.verdicts()).into_iter().next();
                     let verdict = first.map(|(name, words)| format!("{name}: {words}"));
                     let flags = answer.flags.iter();
-                    let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.message));
+                    let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
                     verdict.into_iter().chain(flags).collect()
                 }
             };

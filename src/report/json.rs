@@ -9,7 +9,7 @@
 use super::revolution;
 use crate::dynamics::{Cost, SceneKind, kernel_name};
 use crate::eye::Monitor;
-use crate::recording::{Extremes, MEAN_S, ShotExtremes};
+use crate::recording::{Extremes, Fold, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
 use crate::study::{
     Answer, Case, Compiled, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
@@ -70,12 +70,27 @@ fn errors(errors: &Errors) -> Value {
     })
 }
 
+/// How the mesh folded: where the first quad did, from the front, and how long it lasted.
+fn folded(fold: &Fold) -> Value {
+    json!({
+        "since_ms": fold.since * 1e3,
+        "lasted_ms": fold.lasted * 1e3,
+        "stays": fold.stays,
+        "quads": fold.quads,
+        "of_quads": fold.of,
+        "region": fold.part.name(),
+        "angle_deg": fold.front_angle().to_degrees(),
+        "both_sides": fold.both_sides,
+        "radius_mm": fold.radius() * 1e3,
+    })
+}
+
 /// What limits them.
 pub(super) fn flags(flags: &[Flag]) -> Value {
     let one = |flag: &Flag| {
         json!({
             "kind": flag.kind.name(),
-            "message": flag.message,
+            "message": flag.whole(),
             "time_ms": flag.time.map(|t| t * 1e3),
         })
     };
@@ -110,6 +125,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "choice": reasons,
         },
         "flags": flags(&answer.flags),
+        "mesh_fold": answer.left.fold().map(|fold| folded(&fold)),
         "verdicts": super::verdict::json(&answer.verdicts()),
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);

@@ -9,6 +9,7 @@ pub mod errors;
 pub mod figure;
 pub mod injury;
 pub mod json;
+pub mod limit;
 pub mod page;
 mod revolution;
 pub mod stability;

@@ -2,6 +2,7 @@
 
 use super::errors;
 use super::figure::{Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit};
+use super::limit;
 use super::revolution;
 use unicode_width::UnicodeWidthStr;
 
@@ -266,26 +267,13 @@ pub(super) fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<
 }
 
 /// Prints what finer meshes tend to, and which results they show no limit of.
-fn limit(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let limits = answer.errors.limits.as_ref();
-    if let Some(limit) = limits.and_then(|limits| limits[Quantity::Damage]) {
-        writeln!(
-            out,
-            "Damage index: {} % on this mesh, {} +- {} % in the limit",
-            significant(answer.index.damage()),
-            significant(limit.value),
-            digits(limit.error, 2)
-        )?;
+fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+        writeln!(out, "Damage index: {limit}")?;
     }
-    let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
-    let mesh = answer.errors.mesh.as_ref();
-    if mesh.is_some_and(|errors| errors.present().next().is_none()) {
-        writeln!(out, "Finer meshes show no limit of any result")?;
-    } else if !names.is_empty() {
-        let text = format!("Finer meshes show no limit of {}", names.join("; "));
-        for line in wrapped(&text, WIDTH) {
-            writeln!(out, "{line}")?;
-        }
+    let unknown = limit::unknown(answer).unwrap_or_default();
+    for line in wrapped(&unknown, WIDTH) {
+        writeln!(out, "{line}")?;
     }
     Ok(())
 }
@@ -296,7 +284,7 @@ fn limit(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 /// Whatever `out` reports.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
     numerical(&answer.errors, out)?;
-    limit(answer, out)?;
+    limits(answer, out)?;
     balance(&answer.errors, out)?;
     let step = match &answer.case {
         Compiled::Section(_) => "",
@@ -349,7 +337,7 @@ fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
 /// Prints the flags, and what no result may be taken for.
 fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
     for flag in flags {
-        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.message), out)?;
+        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
 }

@@ -93,7 +93,7 @@ pub fn text(
             writeln!(out, "  {line}")?;
         }
         for flag in &crossing.flags {
-            let line = format!("FLAG {}: {}", flag.kind.name(), flag.message);
+            let line = format!("FLAG {}: {}", flag.kind.name(), flag.whole());
             indented(&line, "  ", out)?;
         }
         if let Some(caution) = crossing.caution {

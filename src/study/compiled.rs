@@ -4,7 +4,7 @@
 //! [`Compiled`], and only who draws or measures one of them looks inside.
 
 use super::case::{Case, Moved, Refusal, Solution, Watch, plan_by};
-use super::flags::{self, Evidence, Flag};
+use super::flags::{self, Evidence, Flag, TwoRuns};
 use super::left::Left;
 use super::results::Results;
 use super::revolution::{self, RevolutionCase};
@@ -39,6 +39,14 @@ impl Element {
     pub fn plural(self) -> &'static str {
         match self {
             Self::Spring => "springs",
+            Self::Cell => "cells",
+        }
+    }
+
+    /// What the mesh between them, or they themselves, are called where they fold.
+    pub(super) fn quads(self) -> &'static str {
+        match self {
+            Self::Spring => "quads",
             Self::Cell => "cells",
         }
     }
@@ -249,17 +257,16 @@ impl Compiled {
         Results::of(left, self.blow())
     }
 
-    /// What a reader must know of a run before trusting it; `step_error` holds the largest step error of a
-    /// leading result and the largest difference of one between two runs, both in %, where there were two.
-    pub(super) fn flags(&self, ran: &Ran, step_error: Option<(f64, f64)>) -> Vec<Flag> {
+    /// What a reader must know of a run before trusting it.
+    pub(super) fn flags(&self, ran: &Ran, two_runs: Option<TwoRuns>) -> Vec<Flag> {
         match (self, &ran.left) {
             (Self::Section(case), Left::Section(extremes)) => flags::raise(&Evidence {
                 case,
                 extremes,
-                step_error,
+                two_runs,
             }),
             (Self::Revolution(case), Left::Revolution(extremes)) => {
-                revolution::flags::raise(case, extremes, ran.simulated, step_error)
+                revolution::flags::raise(case, extremes, ran.simulated, two_runs)
             }
             _ => Vec::new(),
         }

@@ -1,6 +1,6 @@
 //! What a run left behind, whichever eye it moved, and what may be asked of it without knowing which.
 
-use crate::dynamics::revolution;
+use crate::dynamics::{Fold, revolution};
 use crate::injury::DamageIndex;
 use crate::recording::Extremes;
 
@@ -38,12 +38,17 @@ impl Left {
         }
     }
 
+    /// How the mesh folded.
+    pub fn fold(&self) -> Option<Fold> {
+        match self {
+            Self::Section(extremes) => extremes.fold,
+            Self::Revolution(extremes) => extremes.fold,
+        }
+    }
+
     /// When the mesh folded, in s.
     pub fn folded_at(&self) -> Option<f64> {
-        match self {
-            Self::Section(extremes) => extremes.folded_at,
-            Self::Revolution(extremes) => extremes.folded_at,
-        }
+        Some(self.fold()?.since)
     }
 
     /// Whether a projectile never touched the eye. One on the axis of revolution always does.

@@ -176,6 +176,7 @@ impl MeshError {
                     "the mesh of level {at} folds at {:.3} ms: the model is near its end",
                     time * 1e3
                 ),
+                detail: None,
                 time: Some(time),
             }),
         }

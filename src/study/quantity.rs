@@ -449,6 +449,11 @@ impl Quantity {
         Some(value * row.factor)
     }
 
+    /// Whether a value, in its unit, is no more than what rounding does.
+    pub(super) fn is_rounding(self, value: f64) -> bool {
+        value.abs() < self.row().rounding
+    }
+
     /// The peak that it is, SI, with its time; none where it is a number without one.
     pub fn peak(self, left: &Left) -> Option<Peak> {
         let row = self.row();

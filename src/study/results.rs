@@ -60,20 +60,21 @@ impl Results {
     /// peak pressure and the force of contact. The scene is known by the results that it has.
     pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
         let projectile = self[Quantity::Contact].is_some();
+        self.that_may_lead()
+            .filter(move |(quantity, _)| !projectile || quantity.row().leads == Leads::Always)
+    }
+
+    /// Those of them that lead in some scene: a node force does not where a projectile acts, but is listed all
+    /// the same.
+    pub(super) fn that_may_lead(&self) -> impl Iterator<Item = (Quantity, f64)> {
         self.present()
-            .filter(move |(quantity, _)| match quantity.row().leads {
-                Leads::Always => true,
-                Leads::WithoutProjectile => !projectile,
-                Leads::Never => false,
-            })
+            .filter(|(quantity, _)| quantity.row().leads != Leads::Never)
     }
 
     /// Of errors: the largest of a leading result, and of which. One that is not a number is the
     /// largest of all.
     pub fn worst(&self) -> Option<(Quantity, f64)> {
-        let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
-        self.leading()
-            .reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })
+        largest(self.leading())
     }
 
     /// Of errors: the largest of a leading result, in %.
@@ -85,18 +86,41 @@ impl Results {
     /// Risks have none, what they rest on has; nor has what no error is stated of.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
+        self.apart_percent(b, b)
+    }
+
+    /// |self - b| in % of `whole`, likewise.
+    #[must_use]
+    pub(super) fn apart_percent(&self, b: &Self, whole: &Self) -> Self {
         self.map(|quantity, a| {
-            let (a, b) = ((*a)?, b[quantity]?);
+            let (a, b, whole) = ((*a)?, b[quantity]?, whole[quantity]?);
             let row = quantity.row();
             let difference = (a - b).abs();
             (row.family != Family::Unstated).then(|| {
-                if difference == 0.0 || b == 0.0 && difference < row.rounding {
+                if difference == 0.0 || whole == 0.0 && difference < row.rounding {
                     0.0
                 } else {
-                    100.0 * difference / b.abs()
+                    100.0 * difference / whole.abs()
                 }
             })
         })
+    }
+
+    /// Of errors of `results`, in %: none is below what rounding does.
+    #[must_use]
+    pub(super) fn no_finer_than_rounding(self, results: &Self) -> Self {
+        self.map(|quantity, error| {
+            let value = results[quantity].filter(|value| *value != 0.0);
+            let least = value.map_or(0.0, |value| 100.0 * quantity.row().rounding / value.abs());
+            // Unlike the maximum of the two, this keeps what is no number.
+            error.map(|error| if error < least { least } else { error })
+        })
+    }
+
+    /// Of errors of `results`: the largest of one that may lead and is more than rounding, and of which.
+    pub(super) fn worst_listed(&self, results: &Results) -> Option<(Quantity, f64)> {
+        let counts = |(of, _): &(Quantity, f64)| !results[*of].is_some_and(|v| of.is_rounding(v));
+        largest(self.that_may_lead().filter(counts))
     }
 
     /// Of errors: none of `family` is below `share` of the worst of it. What is no number stays so.
@@ -114,6 +138,12 @@ impl Results {
         }
         self
     }
+}
+
+/// The largest of some errors, and of which. One that is not a number is the largest of all.
+fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
+    let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
+    errors.reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })
 }
 
 #[cfg(test)]

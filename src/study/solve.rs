@@ -4,7 +4,7 @@
 
 use super::case::{Refusal, Watch};
 use super::compiled::{Compiled, Ran};
-use super::flags::Flag;
+use super::flags::{Flag, TwoRuns};
 use super::left::Left;
 use super::mesh_error::Limits;
 use super::quantity::Quantity;
@@ -309,7 +309,7 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
         // All of an eye that is not hit is exactly 0.
         difference.map(|_, difference| difference.map(|_| 0.0))
     } else {
-        stated(case, plan, &difference, factor)
+        stated(case, plan, &results, (&difference, factor))
     };
     let errors = Errors {
         time_step,
@@ -334,7 +334,12 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         time,
         total_time,
     } = solved;
-    let flags = case.flags(&ran, Some((errors.time_step_percent(), disagreement)));
+    let results = case.results(&ran.left);
+    let two_runs = TwoRuns {
+        worst: errors.time_step.worst_listed(&results),
+        disagreement,
+    };
+    let flags = case.flags(&ran, Some(two_runs));
     let Ran {
         left,
         traces,

@@ -72,9 +72,14 @@ fn of_section(case: &Case, plan: &Plan) -> (Plan, f64) {
     }
 }
 
-/// What is stated of a run by `plan` whose second run differs by `difference` %, of which `factor` makes
-/// the estimate: no less than the floor, and raised where it is small by chance.
-pub(super) fn stated(case: &Compiled, plan: &Plan, difference: &Results, factor: f64) -> Results {
+/// What is stated of `results` of a run by `plan` whose second run differs by `difference` %, of which `factor`
+/// makes the estimate: no less than the floor and than rounding, and raised where it is small by chance.
+pub(super) fn stated(
+    case: &Compiled,
+    plan: &Plan,
+    results: &Results,
+    (difference, factor): (&Results, f64),
+) -> Results {
     let estimate = &case.rules().estimate;
     let floor = match estimate.floor {
         Floor::Percent(percent) => percent,
@@ -87,4 +92,5 @@ pub(super) fn stated(case: &Compiled, plan: &Plan, difference: &Results, factor:
     difference
         .map(|_, difference| difference.map(|d| factor * d + floor))
         .raised(family, share)
+        .no_finer_than_rounding(results)
 }

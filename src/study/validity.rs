@@ -76,6 +76,7 @@ mod tests {
         Flag {
             kind,
             message: String::new(),
+            detail: None,
             time: Some(0.48e-3),
         }
     }

@@ -9,8 +9,8 @@
 use std::time::Duration;
 
 use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan, revolution};
-use contrecoup::eye::GLOBE_RADIUS_M;
-use contrecoup::recording::{Extremes, Frame, Peak, ShotExtremes, Traces};
+use contrecoup::eye::{GLOBE_RADIUS_M, Region};
+use contrecoup::recording::{Extremes, Fold, Frame, Peak, ShotExtremes, Traces};
 use contrecoup::scenario::{Impact, Scenario};
 use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::study::map::{Grid, Spot};
@@ -204,10 +204,11 @@ fn extremes(case: &Compiled, traces: &Traces, size: f64) -> Extremes {
             time: 0.1 * case.window(),
         },
         least_quad_ratio: 1.0 - size / FOLDING,
-        folded_at: (size >= FOLDING).then_some(0.05 * case.window()),
+        fold: fold(case, size),
         energy_residual: 1e-5,
         still_rising: false,
         could_rise: false,
+        lost_in_rounding: false,
         shot: case.blow().map(|blow| ShotExtremes {
             diameter: blow.diameter,
             force: of(&traces.contact_force),
@@ -246,17 +247,32 @@ fn of_revolution(case: &Compiled, traces: &Traces, size: f64) -> revolution::Ext
         apex: of(&traces.apex),
         lens: of(&traces.lens),
         node_force: std::array::from_fn(|n| of(&traces.force[n])),
-        folded_at: (size >= FOLDING).then_some(0.05 * case.window()),
+        fold: fold(case, size),
         energy_imparted: ENERGY_J * size * size,
         rebound: case.blow().map(|blow| 0.5 * blow.speed),
         ..revolution::Extremes::at_rest()
     }
 }
 
+/// A mesh that folds early, by the front, and stays so.
+fn fold(case: &Compiled, size: f64) -> Option<Fold> {
+    (size >= FOLDING).then(|| Fold {
+        since: 0.05 * case.window(),
+        lasted: 0.95 * case.window(),
+        stays: true,
+        quads: 14,
+        of: 193,
+        at: Point2::new(-0.0107, 0.0),
+        part: Region::Interior,
+        both_sides: false,
+    })
+}
+
 fn flags(left: &Left) -> Vec<Flag> {
     let folded = left.folded_at().map(|time| Flag {
         kind: FlagKind::MeshFolded,
         message: "made up: the mesh folded, beyond the model's validity".to_owned(),
+        detail: None,
         time: Some(time),
     });
     folded.into_iter().collect()

@@ -127,6 +127,19 @@ fn swept<const N: usize>(p: [Point; N]) -> f64 {
     -FRAC_PI_3 * (0..N).map(edge).sum::<f64>()
 }
 
+/// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at` some places.
+pub(super) fn least_triangle(
+    eye: &RevolutionEye,
+    corners: &[usize; 4],
+    at: impl Fn(usize) -> Point,
+) -> f64 {
+    let ratio = |i: usize| {
+        let nodes = triangle(i).map(|corner| corners[corner]);
+        swept(nodes.map(&at)) / swept(nodes.map(|node| eye.at(node)))
+    };
+    (0..4).map(ratio).fold(f64::INFINITY, f64::min)
+}
+
 fn rate<const N: usize>(gradient: &[Point; N], v: &[Point; N]) -> f64 {
     gradient
         .iter()

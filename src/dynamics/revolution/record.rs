@@ -1,5 +1,6 @@
 //! What is read off the moving eye at each step, and what is kept of it.
 
+use super::cell;
 use super::run::{Instant, Motion};
 use super::sensor::LowPass;
 use super::state::{Cells, State};
@@ -42,9 +43,17 @@ impl<C: Cells> Motion<'_, C> {
         e.least_volume = e.least_volume.min(volume);
         e.most_volume = e.most_volume.max(volume);
         e.least_triangle = e.least_triangle.min(now.sums.least_triangle);
-        if now.sums.least_triangle <= 0.0 && e.folded_at.is_none() {
-            e.folded_at = Some(time);
-        }
+        let (eye, cells, state) = (self.eye, &self.cells, &self.state);
+        let at = |node: usize| {
+            let place = cells.place(node);
+            (state.x[place], state.r[place])
+        };
+        self.fold.look(
+            time,
+            now.sums.least_triangle,
+            |cell| cell::least_triangle(eye, &eye.cells[cell].corners, at),
+            |cell| eye.cells[cell].place(eye),
+        );
         let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
         let forces = accelerations.map(|a| NODE_MASS * a);
         for (peak, force) in e.node_force.iter_mut().zip(forces) {

@@ -1,5 +1,6 @@
 //! What a run leaves: extremes over every step, and its balance of energy.
 
+use crate::dynamics::fold::Fold;
 use crate::dynamics::kept::{Frame, Peak, Traces};
 
 /// Largest values over every step.
@@ -39,8 +40,8 @@ pub struct Extremes {
     pub most_volume: f64,
     /// Smallest corner triangle over its volume at rest: below 0 the mesh has folded.
     pub least_triangle: f64,
-    /// When that first fell below 0, s.
-    pub folded_at: Option<f64>,
+    /// Of cells with such a triangle.
+    pub fold: Option<Fold>,
     /// Energy that the eye was given, J.
     pub energy_imparted: f64,
     /// Whether the object touched the eye at the end.
@@ -73,7 +74,7 @@ impl Extremes {
             least_volume: 1.0,
             most_volume: 1.0,
             least_triangle: 1.0,
-            folded_at: None,
+            fold: None,
             energy_imparted: 0.0,
             touching: false,
             rebound: None,

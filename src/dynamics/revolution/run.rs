@@ -20,6 +20,7 @@ use super::rows::Rows;
 use super::sensor::{Accelerometers, ForceMean, LowPass};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
+use crate::dynamics::fold::FoldWatch;
 use crate::dynamics::kept::{Frame, Keep, Spacing, Traces};
 use crate::dynamics::load::{Piece, Pulse, Segment};
 use crate::eye::revolution::RevolutionEye;
@@ -214,6 +215,7 @@ pub(super) struct Motion<'a, C> {
     pub missing: f64,
     pub energy: Energy,
     pub extremes: Extremes,
+    pub fold: FoldWatch,
     pub traces: Traces,
     pub frame_taker: Option<FrameTaker>,
 }
@@ -293,6 +295,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             missing: 0.0,
             energy: Energy::default(),
             extremes: Extremes::at_rest(),
+            fold: FoldWatch::new(eye.cells.len()),
             traces: Traces::default(),
             frame_taker: keep.frames.map(FrameTaker::new),
         }
@@ -469,6 +472,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         if self.came > 0.0 {
             self.extremes.energy_residual = self.missing / self.came;
         }
+        self.extremes.fold = self.fold.fold();
         self.extremes.touching = self.energy.contact > 0.0;
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {

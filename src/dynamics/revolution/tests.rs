@@ -1,6 +1,6 @@
 //! Forces against differences of energy, and closed forms.
 
-use super::cell::{Rest, volume};
+use super::cell::{Rest, least_triangle, volume};
 use super::contact::Target;
 use super::face::Face;
 use super::object::{BallSpring, Flight, HARD, Object, Outline, Surface};
@@ -386,6 +386,27 @@ fn numbers(sums: &Sums) -> [f64; 6] {
 
 fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
     assert!((a - b).abs() <= 1e-11 * scale, "{what:?}: {a} {b}");
+}
+
+#[test]
+fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
+    let eye = free_eye(2);
+    let mut cells = Rows::new(&eye);
+    let mut state = shaken(&cells, &eye);
+    let whole = cells.forces(&mut state).least_triangle;
+    let at = |node: usize| {
+        let place = cells.place(node);
+        (state.x[place], state.r[place])
+    };
+    let each = eye
+        .cells
+        .iter()
+        .map(|cell| least_triangle(&eye, &cell.corners, at));
+    let least = each.fold(f64::INFINITY, f64::min);
+    assert!(
+        least != 1.0 && (least - whole).abs() < 1e-9,
+        "{least} {whole}"
+    );
 }
 
 #[test]

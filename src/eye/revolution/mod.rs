@@ -17,6 +17,7 @@ pub use mesh::{Block, Mesh};
 pub use parameters::{LensParameters, Material, Parameters, ShellParameters, Surround, Wall};
 
 use super::Region as Part;
+use nalgebra::Point2;
 use std::f64::consts::{FRAC_PI_3, PI};
 
 /// Points around the axis that means over the azimuth take; those of one half, as the other mirrors it.
@@ -47,6 +48,19 @@ pub struct Cell {
     pub material: Material,
     /// Stiffness against folding, in Pa.
     pub subzonal: f64,
+}
+
+impl Cell {
+    /// Its middle in `eye` at rest, in m, and the part that it belongs to.
+    pub fn place(&self, eye: &RevolutionEye) -> (Point2<f64>, Part) {
+        let part = match self.region {
+            Region::Surround => Part::Fat,
+            Region::Globe if self.lens > 0.0 => Part::Lens,
+            Region::Globe => Part::Interior,
+        };
+        let middle = middle(&self.corners.map(|node| eye.at(node)));
+        (Point2::from(<[f64; 2]>::from(middle)), part)
+    }
 }
 
 /// A piece of cornea or sclera, between node i and node i + 1 of the shell.

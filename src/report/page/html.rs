@@ -7,10 +7,11 @@ use super::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
+use crate::report::limit;
 use crate::report::text::{capital, percent};
 use crate::scenario::load::to_ron;
-use crate::study::Answer;
 use crate::study::comparison::{Entry, columns};
+use crate::study::{Answer, Quantity};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
@@ -105,7 +106,7 @@ fn blow(entry: &Entry) -> Markup {
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }
                     @for flag in &answer.flags {
-                        p.flag { strong { (flag.kind.name()) } ": " (flag.message) }
+                        p.flag { strong { (flag.kind.name()) } ": " (flag.whole()) }
                     }
                     @let motion = charts::motion(answer);
                     div.columns {
@@ -170,6 +171,9 @@ fn results(answer: &Answer) -> Markup {
                     td { (row.step) } td { (row.mesh) }
                 }
             } }
+        }
+        @if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+            p.note { "Damage index: " (limit) "." }
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \
             - : no error is known." }

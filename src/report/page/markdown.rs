@@ -6,6 +6,8 @@ use super::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
+use crate::report::limit;
+use crate::study::Quantity;
 use crate::study::comparison::{Entry, columns};
 
 /// Writes it.
@@ -49,7 +51,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
             out,
             "- FLAG `{}`: {}",
             flag.kind.name(),
-            escaped(&flag.message)
+            escaped(&flag.whole())
         )?;
     }
     writeln!(
@@ -65,6 +67,9 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
+    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+        writeln!(out, "\nDamage index: {}.", escaped(&limit))?;
+    }
     writeln!(out, "\n| input | value |\n|---|---|")?;
     for (label, text) in inputs(&entry.scenario) {
         writeln!(out, "| {label} | {} |", escaped(&text))?;

@@ -3,101 +3,60 @@
 use super::case::RevolutionCase;
 use crate::dynamics::revolution::Extremes;
 use crate::scenario::TRUSTED_ANGLE_DEG;
-use crate::study::flags::{ENERGY_ALARM, Flag, FlagKind, contact_cut, pulse_cut, unconverged};
+use crate::study::compiled::Element;
+use crate::study::flags::{Flag, FlagKind, Motion, Raised, TwoRuns};
 use crate::study::left::Left;
 use crate::study::quantity::Quantity;
 
 /// A peak in the last share of the window may not have been the last word.
 pub(in crate::study) const END: f64 = 0.999;
 
-/// Flags of a run of `simulated` s; `step_error` holds the largest step error of a leading result and the
-/// largest difference of one between two runs, both in %, where there were two.
+/// Flags of a run of `simulated` s.
 pub(in crate::study) fn raise(
     case: &RevolutionCase,
     extremes: &Extremes,
     simulated: f64,
-    step_error: Option<(f64, f64)>,
+    two_runs: Option<TwoRuns>,
 ) -> Vec<Flag> {
-    let mut flags = Vec::new();
-    let mut raise = |kind, message: String, time| {
-        flags.push(Flag {
-            kind,
-            message,
-            time,
-        });
-    };
-    if let Some(time) = extremes.folded_at {
-        raise(
-            FlagKind::MeshFolded,
-            format!(
-                "a cell folded at {:.3} ms: beyond the model's validity",
-                time * 1e3
-            ),
-            Some(time),
-        );
-    }
-    if extremes.energy_residual > ENERGY_ALARM {
-        raise(
-            FlagKind::EnergyImbalance,
-            format!(
-                "the energies miss what came in by {:.2} %",
-                100.0 * extremes.energy_residual
-            ),
-            None,
-        );
-    }
-    if let Some((error, _)) = step_error {
-        unconverged(error, &mut raise);
-    }
+    let mut raised = Raised::default();
+    raised.motion(&Motion {
+        fold: extremes.fold,
+        element: Element::Cell,
+        energy_residual: extremes.energy_residual,
+        two_runs,
+    });
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
-        raise(
+        let angle = case.angle_deg;
+        raised.raise(
             FlagKind::AngleBeyondTrust,
             format!(
-                "the orbit turns with a blow at {} degrees: trust it to {TRUSTED_ANGLE_DEG}",
-                case.angle_deg
+                "the orbit turns with a blow at {angle} degrees: trust it to {TRUSTED_ANGLE_DEG}"
             ),
-            None,
         );
     }
     if extremes.rim_force.value > 0.0 {
-        let time = extremes.rim_force.time;
-        raise(
-            FlagKind::RimStops,
-            format!(
-                "the rim met the projectile, with {:.3e} N at {:.3} ms",
-                extremes.rim_force.value,
-                time * 1e3
-            ),
-            Some(time),
-        );
+        let rim = extremes.rim_force;
+        raised.rim_stops(rim.time, Some(rim.value));
     }
-    window(case, extremes, simulated, &mut raise);
-    flags
+    window(case, extremes, simulated, &mut raised);
+    raised.flags()
 }
 
 /// Flags of a window that ends too early.
-fn window(
-    case: &RevolutionCase,
-    extremes: &Extremes,
-    simulated: f64,
-    raise: &mut impl FnMut(FlagKind, String, Option<f64>),
-) {
+fn window(case: &RevolutionCase, extremes: &Extremes, simulated: f64, raised: &mut Raised) {
     if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
-        pulse_cut(case.window, pulse, raise);
+        raised.pulse_cut(case.window, pulse);
         return;
     }
     if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
-        contact_cut(case.window, raise);
+        raised.contact_cut(case.window);
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = of.peak(&Left::Revolution(*extremes));
         peak.is_some_and(|peak| peak.time > END * simulated)
     });
     if let Some(of) = late {
-        raise(
-            FlagKind::WindowShort,
-            format!("a result still grew when the window ended: {}", of.label()),
-            Some(case.window),
-        );
+        let how = format!("a result still grew when the window ended: {}", of.label());
+        raised.window_short(case.window, how);
     }
 }

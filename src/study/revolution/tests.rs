@@ -1,7 +1,7 @@
 use super::RevolutionCase;
 use crate::recording::Keep;
 use crate::scenario::set::set;
-use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario, Surface};
+use crate::scenario::{ForcePulse, Impact, Model, Physiological, Projectile, Scenario, Surface};
 use crate::study::{
     Answer, FlagKind, Left, Quantity, Refusal, Results, add_mesh_error, solve, unwatched,
 };
@@ -246,6 +246,27 @@ fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
     let (coarse, fine) = (&report.levels[0], &report.levels[1]);
     assert!(coarse.errors[Quantity::Pressure].unwrap() > 0.0);
     assert!(fine.element_evaluations > coarse.element_evaluations);
+}
+
+#[test]
+fn a_crushed_front_says_how_many_cells_folded_and_where() {
+    let mut narrow = short();
+    narrow.window_ms = 0.03;
+    narrow.impact = Impact::ForcePulse(ForcePulse {
+        force_n: 3000.0,
+        duration_ms: 0.02,
+        half_width_deg: 3.0,
+        ..ForcePulse::default()
+    });
+    let answer = solve(&narrow.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+    let fold = answer.left.fold().expect("3 kN on 1 mm folds cells");
+    assert!(fold.quads > 0 && fold.quads < fold.of / 4, "{fold:?}");
+    assert!(fold.front_angle().to_degrees() < 15.0 && fold.radius() < 12e-3);
+    assert!(fold.lasted > 0.0 && fold.since + fold.lasted <= 0.03e-3 + 1e-12);
+    let flag = answer.flags.iter().find(|f| f.kind == FlagKind::MeshFolded);
+    let said = flag.unwrap().whole();
+    assert!(said.contains(&format!("{} of {} cells", fold.quads, fold.of)));
+    assert!(said.contains("by the front, inside the globe"), "{said}");
 }
 
 #[test]

@@ -1,0 +1,61 @@
+//! What finer meshes tend to, in one wording for every page and screen.
+
+use super::figure::{with_unit, within};
+use super::text::{digits, significant};
+use crate::study::{Answer, Limit, Quantity};
+
+/// A result on the answer's mesh and in the limit of finer ones, as in
+/// `12.40 N on this mesh, 12.3 ±1.0 N in the limit`; none where no limit is known.
+pub fn beside(answer: &Answer, of: Quantity) -> Option<String> {
+    let limit = answer.errors.limits.as_ref()?[of]?;
+    let value = within(answer.result(of)?, answer.errors.time_step[of]);
+    let unit = of.row().unit;
+    Some(format!(
+        "{} on this mesh, {} in the limit",
+        with_unit(&value, unit),
+        with_unit(&with_error(&limit), unit)
+    ))
+}
+
+/// A limit and how far it may be off, both to the second digit of that.
+fn with_error(limit: &Limit) -> String {
+    let Limit { value, error } = *limit;
+    let error_text = digits(error, 2);
+    if error_text.contains('e') || error <= 0.0 {
+        return format!("{} ±{error_text}", significant(value));
+    }
+    let after = error_text
+        .split_once('.')
+        .map_or(0, |(_, after)| after.len());
+    format!("{value:.after$} ±{error_text}")
+}
+
+/// The results of which finer meshes show no limit, in a sentence; none where the mesh error was not
+/// estimated or all have one.
+pub fn unknown(answer: &Answer) -> Option<String> {
+    let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
+    let known = answer.errors.mesh.as_ref()?.present().next().is_some();
+    match (known, names.is_empty()) {
+        (false, _) => Some("Finer meshes show no limit of any result".to_owned()),
+        (true, true) => None,
+        (true, false) => Some(format!(
+            "Finer meshes show no limit of {}",
+            names.join("; ")
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_has_no_finer_digits_than_its_error() {
+        let said = |value, error| with_error(&Limit { value, error });
+        assert_eq!(said(18.4123, 1.04), "18.4 ±1.0");
+        assert_eq!(said(18.4123, 0.1234), "18.41 ±0.12");
+        assert_eq!(said(184.123, 12.3), "184 ±12");
+        assert_eq!(said(0.0, 0.0), "0 ±0");
+        assert_eq!(said(1.234e-7, 1.2e-8), "1.234e-7 ±1.2e-8");
+    }
+}
