@@ -233,6 +233,15 @@ fn files_and_presets_are_told_apart() {
 }
 
 #[test]
+fn a_tolerance_takes_no_level_under_any_name() {
+    for set in ["eye.level=3", "level=3", "eye=(level: 3)", "step_us=1"] {
+        run(&["run", "paper-300n", "--tolerance", "50", "--set", set])
+            .code(2)
+            .stderr(contains("--tolerance chooses mesh level"));
+    }
+}
+
+#[test]
 fn flags_are_refused_in_the_words_of_the_registry() {
     let refused = |flags: &[&str], words: &str| {
         let arguments = [&["run", "paper-300n"], flags].concat();

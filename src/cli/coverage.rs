@@ -1,4 +1,4 @@
-//! `contrecoup coverage`: how often the stated step or mesh errors hold.
+//! `contrecoup coverage`: how often the stated step or mesh errors hold, and tolerances are kept.
 
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -8,8 +8,9 @@ use super::progress::Progress;
 use super::{CliError, CoverageArgs};
 use crate::plain_text::write_json;
 use crate::report::coverage::{Asked, json, text};
+use crate::report::tolerance;
 use crate::study::coverage::{Drawn, check};
-use crate::study::mesh_coverage;
+use crate::study::{mesh_coverage, tolerance_coverage};
 
 /// Solves random scenes, each with its reference, and prints how the claims compare.
 ///
@@ -22,6 +23,17 @@ pub fn run(args: &CoverageArgs, out: &mut dyn Write) -> Result<(), CliError> {
         lock().show("checking scenes", share);
         ControlFlow::Continue(())
     };
+    if args.tolerance {
+        let kept = tolerance_coverage::check(args.scenes, args.seed, &watch);
+        lock().clear();
+        let kept = kept?;
+        if args.json {
+            write_json(out, &tolerance::json(&kept, args.seed))?;
+        } else {
+            tolerance::text(&kept, args.seed, out)?;
+        }
+        return Ok(());
+    }
     let asked = Asked {
         drawn: if args.objects {
             Drawn::Objects

@@ -217,6 +217,9 @@ pub struct CoverageArgs {
     #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "1",
           value_parser = clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED)))]
     pub mesh: Option<u32>,
+    /// Check whether answers of `run --tolerance P` are within P, for several P, in as many such scenes
+    #[arg(long, conflicts_with_all = ["mesh", "objects"])]
+    pub tolerance: bool,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,

@@ -7,6 +7,8 @@ use super::{CliError, RunArgs};
 use crate::plain_text::write_json;
 use crate::recording::Keep;
 use crate::report::{json, text};
+use crate::scenario::set::full_path;
+use crate::scenario::{EyeInput, Scenario};
 use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
@@ -21,17 +23,9 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut reasons = Vec::new();
     let mut progress = Progress::new();
     let mut watch = |share| progress.simulated(share);
-    let chosen = |path: &str| path == "eye.level" || path.starts_with("numerics");
-    let set = args
-        .scenario
-        .changes
-        .assignments
-        .iter()
-        .find(|a| chosen(&a.path));
-    if let (Some(_), Some(set)) = (args.tolerance, set) {
+    if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
         return Err(CliError::Input(format!(
-            "--set {}: --tolerance chooses mesh level, integrator and step itself",
-            set.path
+            "--set {path}: --tolerance chooses mesh level, integrator and step itself"
         )));
     }
     let mut answer = if let Some(percent) = args.tolerance {
@@ -53,6 +47,25 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     text::results(&scenario, &answer, out)?;
     text::trust(&answer, &reasons, out)?;
     Ok(())
+}
+
+/// The path of a `--set` that gives mesh level, integrator or step, by whichever of its names or as part of a
+/// group.
+fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
+    let level_is_given = scenario.eye.level != EyeInput::default().level;
+    let paths = args
+        .scenario
+        .changes
+        .assignments
+        .iter()
+        .map(|a| a.path.as_str());
+    paths
+        .into_iter()
+        .find(|path| match full_path(scenario, path) {
+            "eye.level" => true,
+            "eye" => level_is_given,
+            path => path.starts_with("numerics"),
+        })
 }
 
 /// A refusal with the place in the file that asked for it.

@@ -17,5 +17,6 @@ pub mod summary;
 pub mod sweep;
 pub mod text;
 pub mod threshold;
+pub mod tolerance;
 pub mod validate;
 pub mod verdict;

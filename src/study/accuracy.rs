@@ -255,7 +255,9 @@ fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level,
         times.push(started.elapsed().as_secs_f64());
     }
     let mut watch = part(watch, 1.0 - each, each);
-    let OnMesh { results, folded } = at_level(&other, level, &mut watch)?;
+    let OnMesh {
+        results, folded, ..
+    } = at_level(&other, level, &mut watch)?;
     Ok(Level {
         level,
         seconds: median(times).expect("at least one round"),

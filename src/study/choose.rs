@@ -16,8 +16,9 @@ use crate::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
 use crate::recording::Keep;
 use crate::scenario::{CheckedScenario, FINEST_PHYSIOLOGICAL_LEVEL, Model, Scenario};
 
-/// The finest level that is tried: the next would take a minute.
-pub const FINEST_TRIED: u32 = 6;
+/// The finest level that is tried. Its error comes from levels 6 and 7, so that level 8 can tell whether what is
+/// answered is true.
+pub const FINEST_TRIED: u32 = 5;
 /// Below this tolerance, in %, Verlet cannot be the cheapest.
 const VERLET_FROM_PERCENT: f64 = 0.2;
 /// How often the step is shortened.
@@ -32,6 +33,32 @@ pub struct Chosen {
     pub scenario: CheckedScenario,
     /// What was tried and chosen, a sentence each.
     pub reasons: Vec<String>,
+    /// Springs or cells that were computed for it, those of coarser and finer meshes included.
+    pub elements: f64,
+}
+
+/// Results of one scenario on the meshes of levels 1, 2, 3, ..., each computed once.
+#[derive(Debug, Default)]
+pub(super) struct Ladder(Vec<OnMesh>);
+
+impl Ladder {
+    /// On the mesh of `level`.
+    pub fn at(&mut self, scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
+        while self.0.len() < level as usize {
+            let next = self.0.len() as u32 + 1;
+            self.0.push(at_level(scenario, next, watch)?);
+        }
+        Ok(self.0[level as usize - 1])
+    }
+
+    /// Springs or cells that levels 1 to `level` took.
+    pub fn elements(&self, level: u32) -> f64 {
+        self.0
+            .iter()
+            .take(level as usize)
+            .map(|on| on.elements)
+            .sum()
+    }
 }
 
 /// The error of the damage index, in %; one that is not known meets no tolerance.
@@ -39,7 +66,7 @@ fn of_damage(errors: &Results) -> f64 {
     errors[Quantity::Damage].unwrap_or(f64::INFINITY)
 }
 
-/// Answers `scenario` with damage within `percent` of its converged value, by step and mesh
+/// Answers `scenario` with the damage index within `percent` of its converged value, by step and mesh
 /// together; `level` and `numerics` of the scenario are chosen anew.
 ///
 /// # Errors
@@ -50,21 +77,26 @@ pub fn within(
     keep: Keep,
     watch: Watch,
 ) -> Result<Chosen, Refusal> {
+    within_by(&mut Ladder::default(), scenario, percent, keep, watch)
+}
+
+/// The same with what `ladder` has of this scenario.
+pub(super) fn within_by(
+    ladder: &mut Ladder,
+    scenario: &CheckedScenario,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
     let mut best = f64::INFINITY;
-    // Of levels 1, 2, 3, ...; each is computed once.
-    let mut ladder: Vec<OnMesh> = Vec::new();
     let finest = match scenario.model {
         Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
         Model::Paper => FINEST_TRIED,
     };
     for level in 1..=finest {
         let levels = witnesses(&scenario.model, level);
-        while ladder.len() < levels[1] as usize {
-            ladder.push(at_level(scenario, ladder.len() as u32 + 1, watch)?);
-        }
-        let on = |level: u32| ladder[level as usize - 1];
-        let own = on(level);
+        let own = ladder.at(scenario, level, watch)?;
         if let Some(time) = own.folded {
             return Err(Refusal::ToleranceNotMet {
                 percent,
@@ -74,7 +106,8 @@ pub fn within(
                 ),
             });
         }
-        let [coarser, finer] = levels.map(on);
+        let coarser = ladder.at(scenario, levels[0], watch)?;
+        let finer = ladder.at(scenario, levels[1], watch)?;
         let mesh = MeshError::of(&scenario.model, level, &own, [&coarser, &finer]);
         let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
             reasons.push(format!("level {level}: finer meshes show no limit"));
@@ -91,6 +124,8 @@ pub fn within(
             let mut answer = meet(&Compiled::new(&at), left, keep, watch, &mut reasons)?;
             answer.add(mesh);
             return Ok(Chosen {
+                // An answer is two runs of about the same length.
+                elements: ladder.elements(levels[1]) + 2.0 * answer.element_evaluations as f64,
                 answer,
                 scenario: at,
                 reasons,

@@ -39,27 +39,40 @@ pub fn check(
     level: u32,
     watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Checked>, Refusal> {
+    let one = |index| check_one(drawn, index, seed, level);
+    unfolded(count, &one, |checked| checked.folded, watch)
+}
+
+/// What `one` finds of scenes 0, 1, 2, ..., until `count` of them have not `folded`.
+pub(super) fn unfolded<T: Send>(
+    count: u32,
+    one: &(dyn Fn(u32) -> Result<T, Refusal> + Sync),
+    folded: fn(&T) -> bool,
+    watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
+) -> Result<Vec<T>, Refusal> {
     let unfolded = AtomicU32::new(0);
-    let mut checked: Vec<Checked> = Vec::new();
+    let mut checked: Vec<T> = Vec::new();
     let mut left = count;
     let mut first = 0;
     while left > 0 && first < MAX_SCENES {
-        let one = |index: u32| {
-            let checked = check_one(drawn, index, seed, level)?;
-            let found = u32::from(!checked.folded);
+        let watched = |index: u32| {
+            let checked = one(index)?;
+            let found = u32::from(!folded(&checked));
             let done = unfolded.fetch_add(found, Ordering::Relaxed) + found;
             match watch(f64::from(done.min(count)) / f64::from(count)) {
                 ControlFlow::Continue(()) => Ok(checked),
                 ControlFlow::Break(()) => Err(Refusal::Cancelled),
             }
         };
-        let block: Result<Vec<Checked>, Refusal> =
-            (first..first + BLOCK).into_par_iter().map(one).collect();
+        let block: Result<Vec<T>, Refusal> = (first..first + BLOCK)
+            .into_par_iter()
+            .map(watched)
+            .collect();
         for scene in block? {
             if left == 0 {
                 break;
             }
-            left -= u32::from(!scene.folded);
+            left -= u32::from(!folded(&scene));
             checked.push(scene);
         }
         first += BLOCK;

@@ -37,6 +37,7 @@ mod statistics;
 mod step_error;
 pub mod sweep;
 pub mod threshold;
+pub mod tolerance_coverage;
 #[doc(hidden)]
 pub mod validate;
 mod validity;

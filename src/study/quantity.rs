@@ -95,9 +95,10 @@ pub enum Family {
 /// How a result behaves as the mesh gets finer; see [`super::mesh_error`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshScatter {
-    /// By this share of it level 3 may lie off the limit though its neighbours agree; finer ones by less,
-    /// with the first order.
+    /// By this share of it level 3 may lie off the limit though its neighbours agree; finer ones by less.
     pub share: f64,
+    /// The order by which that falls.
+    pub order: i32,
     /// Or by so much, in its unit, where it is small.
     pub least: f64,
     /// Two levels that differ by a larger share than this tell no limit.
@@ -171,7 +172,7 @@ impl Quantity {
             Self::Damage => Row {
                 leads: Leads::Always,
                 whole: Some(1e2),
-                scatter: within(0.055, 0.3),
+                scatter: smooth(0.055, 0.3),
                 read: Read::Number(|e| Some(DamageIndex::of(e).damage())),
                 revolution: ReadRevolution::Number(|e| {
                     Some(DamageIndex::of_revolution(e).damage())
@@ -194,7 +195,7 @@ impl Quantity {
             },
             Self::MeridianGrowth => Row {
                 factor: 1e2,
-                scatter: within(0.055, 0.3),
+                scatter: smooth(0.055, 0.3),
                 read: Read::Peak(|e| Some(e.meridian_growth)),
                 revolution: ReadRevolution::Peak(|e| Some(e.equator_growth)),
                 trace: Some(trace(
@@ -509,9 +510,18 @@ const SHELL_SCATTER: MeshScatter = MeshScatter {
 
 const fn within(share: f64, apart: f64) -> MeshScatter {
     MeshScatter {
+        order: 1,
         share,
         least: 0.0,
         apart,
+    }
+}
+
+/// Of a result whose scatter falls with the second order.
+const fn smooth(share: f64, apart: f64) -> MeshScatter {
+    MeshScatter {
+        order: 2,
+        ..within(share, apart)
     }
 }
 
