@@ -194,3 +194,29 @@ fn meet(
         reason: format!("the step error stays at {error:.3} %"),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::unwatched;
+
+    #[test]
+    fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {
+        let scenario = CheckedScenario::default();
+        let mut ladder = Ladder::default();
+        let mut ask = |percent| {
+            let keep = Keep::default();
+            within_by(&mut ladder, &scenario, percent, keep, &mut unwatched).unwrap()
+        };
+        let rough = ask(50.0);
+        let finer = ask(20.0);
+        for (chosen, percent) in [(&rough, 50.0), (&finer, 20.0)] {
+            let stated = 100.0 * chosen.answer.errors.share(Quantity::Damage);
+            assert!(stated <= percent, "{stated}");
+            assert_eq!(chosen.scenario.eye.level, chosen.answer.case.level());
+        }
+        assert!(finer.answer.case.level() > rough.answer.case.level());
+        assert!(finer.elements > rough.elements);
+        assert_eq!(ladder.0.len(), 4);
+    }
+}

@@ -165,17 +165,4 @@ mod tests {
             (None, Some(3.0))
         );
     }
-
-    #[test]
-    fn a_scene_is_answered_within_what_was_asked_or_not_at_all() {
-        let go = |_| ControlFlow::Continue(());
-        let kept = check(1, 7, &go).unwrap();
-        let answers = kept.last().unwrap().answers.unwrap();
-        for (met, percent) in answers.into_iter().zip(TOLERANCES) {
-            if let Some(met) = met {
-                assert!(met.stated <= percent && met.cost > 1.0, "{met:?}");
-            }
-        }
-        assert!(answers[0].is_some());
-    }
 }
