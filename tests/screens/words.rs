@@ -362,7 +362,7 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
     }
     let text = picture(&model(&[], Depth::Mono), (160, 50));
     assert!(
-        text.contains("load, N") && text.contains("Injuries"),
+        text.contains("load, N") && text.contains("What to believe"),
         "{text}"
     );
 }

@@ -116,7 +116,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 /// what acts on it.
 fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    put(buffer, area, (1, 0), "Injuries", theme.heading());
+    put(buffer, area, (1, 0), "What to believe", theme.heading());
     let below = area.height / 3;
     let upper = Rect {
         height: area.height - below,
