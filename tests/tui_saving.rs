@@ -177,7 +177,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
-    term.wait_for("26.42 %");
+    term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
     term.keys("s");
