@@ -124,7 +124,7 @@ fn report(request: &Request, dice: &mut Dice) -> Option<Report> {
         Some(if dice.below(2) == 0 {
             Report::done::<MeasureAccuracy>(ticket, Ok(made_up_accuracy::made_up()))
         } else {
-            Report::progress(ticket, 0.5)
+            Report::progress(ticket, 0.5, Duration::ZERO)
         })
     } else {
         None

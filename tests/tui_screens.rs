@@ -7,6 +7,8 @@
 
 #![cfg(feature = "app")]
 
+use std::time::Duration;
+
 use contrecoup::scenario::Scenario;
 use contrecoup::study::threshold::{Crossing, Threshold};
 use contrecoup::study::{Answer, unwatched};
@@ -172,13 +174,12 @@ fn accuracy_screens() {
     pictures("accuracy", &[], &SIZES, open_measured);
     pictures("accuracy_measuring", &[], &[USUAL], |model| {
         press(model, "\x1b5");
-        let report = Report::progress(ticket(&model.screens.accuracy.task), 0.43);
+        let report = Report::progress(ticket(&model.screens.accuracy.task), 0.43, Duration::ZERO);
         update(model, Message::News(report));
     });
-    pictures("accuracy_stale", &[], &[USUAL], |model| {
+    pictures("accuracy_more_exact", &[], &[USUAL], |model| {
         open_measured(model);
-        press(model, "Ll");
-        model.work.scenario.window_ms = 2.0;
+        press(model, ">");
     });
 }
 
@@ -194,7 +195,7 @@ fn doubt_screens() {
     });
     pictures("doubt_running", &[], &[USUAL], |model| {
         press(model, "\x1b6");
-        let report = Report::progress(ticket(&model.ensemble.task), 0.43);
+        let report = Report::progress(ticket(&model.ensemble.task), 0.43, Duration::ZERO);
         update(model, Message::News(report));
     });
     pictures("main_with_band", &[], &SIZES, |model| {

@@ -31,9 +31,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         asked,
         |_| Keep::default(),
         &stop,
-        |share| {
-            lock().show("simulating", share);
-        },
+        |done, of| lock().count("simulating", done, of),
     );
     lock().clear();
     let mut entries = entries.map_err(|refusal| match refusal {

@@ -23,8 +23,9 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let ensemble = run_samples(&scenario, (args.samples, args.seed), &stop, &|share| {
-        lock().show("samples", share);
+    let count = (args.samples, args.seed);
+    let ensemble = run_samples(&scenario, count, None, &stop, &|so_far| {
+        lock().count("samples", so_far.samples.len(), so_far.asked as usize);
         ControlFlow::Continue(())
     });
     lock().clear();

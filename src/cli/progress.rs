@@ -4,13 +4,18 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use crate::report::pace::Pace;
+
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_millis(500);
+/// The line is written anew this often at most.
+const EVERY: Duration = Duration::from_millis(100);
 
 /// A line on standard error, if that is a terminal, once the work takes long.
 pub(super) struct Progress {
     began: Instant,
-    shown: Option<(&'static str, u32)>,
+    pace: Pace,
+    shown: Option<(String, Instant)>,
     visible: bool,
 }
 
@@ -18,17 +23,34 @@ impl Progress {
     pub fn new() -> Self {
         Self {
             began: Instant::now(),
+            pace: Pace::default(),
             shown: None,
             visible: io::stderr().is_terminal(),
         }
     }
 
-    pub fn show(&mut self, what: &'static str, share: f64) {
-        let now = (what, (100.0 * share) as u32);
-        if self.visible && self.shown != Some(now) && self.began.elapsed() > PATIENCE {
-            self.shown = Some(now);
+    /// Shows what share of the work is done.
+    pub fn show(&mut self, what: &str, share: f64) {
+        self.put(what, share, None);
+    }
+
+    /// Shows how many are done of how many.
+    pub fn count(&mut self, what: &str, done: usize, of: usize) {
+        self.put(what, done as f64 / of.max(1) as f64, Some(of));
+    }
+
+    fn put(&mut self, what: &str, share: f64, of: Option<usize>) {
+        let elapsed = self.began.elapsed();
+        self.pace.hear(share, elapsed);
+        let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
+        if !self.visible || elapsed <= PATIENCE || self.shown.as_ref().is_some_and(recent) {
+            return;
+        }
+        let line = format!("{what}: {}", self.pace.words(of));
+        if self.shown.as_ref().is_none_or(|(shown, _)| *shown != line) {
             // Nobody is hurt if a line of progress is lost.
-            let _ = write!(io::stderr(), "\r{what}: {} %\x1b[K", now.1);
+            let _ = write!(io::stderr(), "\r{line}\x1b[K");
+            self.shown = Some((line, Instant::now()));
         }
     }
 

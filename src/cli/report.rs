@@ -34,9 +34,7 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         asked,
         |scenario| keep(scenario),
         &stop,
-        |share| {
-            lock().show("simulating", share);
-        },
+        |done, of| lock().count("simulating", done, of),
     );
     lock().clear();
     let entries = entries.map_err(|refusal| match refusal {

@@ -17,7 +17,7 @@ pub fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let progress = Mutex::new(Progress::new());
     let outcomes = hard_cases::run(|done, of| {
         if let Ok(mut progress) = progress.lock() {
-            progress.show("hard cases", done as f64 / of as f64);
+            progress.count("hard cases", done, of);
         }
     });
     if let Ok(mut progress) = progress.lock() {

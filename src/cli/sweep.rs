@@ -162,7 +162,7 @@ fn work(
                 break;
             }
             written += 1;
-            lock().show("rows", written as f64 / rows.len() as f64);
+            lock().count("rows", written, rows.len());
         }
     });
     lock().clear();

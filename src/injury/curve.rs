@@ -46,6 +46,17 @@ impl Injury {
         }
     }
 
+    /// Its name where there is room for one short word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::CornealAbrasion => "abrasion",
+            Self::LensDislocation => "lens",
+            Self::Hyphema => "hyphema",
+            Self::GlobeRupture => "rupture",
+            Self::RetinalDamage => "retina",
+        }
+    }
+
     /// Its name in JSON.
     pub fn key(self) -> &'static str {
         match self {

@@ -243,7 +243,7 @@ impl Verdict {
     }
 
     /// The range in percent.
-    fn percent(&self) -> Option<String> {
+    pub fn percent(&self) -> Option<String> {
         let (low, high) = self.range?;
         let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
         Some(if self.at_least {

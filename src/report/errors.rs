@@ -11,18 +11,9 @@ pub fn of_damage(errors: &Results) -> String {
 
 /// The largest error of a leading result, and of which.
 pub fn worst(errors: &Results) -> String {
-    largest(errors, Quantity::label)
-}
-
-/// The same by its short name.
-pub fn worst_in_short(errors: &Results) -> String {
-    largest(errors, |of| of.row().short)
-}
-
-fn largest(errors: &Results, name: fn(Quantity) -> &'static str) -> String {
     errors.worst().map_or_else(
         || "unknown".to_owned(),
-        |(of, error)| format!("{} ({})", percent(error), name(of)),
+        |(of, error)| format!("{} ({})", percent(error), of.label()),
     )
 }
 

@@ -10,6 +10,7 @@ pub mod figure;
 pub mod injury;
 pub mod json;
 pub mod limit;
+pub mod pace;
 pub mod page;
 mod revolution;
 pub mod stability;

@@ -26,6 +26,8 @@ const MAX_EVALUATIONS: f64 = 8e4;
 /// Share of the limit that the reference takes, with the method of highest order: half of the least
 /// that is tried, so that no point is compared with itself.
 const REFERENCE_SHARE: f64 = 0.025;
+/// The same where only the total of step and mesh errors matters, beside which such a reference is exact.
+pub(super) const REFERENCE_OF_TOTALS: f64 = 0.15;
 /// Runs of which the median time is taken.
 const ROUNDS: usize = 7;
 /// Errors that a best choice is named for, in %.
@@ -98,6 +100,13 @@ pub struct Accuracy {
     pub folded: bool,
 }
 
+/// Whether a plan costs no more than is worth a point.
+pub(super) fn is_affordable(case: &Compiled, plan: &Plan) -> bool {
+    let most = MAX_EVALUATIONS * case.window() / 3e-3;
+    let evaluations = case.window() / plan.step * plan.integrator.method().evaluations() as f64;
+    evaluations <= most * f64::from(case.level())
+}
+
 fn plans(case: &Compiled) -> Vec<Plan> {
     let mut plans = Vec::new();
     for &integrator in case.rules().integrators {
@@ -109,16 +118,13 @@ fn plans(case: &Compiled) -> Vec<Plan> {
             multiple: 1.0,
             local_tolerance,
         };
-        let evaluations =
-            |p: &Plan| case.window() / p.step * integrator.method().evaluations() as f64;
         if integrator.method().adaptive() {
             plans.extend(TOLERANCES.map(|t| plan(0.95, t)));
         } else {
-            let most = MAX_EVALUATIONS * case.window() / 3e-3;
             let mut tried: Vec<Plan> = SHARES
                 .map(|share| plan(share, LOCAL_TOLERANCE))
                 .into_iter()
-                .filter(|p| evaluations(p) <= most * f64::from(case.level()))
+                .filter(|p| is_affordable(case, p))
                 .collect();
             // In a short window several steps come to the same.
             tried.dedup_by_key(|p| case.steps(p));

@@ -33,7 +33,7 @@ impl Entry {
 }
 
 /// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard` is told
-/// the share done.
+/// how many are done of how many.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.
@@ -41,7 +41,7 @@ pub fn compare(
     asked: Vec<(String, CheckedScenario)>,
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,
     stop: &AtomicBool,
-    mut heard: impl FnMut(f64) + Send,
+    mut heard: impl FnMut(usize, usize) + Send,
 ) -> Result<Vec<Entry>, Refusal> {
     let solved = |at: usize| {
         let scenario = &asked[at].1;
@@ -62,7 +62,7 @@ pub fn compare(
         outcome => Some(outcome.map_err(|refusal| refusal.to_string())),
     };
     ordered::run((0, asked.len()), stop, job, |at, outcome| {
-        heard((at + 1) as f64 / asked.len() as f64);
+        heard(at + 1, asked.len());
         outcomes.push(outcome);
         ControlFlow::Continue(())
     });
@@ -124,7 +124,7 @@ mod tests {
     fn entries_keep_their_order_until_they_are_sorted_and_have_both_errors() {
         let asked = vec![of("100"), of("300"), of("200")];
         let stop = AtomicBool::new(false);
-        let mut entries = compare(asked, |_| Keep::default(), &stop, |_| {}).unwrap();
+        let mut entries = compare(asked, |_| Keep::default(), &stop, |_, _| {}).unwrap();
         let names = |entries: &[Entry]| -> Vec<String> {
             entries.iter().map(|entry| entry.source.clone()).collect()
         };
@@ -137,6 +137,6 @@ mod tests {
         let columns = columns(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
         stop.store(true, Memory::Relaxed);
-        assert!(compare(vec![of("100")], |_| Keep::default(), &stop, |_| {}).is_err());
+        assert!(compare(vec![of("100")], |_| Keep::default(), &stop, |_, _| {}).is_err());
     }
 }

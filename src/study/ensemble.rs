@@ -2,8 +2,8 @@
 //!
 //! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
 //! its inputs, one dimension an [`Input`]. What a sample gives depends on the scenario, the seed
-//! and its number alone, so the result is the same bits for any number of threads, and a run that was
-//! stopped after k samples is an ensemble of k.
+//! and its number alone, so the result is the same bits for any number of threads, a run that was
+//! stopped after k samples is an ensemble of k, and one that goes on from there is the whole.
 //!
 //! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
 //! gives the longest step that the others may take: a stiff eye that keeps the promise at its longest
@@ -186,20 +186,14 @@ impl Job<'_> {
     }
 }
 
-/// A watch that any thread may call.
-pub type SharedWatch<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
-
-/// Samples, and what they and a single run of the scenario took, in s.
-#[derive(Default)]
-struct Gathered {
-    samples: Vec<Sample>,
-    cores: f64,
-    singles: Vec<f64>,
-}
+/// Told after each sample, on any thread, of the ensemble so far; may stop the rest.
+pub type Heard<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
 
 impl Job<'_> {
-    /// Adds samples `from..to` to those gathered.
-    fn gather(&self, (from, to, of): (u32, u32, u32), watch: SharedWatch, into: &mut Gathered) {
+    /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
+    fn gather(&self, to: u32, heard: Heard, into: &mut Ensemble) -> Vec<f64> {
+        let from = into.samples.len();
+        let mut singles = Vec::new();
         let job = |index: usize| {
             // Timed among the samples, so that a busy machine slows both alike.
             let single = index.is_multiple_of(TIME_EVERY).then(|| {
@@ -212,12 +206,14 @@ impl Job<'_> {
             Some((sample, began.elapsed().as_secs_f64(), single))
         };
         let deliver = |index: usize, (sample, took, single): (Sample, f64, Option<f64>)| {
+            debug_assert_eq!(index, into.samples.len());
             into.samples.push(sample);
-            into.cores += took;
-            into.singles.extend(single);
-            watch((index + 1) as f64 / f64::from(of))
+            into.timing.cores += took;
+            singles.extend(single);
+            heard(into)
         };
-        ordered::run((from as usize, to as usize), self.stop, job, deliver);
+        ordered::run((from, to as usize), self.stop, job, deliver);
+        singles
     }
 }
 
@@ -238,16 +234,17 @@ fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
         .map_or(f64::INFINITY, |step| HEADROOM * step)
 }
 
-/// Runs `count` samples of `scenario`. `watch` is told the share done
-/// after each; where it breaks, or `stop` is set, the samples done so far are the result.
+/// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed, lacks. Where
+/// `heard` breaks, or `stop` is set, the samples done so far are the result.
 ///
 /// # Errors
 /// Whatever the scenario itself is refused for.
 pub fn run(
     scenario: &CheckedScenario,
     (count, seed): (u32, u32),
+    known: Option<Ensemble>,
     stop: &AtomicBool,
-    watch: SharedWatch,
+    heard: Heard,
 ) -> Result<Ensemble, Refusal> {
     let inputs = inputs(scenario);
     let began = Instant::now();
@@ -259,35 +256,44 @@ pub fn run(
         cap: Some(f64::INFINITY),
         stop,
     };
-    let nominal = match single(scenario, None, &mut job.watch()) {
-        Err(Refusal::Cancelled) => None,
-        other => Some(other?.values),
-    };
-    let promise = promise_percent(scenario);
     let count = count.min(MAX_SAMPLES);
-    let pilot = count.min(PILOT);
-    let mut gathered = Gathered::default();
-    job.gather((0, pilot, count), watch, &mut gathered);
-    job.cap = Some(longest_step(&gathered.samples, promise));
-    if gathered.samples.len() == pilot as usize {
-        job.gather((pilot, count, count), watch, &mut gathered);
-    }
-    let wall = began.elapsed().as_secs_f64();
-    Ok(Ensemble {
-        cap: job.cap.filter(|cap| cap.is_finite()),
-        promise,
-        timing: Timing {
-            wall,
-            cores: gathered.cores,
-            single: median(gathered.singles),
-            threads: rayon::current_num_threads(),
+    let mut ensemble = match known {
+        Some(known) => Ensemble {
+            asked: count,
+            ..known
         },
-        inputs,
-        nominal,
-        samples: gathered.samples,
-        asked: count,
-        seed,
-    })
+        None => Ensemble {
+            inputs: inputs.clone(),
+            nominal: match single(scenario, None, &mut job.watch()) {
+                Err(Refusal::Cancelled) => None,
+                other => Some(other?.values),
+            },
+            samples: Vec::new(),
+            asked: count,
+            seed,
+            cap: None,
+            promise: promise_percent(scenario),
+            timing: Timing {
+                wall: 0.0,
+                cores: 0.0,
+                single: None,
+                threads: rayon::current_num_threads(),
+            },
+        },
+    };
+    let before = ensemble.timing.wall;
+    let pilot = count.min(PILOT);
+    let mut singles = job.gather(pilot, heard, &mut ensemble);
+    let first = ensemble.samples.len().min(pilot as usize);
+    let cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    job.cap = Some(cap);
+    ensemble.cap = Some(cap).filter(|cap| cap.is_finite());
+    if first == pilot as usize {
+        singles.extend(job.gather(count, heard, &mut ensemble));
+    }
+    ensemble.timing.single = median(singles).or(ensemble.timing.single);
+    ensemble.timing.wall = before + began.elapsed().as_secs_f64();
+    Ok(ensemble)
 }
 
 #[cfg(test)]
@@ -305,7 +311,7 @@ mod tests {
         scenario
     }
 
-    fn go(_: f64) -> ControlFlow<()> {
+    fn go(_: &Ensemble) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
@@ -313,6 +319,7 @@ mod tests {
         run(
             &scenario.check().unwrap(),
             (count, seed),
+            None,
             &AtomicBool::new(false),
             &go,
         )
@@ -335,24 +342,25 @@ mod tests {
     }
 
     #[test]
-    fn a_stopped_one_is_a_smaller_one() {
+    fn a_stopped_one_is_a_smaller_one_and_goes_on_to_the_whole() {
         let whole = ensemble(&quick(), 40, 1);
-        let stop = AtomicBool::new(false);
-        let early = |share: f64| {
-            if share > 0.4 {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let part = run(&quick().check().unwrap(), (40, 1), &stop, &early).unwrap();
-        assert!(part.stopped() && !whole.stopped());
-        assert!(
-            (8..40).contains(&part.samples.len()),
-            "{}",
-            part.samples.len()
-        );
-        assert_eq!(part.samples, whole.samples[..part.samples.len()]);
+        let scenario = quick().check().unwrap();
+        for most in [3, 8, 16] {
+            let early = |so_far: &Ensemble| {
+                if so_far.samples.len() >= most {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            let stop = AtomicBool::new(false);
+            let part = run(&scenario, (40, 1), None, &stop, &early).unwrap();
+            assert!(part.stopped() && !whole.stopped());
+            assert_eq!(part.samples, whole.samples[..most]);
+            let stop = AtomicBool::new(false);
+            let rest = run(&scenario, (40, 1), Some(part), &stop, &go).unwrap();
+            assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
+        }
     }
 
     #[test]

@@ -1,7 +1,9 @@
-//! The results over two inputs: a square grid that is refined without losing what is known.
+//! The results over two inputs: a square grid that is filled in from coarse to fine.
 //!
-//! Grids have 2^k + 1 points a side, so every point of one is a point of the next. Each point holds
-//! every result of its run; between points one is interpolated linearly in both directions.
+//! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on, so that
+//! what is known spreads over the whole range at once. Each point holds every result of its run; a place
+//! is read off the nearest four points of the finest grid that is known round it, linearly in both
+//! directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
@@ -16,8 +18,8 @@ use crate::scenario::{Scenario, set};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Points a side of the grids, from the first to the finest.
-pub const SIDES: [usize; 3] = [9, 17, 33];
+/// Points a side of a grid that is filled in while somebody looks on.
+pub const SIDE: usize = 33;
 
 /// One input and its range.
 #[derive(Clone, Copy)]
@@ -68,46 +70,124 @@ impl Spot {
     }
 }
 
+/// What is known of a result at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// The result in its unit; none where the inputs are not allowed.
+    pub value: Option<f64>,
+    /// Whether the mesh folded at the nearest point.
+    pub folded: bool,
+    /// Whether it was simulated there, not read off between points.
+    pub exact: bool,
+}
+
 /// A grid over two inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
-    /// Points a side.
-    pub side: usize,
+    side: usize,
     /// By rows: x fastest.
-    pub spots: Vec<Spot>,
+    spots: Vec<Option<Spot>>,
 }
 
 impl Grid {
+    /// A grid of so many points a side, 2^k + 1, of which nothing is known.
+    pub fn new(side: usize) -> Self {
+        Self {
+            side,
+            spots: vec![None; side * side],
+        }
+    }
+
+    /// Points a side.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
     /// What is known at a point.
-    pub fn at(&self, x: usize, y: usize) -> &Spot {
-        &self.spots[y * self.side + x]
+    pub fn at(&self, (x, y): (usize, usize)) -> Option<&Spot> {
+        self.spots[y * self.side + x].as_ref()
+    }
+
+    /// Takes in what came of a point.
+    pub fn put(&mut self, (x, y): (usize, usize), spot: Spot) {
+        self.spots[y * self.side + x] = Some(spot);
+    }
+
+    /// Points that are known, and all.
+    pub fn known(&self) -> (usize, usize) {
+        let known = self.spots.iter().filter(|spot| spot.is_some());
+        (known.count(), self.spots.len())
+    }
+
+    /// The points, from coarse to fine.
+    pub fn order(&self) -> Vec<(usize, usize)> {
+        let mut every = self.side - 1;
+        let mut order = Vec::with_capacity(self.spots.len());
+        let on = |at: usize, every: usize| at.is_multiple_of(every);
+        while every > 0 {
+            let coarser = 2 * every;
+            for y in (0..self.side).step_by(every) {
+                for x in (0..self.side).step_by(every) {
+                    let first = every == self.side - 1;
+                    if first || !(on(x, coarser) && on(y, coarser)) {
+                        order.push((x, y));
+                    }
+                }
+            }
+            every /= 2;
+        }
+        order
     }
 
     /// The largest of a result over all points, in its unit; none where no point has it.
     pub fn largest(&self, quantity: Quantity) -> Option<f64> {
-        let values = self.spots.iter().filter_map(|spot| spot.value(quantity));
-        values.reduce(f64::max)
+        let values = self.spots.iter().flatten();
+        values
+            .filter_map(|spot| spot.value(quantity))
+            .reduce(f64::max)
     }
 
-    /// A result at a place between points, both from 0 to 1; none next to a point that has none.
-    pub fn between(&self, quantity: Quantity, x: f64, y: f64) -> Option<f64> {
+    /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
+    pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<Reading> {
         let last = (self.side - 1) as f64;
-        let place = |share: f64| {
-            let at = (share.clamp(0.0, 1.0) * last).min(last - 1e-9);
-            (at.floor() as usize, at.fract())
-        };
-        let ((i, u), (j, v)) = (place(x), place(y));
-        let value = |i, j| self.at(i, j).value(quantity);
-        let low = value(i, j)? * (1.0 - u) + value(i + 1, j)? * u;
-        let high = value(i, j + 1)? * (1.0 - u) + value(i + 1, j + 1)? * u;
-        Some(low * (1.0 - v) + high * v)
-    }
-
-    /// The nearest point to a place.
-    pub fn nearest(&self, x: f64, y: f64) -> &Spot {
-        let last = (self.side - 1) as f64;
-        let place = |share: f64| (share.clamp(0.0, 1.0) * last).round() as usize;
-        self.at(place(x), place(y))
+        let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
+        let mut every = 1;
+        while every < self.side {
+            // The cell of that width round the place: its lower corner, and the share on from there.
+            let place = |at: f64| {
+                let cell =
+                    ((at / every as f64).floor() as usize * every).min(self.side - 1 - every);
+                (cell, (at - cell as f64) / every as f64)
+            };
+            let ((i, u), (j, v)) = (place(x), place(y));
+            let near = |share: f64| if share < 0.5 { 0 } else { every };
+            let here = self.at((i + near(u), j + near(v)));
+            let is_point = |share: f64| share == 0.0 || share == 1.0;
+            if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
+                return Some(Reading {
+                    value: spot.value(quantity),
+                    folded: spot.folded(),
+                    exact: true,
+                });
+            }
+            let corner = |a: usize, b: usize| self.at((i + a, j + b));
+            let corners =
+                [(0, 0), (every, 0), (0, every), (every, every)].map(|(a, b)| corner(a, b));
+            if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+                let value = || {
+                    let low = a.value(quantity)? * (1.0 - u) + b.value(quantity)? * u;
+                    let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
+                    Some(low * (1.0 - v) + high * v)
+                };
+                return Some(Reading {
+                    value: value(),
+                    folded: here.is_some_and(Spot::folded),
+                    exact: false,
+                });
+            }
+            every *= 2;
+        }
+        None
     }
 }
 
@@ -145,39 +225,26 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
     }
 }
 
-/// The grid of so many points a side; points of a coarser one that is known are taken from it.
-///
-/// # Errors
-/// [`Refusal::Cancelled`] if it was stopped.
+/// Told after each point, on any thread, of the grid so far; may stop the rest.
+pub type Heard<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
+
+/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has.
 pub fn fill(
     scenario: &Scenario,
     spans: (Span, Span),
-    side: usize,
-    known: Option<&Grid>,
+    mut grid: Grid,
     stop: &AtomicBool,
-    watch: super::ensemble::SharedWatch,
-) -> Result<Grid, Refusal> {
-    let total = side * side;
-    let mut spots = Vec::with_capacity(total);
-    let job = |index: usize| {
-        let (i, j) = (index % side, index / side);
-        if let Some(grid) = known {
-            let every = (side - 1) / (grid.side - 1);
-            if i % every == 0 && j % every == 0 {
-                return Some(*grid.at(i / every, j / every));
-            }
-        }
-        spot(&scenario_at(scenario, spans, (i, j), side), stop)
-    };
-    ordered::run((0, total), stop, job, |index, spot| {
-        spots.push(spot);
-        watch((index + 1) as f64 / total as f64)
+    heard: Heard,
+) -> Grid {
+    let mut lacking = grid.order();
+    lacking.retain(|at| grid.at(*at).is_none());
+    let side = grid.side;
+    let job = |index: usize| spot(&scenario_at(scenario, spans, lacking[index], side), stop);
+    ordered::run((0, lacking.len()), stop, job, |index, spot| {
+        grid.put(lacking[index], spot);
+        heard(&grid)
     });
-    if spots.len() == total {
-        Ok(Grid { side, spots })
-    } else {
-        Err(Refusal::Cancelled)
-    }
+    grid
 }
 
 #[cfg(test)]
@@ -185,40 +252,76 @@ mod tests {
     use super::*;
     use crate::scenario::fields::find;
 
-    fn go(_: f64) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    #[test]
-    fn a_refined_grid_keeps_what_is_known_and_rises_with_the_force() {
-        let scenario = Scenario {
-            window_ms: 0.3,
-            ..Scenario::default()
-        };
+    fn spans() -> (Span, Span) {
         let span = |path, from, to| Span {
             field: find(path).unwrap(),
             from,
             to,
         };
-        let spans = (
+        (
             span("impact.force_n", 50.0, 250.0),
             span("impact.angle_deg", 0.0, 60.0),
+        )
+    }
+
+    #[test]
+    fn a_grid_is_filled_in_from_its_corners_and_goes_on_where_it_was_stopped() {
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        let of = Quantity::Damage;
+        let coarse = |grid: &Grid| {
+            // Nothing is said of a place before its corners are known.
+            let (known, _) = grid.known();
+            assert_eq!(grid.read(of, (0.3, 0.3)).is_some(), known >= 4);
+            if known == 9 {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        };
+        let part = fill(
+            &scenario,
+            spans(),
+            Grid::new(5),
+            &AtomicBool::new(false),
+            &coarse,
         );
-        let stop = AtomicBool::new(false);
-        let coarse = fill(&scenario, spans, 3, None, &stop, &go).unwrap();
-        let fine = fill(&scenario, spans, 5, Some(&coarse), &stop, &go).unwrap();
-        assert_eq!(fine, fill(&scenario, spans, 5, None, &stop, &go).unwrap());
-        assert_eq!(fine.at(2, 2), coarse.at(1, 1));
-        assert_eq!(*fine.at(0, 4), Spot::Refused, "60 deg lies behind bone");
-        for of in [Quantity::Damage, Quantity::ForceFront] {
-            let row: Vec<f64> = (0..5).map(|i| fine.at(i, 0).value(of).unwrap()).collect();
-            assert!(row.is_sorted());
-            let middle = fine.between(of, 0.125, 0.0).unwrap();
-            assert!((middle / (0.5 * (row[0] + row[1])) - 1.0).abs() < 1e-9);
-            assert_eq!(fine.between(of, 0.5, 0.9), None);
-            assert!(fine.largest(of).unwrap() >= row[4]);
+        assert_eq!(part.known(), (9, 25));
+        let go = |_: &Grid| ControlFlow::Continue(());
+        let fresh = || AtomicBool::new(false);
+        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &go);
+        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &go));
+        assert_eq!(whole.known(), (25, 25));
+        for at in part.order().into_iter().take(9) {
+            assert_eq!(part.at(at), whole.at(at));
         }
-        assert_eq!(fine.largest(Quantity::Pressure), None);
-        assert!(fill(&scenario, spans, 3, None, &AtomicBool::new(true), &go).is_err());
+        assert_eq!(
+            whole.at((0, 4)),
+            Some(&Spot::Refused),
+            "60 deg lies behind bone"
+        );
+        for of in [Quantity::Damage, Quantity::ForceFront] {
+            let value = |x| whole.at((x, 0)).unwrap().value(of).unwrap();
+            assert!((0..5).map(value).is_sorted());
+            let middle = whole.read(of, (0.125, 0.0)).unwrap();
+            assert!((middle.value.unwrap() / (0.5 * (value(0) + value(1))) - 1.0).abs() < 1e-9);
+            assert!(!middle.exact && whole.read(of, (0.25, 0.0)).unwrap().exact);
+            assert_eq!(whole.read(of, (0.5, 0.9)).unwrap().value, None);
+            assert!(whole.largest(of).unwrap() >= value(4));
+        }
+        assert_eq!(whole.largest(Quantity::Pressure), None);
+    }
+
+    #[test]
+    fn the_order_has_every_point_once_and_the_coarsest_first() {
+        let grid = Grid::new(SIDE);
+        let order = grid.order();
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(sorted.len(), SIDE * SIDE);
+        assert_eq!(order.len(), SIDE * SIDE);
+        assert!(order[..25].iter().all(|(x, y)| x % 8 == 0 && y % 8 == 0));
     }
 }

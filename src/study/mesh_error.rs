@@ -77,7 +77,7 @@ pub(super) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
 }
 
 /// The finest level a scenario with this model may ask for.
-fn finest(model: &Model) -> u32 {
+pub(super) fn finest(model: &Model) -> u32 {
     match model {
         Model::Paper => FINEST_LEVEL,
         Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,

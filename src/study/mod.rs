@@ -38,6 +38,7 @@ mod step_error;
 pub mod sweep;
 pub mod threshold;
 pub mod tolerance_coverage;
+pub mod total;
 #[doc(hidden)]
 pub mod validate;
 mod validity;

@@ -161,10 +161,15 @@ impl Clock {
         };
     }
 
-    /// Jumps to the next peak after the time shown, or to the one before; goes round.
-    pub fn jump(&mut self, answer: &Answer, forward: bool) {
+    /// Jumps to the next peak after the time shown, or to the one before, of the results that are on show;
+    /// goes round.
+    pub fn jump(&mut self, answer: &Answer, forward: bool, on_show: impl Fn(Quantity) -> bool) {
         let now = self.time(answer);
-        let peaks = peaks(answer);
+        let mut peaks = peaks(answer);
+        // Where nothing on show has a peak, all are visited.
+        if peaks.iter().any(|peak| on_show(peak.of)) {
+            peaks.retain(|peak| on_show(peak.of));
+        }
         // Peaks this close are told apart by no one.
         let near = 1e-9;
         let found = if forward {
@@ -184,6 +189,8 @@ impl Clock {
 /// A peak worth a visit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Visit {
+    /// Of which result.
+    pub of: Quantity,
     /// What and how much.
     pub label: String,
     /// When, in s.
@@ -195,6 +202,7 @@ pub fn peaks(answer: &Answer) -> Vec<Visit> {
     let visit = |of: &Quantity| {
         let (peak, figure) = (answer.peak(*of)?, Figure::of(answer, *of)?);
         Some(Visit {
+            of: *of,
             label: format!("{} {figure}", of.row().short),
             time: peak.time,
         })
@@ -237,16 +245,21 @@ mod tests {
             ..Clock::default()
         };
         for peak in &all {
-            clock.jump(&answer, true);
+            clock.jump(&answer, true, |_| true);
             assert_eq!(clock.moment, Moment::At(peak.time));
             let said = |most: usize| peak_said(&answer, peak.time, |text| text.len() <= most);
             assert!(said(1000).unwrap().contains(&peak.label));
             assert_eq!(said(3), None);
         }
-        clock.jump(&answer, true);
+        clock.jump(&answer, true, |_| true);
         assert_eq!(clock.moment, Moment::At(all[0].time));
-        clock.jump(&answer, false);
+        clock.jump(&answer, false, |_| true);
         assert_eq!(clock.moment, Moment::At(all[all.len() - 1].time));
+        for _ in 0..3 {
+            clock.jump(&answer, true, |of| of == Quantity::ForceRight);
+            let only = answer.peak(Quantity::ForceRight).unwrap().time;
+            assert_eq!(clock.moment, Moment::At(only));
+        }
     }
 
     #[test]

@@ -1,10 +1,13 @@
-//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
-//! many when they are asked for.
+//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted, many where
+//! they are asked for. What is there so far is shown, and what was stopped goes on from there.
 
+use std::fmt;
 use std::sync::Arc;
 
 use super::guest::MOST_SAMPLES;
+use super::idle;
 use super::model::Model;
+use super::simulation;
 use super::task::{Question, Report, Task};
 use super::worker::overseen;
 use crate::scenario::Scenario;
@@ -15,49 +18,93 @@ use crate::study::{Refusal, Watch};
 pub const FEW: u32 = 256;
 /// Samples that a person who asks for them waits for.
 pub const MANY: u32 = 1000;
+/// The fewest samples that a band is drawn of while more of them come.
+pub const FIRST: usize = 16;
 /// The seed of the app's ensembles: the same scenario shows the same band.
 const SEED: u32 = 1;
 
 /// Asks for an ensemble.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct RunSamples {
-    /// What is sampled, with the doubt about its inputs.
+    /// The scenario that is sampled, with the doubt about its inputs.
     pub scenario: Scenario,
     /// How many samples.
     pub count: u32,
+    /// What is known already.
+    pub known: Option<Arc<Ensemble>>,
+    /// Whether nobody asked.
+    pub idle: bool,
+}
+
+impl fmt::Debug for RunSamples {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} samples of {:?}", self.count, self.scenario)
+    }
 }
 
 impl Question for RunSamples {
     type Answer = Ensemble;
 
-    /// What is stopped gives the samples done.
     fn answer(&self, watch: Watch) -> Result<Ensemble, Refusal> {
-        let count = (self.count, SEED);
+        self.fill_in(watch, &mut |_| {})
+    }
+
+    /// What is stopped gives the samples done.
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Ensemble)) -> Result<Ensemble, Refusal> {
         let scenario = self.scenario.check()?;
-        overseen(watch, |stop, watch| run(&scenario, count, stop, watch))
+        overseen(watch, show, |stop, desk| {
+            let known = self.known.as_deref().cloned();
+            let run = || {
+                run(&scenario, (self.count, SEED), known, stop, &|so_far| {
+                    let share = so_far.samples.len() as f64 / f64::from(self.count);
+                    desk.lay(share, || so_far.clone())
+                })
+            };
+            if self.is_idle() {
+                idle::pool().install(run)
+            } else {
+                run()
+            }
+        })
+    }
+
+    fn is_idle(&self) -> bool {
+        self.idle
     }
 }
 
 /// The samples that there are, and those under way.
 #[derive(Default)]
 pub struct Samples {
-    /// The last ones that ended, and for which scenario.
+    /// The last ones, and for which scenario.
     pub done: Option<(Scenario, Arc<Ensemble>)>,
     /// The ones under way.
     pub task: Task<RunSamples>,
 }
 
 impl Samples {
-    /// The ensemble of exactly this scenario, its name left aside.
-    pub fn of(&self, scenario: &Scenario) -> Option<&Ensemble> {
+    /// What is known of exactly this scenario, its name left aside.
+    fn known(&self, scenario: &Scenario) -> Option<&Arc<Ensemble>> {
         let (asked, ensemble) = self.done.as_ref()?;
-        (*asked == key(scenario)).then_some(ensemble.as_ref())
+        (*asked == key(scenario)).then_some(ensemble)
+    }
+
+    /// The same, once it is enough to be shown.
+    pub fn of(&self, scenario: &Scenario) -> Option<&Ensemble> {
+        let enough = |e: &&Arc<Ensemble>| !e.stopped() || e.samples.len() >= FIRST;
+        self.known(scenario).filter(enough).map(Arc::as_ref)
     }
 
     /// Why this scenario has no newer one.
     pub fn complaint(&self, scenario: &Scenario) -> Option<&str> {
         let (asked, why) = self.task.complaint.as_ref()?;
         (asked.scenario == key(scenario)).then_some(why)
+    }
+
+    /// How far the samples under way are, in words.
+    pub fn pace(&self) -> Option<String> {
+        let count = self.task.job.as_ref()?.question.count;
+        self.task.pace(Some(count as usize))
     }
 }
 
@@ -75,60 +122,55 @@ fn key(scenario: &Scenario) -> Scenario {
     }
 }
 
-/// Runs a few samples of what is on show if nothing else is wanted, for the band beside the score.
-pub(super) fn run_when_idle(model: &mut Model) {
-    if !model.idle {
-        return;
-    }
-    let scenario = &model.work.scenario;
-    let answered = |shown: &super::model::Shown| shown.scenario == *scenario;
-    let settled = model.run.job.is_none() && model.shown.as_ref().is_some_and(answered);
-    if settled && model.ensemble.of(scenario).is_none() && model.ensemble.task.job.is_none() {
-        start(model, FEW);
-    }
+/// Whether nothing else is wanted for what is on show.
+fn is_settled(model: &Model) -> bool {
+    let answered = |shown: &super::model::Shown| shown.scenario == model.work.scenario;
+    let computes = model.is_busy() || simulation::lacks_mesh_error(model).is_some();
+    !computes && model.shown.as_ref().is_some_and(answered)
 }
 
-/// Runs so many samples, unless that is under way. A smaller run gives way to a larger one.
-pub(super) fn start(model: &mut Model, count: u32) {
-    let count = if model.guest {
-        count.min(MOST_SAMPLES)
-    } else {
-        count
-    };
-    let job = model.ensemble.task.job.as_ref();
-    if job.is_none_or(|job| job.ending || job.question.count < count) {
-        let scenario = key(&model.work.scenario);
-        let question = RunSamples { scenario, count };
+/// Runs the samples that the screen on show has room for, and no others: many where they are what it is
+/// about, else a few once nothing else is wanted. What a person stopped goes on by a key alone.
+pub(super) fn attend(model: &mut Model) {
+    let most = if model.guest { MOST_SAMPLES } else { MANY };
+    let idle = model.on_show().samples <= FEW;
+    let count = model.on_show().samples.min(most);
+    let scenario = key(&model.work.scenario);
+    let samples = &model.ensemble;
+    let known = samples.known(&scenario).cloned();
+    let lacks = known.as_ref().map_or(0, |known| known.samples.len()) < count as usize;
+    let is_free = !idle || model.idle && is_settled(model);
+    let wanted = lacks && is_free && samples.complaint(&scenario).is_none();
+    if let Some(job) = &samples.task.job {
+        let asked = &job.question;
+        let right = asked.scenario == scenario && (asked.count, asked.idle) == (count, idle);
+        // What was asked to end is about to say what it has.
+        if right && (wanted || job.ending) {
+            return;
+        }
+        model.ensemble.task.stop(None, &mut model.out);
+    }
+    if wanted {
+        let question = RunSamples {
+            scenario,
+            count,
+            known,
+            idle,
+        };
         model.ensemble.task.ask(question, &mut model.out);
     }
 }
 
-/// Gives up what is under way if the scenario became another, or if the many samples are no longer
-/// wanted: what is done of them still serves the main screen.
-pub(super) fn attend(model: &mut Model, many: bool) {
-    let Some(job) = &model.ensemble.task.job else {
-        return;
-    };
-    if job.question.scenario != key(&model.work.scenario) {
-        model.ensemble.task.stop(None, &mut model.out);
-    } else if job.question.count > FEW && !many && !job.ending {
-        model.ensemble.task.end(&mut model.out);
-    }
-}
-
-/// Keeps the larger one of what was known and what has come.
+/// Keeps what has come.
 pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
     let samples = &mut model.ensemble;
     let Some((asked, Some(ensemble))) = samples.task.hear(report) else {
         return;
     };
-    if ensemble.stopped() {
+    if samples.task.job.is_none() && ensemble.stopped() {
         let done = ensemble.samples.len();
         let text = format!("stopped after {done} of {}", ensemble.asked);
         samples.task.complaint = Some((asked.clone(), text));
     }
-    let known = samples.of(&asked.scenario).map_or(0, |e| e.samples.len());
-    if ensemble.samples.len() > known {
-        samples.done = Some((asked.scenario.clone(), Arc::new(ensemble)));
-    }
+    samples.done = Some((asked.scenario.clone(), Arc::new(ensemble)));
 }

@@ -13,6 +13,7 @@ pub mod config;
 pub mod ensemble;
 pub mod form;
 pub mod guest;
+mod idle;
 pub mod keys;
 mod last;
 pub mod model;

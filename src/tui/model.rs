@@ -13,7 +13,7 @@ use super::keys::chosen::Keys;
 use super::picker::Picker;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
-use super::task::{Outbox, Task};
+use super::task::{Outbox, Question as _, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::threshold::Asking;
 use super::undo::History;
@@ -133,6 +133,8 @@ pub enum Question {
     Replace(String),
     /// Save under the name of a preset that the program brings along?
     Hide(String),
+    /// Compute it otherwise, at these costs?
+    Adopt(String),
     /// Quit without saving? The next start may bring the changes back.
     Quit {
         /// Whether it does.
@@ -147,6 +149,7 @@ impl Question {
             Self::Remove(name) => format!("Remove the preset {name}?"),
             Self::Replace(name) => format!("Replace the preset {name}?"),
             Self::Hide(name) => format!("Hide the preset {name}?"),
+            Self::Adopt(_) => "Compute it so?".to_owned(),
             Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
         }
     }
@@ -163,6 +166,7 @@ impl Question {
             Self::Hide(name) => format!(
                 "{name} comes with the program. A preset of your own of that name hides it. Save it?"
             ),
+            Self::Adopt(words) => words.clone(),
             Self::Quit { kept: false } => {
                 "The changes are not saved. Quit and lose them?".to_owned()
             }
@@ -312,7 +316,7 @@ impl Model {
             return Some("last good result");
         }
         match &self.run.job {
-            Some(job) if job.share.is_some() => Some("previous result"),
+            Some(job) if job.pace.is_some() => Some("previous result"),
             _ if typing_fails => Some("last good result"),
             Some(_) => None,
             None => self
@@ -321,6 +325,38 @@ impl Model {
                 .is_some_and(other)
                 .then_some("last good result"),
         }
+    }
+
+    /// Whether something is computed that somebody asked for.
+    pub fn is_busy(&self) -> bool {
+        let screens = &self.screens;
+        let samples = self.ensemble.task.job.as_ref();
+        let looks =
+            |overlay: &Overlay| matches!(overlay, Overlay::Threshold(a) if a.task.job.is_some());
+        self.run.job.is_some()
+            || self.overlay.as_ref().is_some_and(looks)
+            || screens.compare.task.job.is_some()
+            || screens.compare.mesh.job.is_some()
+            || screens.accuracy.task.job.is_some()
+            || screens.map.task.job.is_some()
+            || samples.is_some_and(|job| !job.question.is_idle())
+    }
+
+    /// What is computed though nobody asked for it, and how far it is.
+    pub fn ahead(&self) -> Option<String> {
+        let mesh = || {
+            Some(format!(
+                "mesh error {}",
+                self.mesh.job.as_ref()?.pace?.done(None)
+            ))
+        };
+        let samples = || {
+            let job = self.ensemble.task.job.as_ref()?;
+            let (pace, count) = (job.pace?, job.question.count as usize);
+            let words = format!("{} samples", pace.done(Some(count)));
+            job.question.is_idle().then_some(words)
+        };
+        mesh().or_else(samples)
     }
 
     /// Whether pictures should take few bytes: while they move over a slow link.

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::ensemble;
 use super::model::{Model, Shown};
 use super::task::{Question, Report};
 use crate::recording::{Keep, Spacing};
@@ -43,11 +42,14 @@ impl Question for EstimateMesh {
     fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
         self.query.estimate(&self.scenario, watch)
     }
+
+    fn is_idle(&self) -> bool {
+        true
+    }
 }
 
-/// Simulates the form. The mesh error of what was there before is wanted no more.
+/// Simulates the form.
 pub(super) fn start(model: &mut Model) {
-    model.mesh.stop(None, &mut model.out);
     let scenario = model.work.scenario.clone();
     model.run.ask(Simulate(scenario), &mut model.out);
 }
@@ -56,27 +58,43 @@ pub(super) fn start(model: &mut Model) {
 pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.hear(report) {
         match outcome {
-            Some(answer) => show(model, asked.0.clone(), answer),
+            Some(answer) => model.shown = Some(Shown::new(asked.0.clone(), answer)),
             None => explain_cancelling(model),
         }
     }
-    if let Some((_, outcome)) = model.mesh.hear(report) {
-        if let (Some(mesh), Some(shown)) = (outcome, model.shown.as_mut()) {
-            Arc::make_mut(&mut shown.answer).add(mesh);
-        }
-        ensemble::run_when_idle(model);
+    if let Some((_, Some(mesh))) = model.mesh.hear(report)
+        && let Some(shown) = model.shown.as_mut()
+    {
+        Arc::make_mut(&mut shown.answer).add(mesh);
     }
 }
 
-fn show(model: &mut Model, scenario: Scenario, answer: Answer) {
-    // The finer mesh is for the time when nothing else is wanted.
-    if answer.errors.mesh.is_none() && model.idle {
-        let query = MeshQuery::of(&answer);
-        let scenario = scenario.clone();
+/// The answer on show, if its mesh error is not known and was not refused.
+pub(super) fn lacks_mesh_error(model: &Model) -> Option<&Shown> {
+    let lacks = |shown: &&Shown| shown.answer.errors.mesh.is_none();
+    let refused = |shown: &&Shown| {
+        let complaint = model.mesh.complaint.as_ref();
+        complaint.is_some_and(|(asked, _)| asked.scenario == shown.scenario)
+    };
+    let shown = model.shown.as_ref().filter(lacks);
+    shown.filter(|shown| !refused(shown))
+}
+
+/// Estimates the mesh error of the answer on show while nothing is computed that somebody asked for; stops
+/// where it is of another answer or not wanted any more.
+pub(super) fn attend(model: &mut Model) {
+    let free = model.idle && !model.is_busy();
+    let wanted = lacks_mesh_error(model).filter(|_| free);
+    let wanted = wanted.map(|shown| (shown.scenario.clone(), MeshQuery::of(&shown.answer)));
+    let under_way = model.mesh.job.as_ref().map(|job| &job.question.scenario);
+    if under_way == wanted.as_ref().map(|(scenario, _)| scenario) {
+        return;
+    }
+    model.mesh.stop(None, &mut model.out);
+    if let Some((scenario, query)) = wanted {
         let question = EstimateMesh { scenario, query };
         model.mesh.ask(question, &mut model.out);
     }
-    model.shown = Some(Shown::new(scenario, answer));
 }
 
 /// A run that was cancelled begins by no key, but by the next edit.

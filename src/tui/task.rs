@@ -2,13 +2,16 @@
 //!
 //! A pane that needs such work says what its [`Question`] is and keeps a [`Task`]. The question
 //! goes out as a [`Request`] with a ticket, a worker answers it, and the [`Report`] comes back to
-//! whoever holds the ticket; late news of what was given up finds nobody and is dropped.
+//! whoever holds the ticket: what there is so far, and what came of it in the end. Late news of what was given
+//! up finds nobody and is dropped.
 
 use std::any::{Any, TypeId};
 use std::fmt;
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::update::Effect;
+use crate::report::pace::Pace;
 use crate::study::{Refusal, Watch};
 
 /// Tells one request from every other; later ones are larger.
@@ -24,6 +27,24 @@ pub trait Question: fmt::Debug + Send + Sync + 'static {
     /// # Errors
     /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
     fn answer(&self, watch: Watch) -> Result<Self::Answer, Refusal>;
+
+    /// The same for work that fills in: `show` is told what there is so far.
+    ///
+    /// # Errors
+    /// As [`Self::answer`].
+    fn fill_in(
+        &self,
+        watch: Watch,
+        show: &mut dyn FnMut(Self::Answer),
+    ) -> Result<Self::Answer, Refusal> {
+        let _ = show;
+        self.answer(watch)
+    }
+
+    /// Whether nobody asked for it: then it gives way to everything else.
+    fn is_idle(&self) -> bool {
+        false
+    }
 }
 
 /// An answer of a type that only its question knows.
@@ -31,13 +52,19 @@ type Anything = Box<dyn Any + Send>;
 
 /// A question whatever its type.
 trait AnyQuestion: fmt::Debug + Send + Sync {
-    fn find(&self, watch: Watch) -> Result<Anything, Refusal>;
+    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
+    fn is_idle(&self) -> bool;
     fn as_any(&self) -> &dyn Any;
 }
 
 impl<Q: Question> AnyQuestion for Q {
-    fn find(&self, watch: Watch) -> Result<Anything, Refusal> {
-        Ok(Box::new(self.answer(watch)?))
+    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> {
+        let answer = self.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
+        Ok(Box::new(answer))
+    }
+
+    fn is_idle(&self) -> bool {
+        Question::is_idle(self)
     }
 
     fn as_any(&self) -> &dyn Any {
@@ -70,16 +97,22 @@ impl Request {
         self.question.as_any().downcast_ref()
     }
 
-    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
-    pub fn kind(&self) -> TypeId {
-        self.question.as_any().type_id()
+    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one. Whether
+    /// nobody asked for it is the second part.
+    pub fn kind(&self) -> (TypeId, bool) {
+        (self.question.as_any().type_id(), self.question.is_idle())
     }
 
-    /// Does the work.
-    pub fn answered(&self, watch: Watch) -> Report {
+    /// Does the work; `say` is told what there is so far.
+    pub fn answered(&self, watch: Watch, say: &dyn Fn(Report)) -> Report {
+        let ticket = self.ticket;
+        let mut show = |so_far| {
+            let news = News::SoFar(so_far);
+            say(Report { ticket, news });
+        };
         Report {
-            ticket: self.ticket,
-            news: News::Done(self.question.find(watch)),
+            ticket,
+            news: News::Done(self.question.find(watch, &mut show)),
         }
     }
 }
@@ -93,16 +126,24 @@ pub struct Report {
 
 #[derive(Debug)]
 pub(super) enum News {
-    /// This share is done.
-    Share(f64),
+    /// This share is done, so long after the beginning.
+    Share(f64, Duration),
+    /// This is there already.
+    SoFar(Anything),
     /// The work ended so.
     Done(Result<Anything, Refusal>),
 }
 
 impl Report {
-    /// This share of the work is done, from 0 to 1.
-    pub fn progress(ticket: Ticket, share: f64) -> Self {
-        let news = News::Share(share);
+    /// This share of the work is done, from 0 to 1, so long after the beginning.
+    pub fn progress(ticket: Ticket, share: f64, elapsed: Duration) -> Self {
+        let news = News::Share(share, elapsed);
+        Self { ticket, news }
+    }
+
+    /// This is there already.
+    pub fn so_far<Q: Question>(ticket: Ticket, answer: Q::Answer) -> Self {
+        let news = News::SoFar(Box::new(answer));
         Self { ticket, news }
     }
 
@@ -129,8 +170,8 @@ pub struct Job<Q> {
     pub ticket: Ticket,
     /// What was asked.
     pub question: Arc<Q>,
-    /// How much of it is done, once the worker has said so.
-    pub share: Option<f64>,
+    /// How much of it is done and how long the rest takes, once the worker has said so.
+    pub pace: Option<Pace>,
     /// Whether it was asked to end with what it has.
     pub ending: bool,
 }
@@ -164,7 +205,7 @@ impl<Q: Question> Task<Q> {
         self.job = Some(Job {
             ticket: out.ticket,
             question,
-            share: None,
+            pace: None,
             ending: false,
         });
     }
@@ -189,21 +230,23 @@ impl<Q: Question> Task<Q> {
         true
     }
 
-    /// Takes the report if it is of what is under way; gives what came of it once it has ended. Why
-    /// something was refused is kept as the complaint.
+    /// Takes the report if it is of what is under way; gives what there is of the answer: so far, while a job
+    /// is there still, else in the end. Why something was refused is kept as the complaint.
     pub fn hear(&mut self, report: &mut Option<Report>) -> Option<(Arc<Q>, Option<Q::Answer>)> {
         let job = self.job.as_mut()?;
+        let own = |any: Anything| any.downcast().ok().map(|answer| *answer);
         let outcome = match report.take_if(|report| report.ticket == job.ticket)?.news {
-            News::Share(share) => {
-                job.share = Some(share);
+            News::Share(share, elapsed) => {
+                job.pace.get_or_insert_default().hear(share, elapsed);
                 return None;
             }
+            // A ticket is given to one question, so the answer is of its type.
+            News::SoFar(answer) => return Some((job.question.clone(), own(answer))),
             News::Done(outcome) => outcome,
         };
         let question = self.job.take()?.question;
         match outcome {
-            // A ticket is given to one question, so the answer is of its type.
-            Ok(answer) => Some((question, answer.downcast().ok().map(|answer| *answer))),
+            Ok(answer) => Some((question, own(answer))),
             Err(refusal) => {
                 self.complaint = Some((question.clone(), refusal.to_string()));
                 Some((question, None))
@@ -211,9 +254,9 @@ impl<Q: Question> Task<Q> {
         }
     }
 
-    /// The share of what is under way that is done, in %.
-    pub fn percent(&self) -> Option<f64> {
+    /// How far what is under way is, in words: of so many, where it is counted.
+    pub fn pace(&self, of: Option<usize>) -> Option<String> {
         let job = self.job.as_ref()?;
-        Some(100.0 * job.share.unwrap_or(0.0))
+        Some(job.pace.unwrap_or_default().words(of))
     }
 }

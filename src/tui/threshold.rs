@@ -38,10 +38,10 @@ impl task::Question for FindThreshold {
     type Answer = Threshold;
 
     fn answer(&self, watch: Watch) -> Result<Threshold, Refusal> {
-        overseen(watch, |stop, watch| {
+        overseen(watch, &mut |()| {}, |stop, desk| {
             self.0.answer(stop, |share| {
                 // It hears of an end by `stop`.
-                let _ = watch(share);
+                let _ = desk.lay(share, || ());
             })
         })
     }

@@ -12,7 +12,7 @@ use super::ensemble;
 use super::keys::{self, Act};
 use super::model::{Choice, Model, Naming, Overlay, Question, Work};
 use super::save::SaveError;
-use super::screens::SCREENS;
+use super::screens::{SCREENS, accuracy};
 use super::simulation;
 use super::task::{Report, Request, Ticket};
 use super::threshold;
@@ -119,6 +119,9 @@ fn attend(model: &mut Model) {
     for (place, screen) in SCREENS.iter().enumerate() {
         (screen.attend)(model, place == model.screen);
     }
+    // What nobody asked for comes after what somebody did.
+    ensemble::attend(model);
+    simulation::attend(model);
 }
 
 fn tick(model: &mut Model, now: Duration) {
@@ -218,6 +221,17 @@ pub(crate) fn toggle_mouse(model: &mut Model) {
     model.out.effects.push(Effect::Mouse(model.mouse));
 }
 
+/// Computes ahead while nothing else is wanted, or no longer.
+pub(crate) fn toggle_idle(model: &mut Model) {
+    model.idle = !model.idle;
+    let words = if model.idle {
+        "idle work on: mesh error and bands are computed ahead"
+    } else {
+        "idle work off: nothing is computed ahead"
+    };
+    model.notice = Some(words.to_owned());
+}
+
 /// Leaves, after a question if work would be lost.
 pub(crate) fn quit(model: &mut Model) {
     if model.is_edited() {
@@ -312,6 +326,7 @@ pub(crate) fn cancel(model: &mut Model) {
 /// Answers yes or no to what is asked.
 pub(crate) fn reply(model: &mut Model, yes: bool) {
     match model.overlay.take() {
+        Some(Overlay::Question(Question::Adopt(_))) if yes => accuracy::accept(model),
         Some(Overlay::Question(Question::Quit { .. })) if yes => {
             model.out.effects.push(Effect::Quit(0));
         }

@@ -9,13 +9,15 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::idle;
 use super::task::{Report, Request, Ticket};
 use crate::study::Watch;
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
-/// How often work on several threads is looked after.
+/// How often work on several threads is looked after, and how often it shows what there is so far.
 const LOOK_EVERY: Duration = Duration::from_millis(4);
+const SHOW_EVERY: Duration = Duration::from_millis(250);
 
 #[derive(Default)]
 struct Slot {
@@ -35,11 +37,21 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is stopped.
-    pub fn start(limit: Option<Duration>, say: impl Fn(Report) + Send + 'static) -> Self {
+    /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is stopped. One that
+    /// `is_idle` gives way to all other work of the machine.
+    pub fn start(
+        limit: Option<Duration>,
+        is_idle: bool,
+        say: impl Fn(Report) + Send + 'static,
+    ) -> Self {
         let shared = Arc::new(Shared::default());
         let own = Arc::clone(&shared);
-        thread::spawn(move || work(&own, limit, &say));
+        thread::spawn(move || {
+            if is_idle {
+                idle::give_way();
+            }
+            work(&own, limit, &say);
+        });
         Self(shared)
     }
 
@@ -88,37 +100,69 @@ fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
         drop(slot);
         let begun = Instant::now();
         let mut reported = begun;
-        say(request.answered(&mut |share| {
+        let mut watch = |share| {
             let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
             if is_over || shared.wanted.load(Ordering::Relaxed) > request.ticket {
                 return ControlFlow::Break(());
             }
             if reported.elapsed() >= REPORT_EVERY {
                 reported = Instant::now();
-                say(Report::progress(request.ticket, share));
+                say(Report::progress(request.ticket, share, begun.elapsed()));
             }
             ControlFlow::Continue(())
-        }));
+        };
+        let outcome = request.answered(&mut watch, say);
+        say(outcome);
     }
 }
 
-/// Does work that may be told to stop and says how far it is, on another thread, under the eyes of a
-/// watch that must stay on this one. What is stopped gives what it has.
-pub fn overseen<T: Send>(
+/// Where work on several threads lays down how far it is and what there is so far.
+pub struct Desk<T> {
+    share: AtomicU64,
+    wanted: AtomicBool,
+    so_far: Mutex<Option<T>>,
+}
+
+impl<T> Desk<T> {
+    /// So much is done; `so_far` gives what there is, if anybody wants to see it now.
+    pub fn lay(&self, share: f64, so_far: impl FnOnce() -> T) -> ControlFlow<()> {
+        self.share.store(share.to_bits(), Ordering::Relaxed);
+        if self.wanted.swap(false, Ordering::Relaxed) {
+            *self.sheet() = Some(so_far());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn sheet(&self) -> std::sync::MutexGuard<'_, Option<T>> {
+        self.so_far.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Does work that may be told to stop and lays down how far it is, on another thread, under the eyes of a
+/// watch that must stay on this one and shows what there is so far. What is stopped gives what it has.
+pub fn overseen<T: Send, S: Send>(
     watch: Watch,
-    work: impl FnOnce(&AtomicBool, &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T + Send,
+    show: &mut dyn FnMut(S),
+    work: impl FnOnce(&AtomicBool, &Desk<S>) -> T + Send,
 ) -> T {
-    let (stop, share) = (AtomicBool::new(false), AtomicU64::new(0));
+    let stop = AtomicBool::new(false);
+    let desk = Desk {
+        share: AtomicU64::new(0),
+        wanted: AtomicBool::new(true),
+        so_far: Mutex::new(None),
+    };
     thread::scope(|scope| {
-        let own = scope.spawn(|| {
-            work(&stop, &|done: f64| {
-                share.store(done.to_bits(), Ordering::Relaxed);
-                ControlFlow::Continue(())
-            })
-        });
+        let own = scope.spawn(|| work(&stop, &desk));
+        let mut shown = Instant::now();
         while !own.is_finished() {
-            if watch(f64::from_bits(share.load(Ordering::Relaxed))).is_break() {
+            if watch(f64::from_bits(desk.share.load(Ordering::Relaxed))).is_break() {
                 stop.store(true, Ordering::Relaxed);
+            }
+            if let Some(so_far) = desk.sheet().take() {
+                show(so_far);
+                shown = Instant::now();
+            } else if shown.elapsed() >= SHOW_EVERY {
+                desk.wanted.store(true, Ordering::Relaxed);
             }
             thread::sleep(LOOK_EVERY);
         }
@@ -140,7 +184,7 @@ mod tests {
 
     fn worker() -> (Worker, Receiver<Report>) {
         let (say, heard) = channel();
-        let worker = Worker::start(None, move |report| {
+        let worker = Worker::start(None, false, move |report| {
             let _ = say.send(report);
         });
         (worker, heard)
@@ -174,7 +218,7 @@ mod tests {
         submit(&worker, 1, long());
         // Progress shows that the first is running.
         let first = heard.recv_timeout(PATIENCE).unwrap();
-        assert!(first.ticket == 1 && matches!(first.news, News::Share(_)));
+        assert!(first.ticket == 1 && matches!(first.news, News::Share(..)));
         for ticket in 2..=9 {
             submit(&worker, ticket, long());
         }
@@ -198,7 +242,7 @@ mod tests {
         // That is another worker's.
         worker.cancel(9);
         let first = heard.recv_timeout(PATIENCE).unwrap();
-        assert!(matches!(first.news, News::Share(_)));
+        assert!(matches!(first.news, News::Share(..)));
         worker.cancel(5);
         assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 6, Scenario::default());
@@ -208,7 +252,7 @@ mod tests {
     #[test]
     fn what_takes_longer_than_the_limit_is_stopped() {
         let (say, heard) = channel();
-        let worker = Worker::start(Some(Duration::from_millis(300)), move |report| {
+        let worker = Worker::start(Some(Duration::from_millis(300)), false, move |report| {
             let _ = say.send(report);
         });
         submit(&worker, 1, long());

@@ -1,8 +1,10 @@
-//! What keys do to the measurement of speed against error.
+//! What keys do to the measurement of total error against time.
 
 use super::drawn::{model as open, open_measured, press};
-use contrecoup::tui::model::Model;
-use contrecoup::tui::screens::SCREENS;
+use std::time::Duration;
+
+use contrecoup::study::total::Total;
+use contrecoup::tui::model::{Model, Overlay, Question};
 use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::task::{Report, Ticket};
@@ -30,24 +32,30 @@ fn simulates(effects: &[Effect]) -> bool {
     effects.iter().any(is_run)
 }
 
-fn ticket_of(effects: &[Effect]) -> Ticket {
-    match effects {
-        [Effect::Start(request)] if request.question::<MeasureAccuracy>().is_some() => {
-            request.ticket
+fn ticket_of(effects: &[Effect]) -> Option<Ticket> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Start(request) if request.question::<MeasureAccuracy>().is_some() => {
+            Some(request.ticket)
         }
-        other => panic!("{other:?}"),
-    }
+        _ => None,
+    })
 }
 
 fn here(model: &Model) -> &Measurement {
     &model.screens.accuracy
 }
 
+fn chosen(model: &Model) -> (usize, Total) {
+    let shown = here(model).shown(&model.work.scenario);
+    let place = here(model).place(&shown);
+    (place, shown[place])
+}
+
 /// A model whose screen shows a measurement.
 fn measured() -> Model {
     let mut model = model();
     open_measured(&mut model);
-    assert!(here(&model).task.job.is_none() && here(&model).chosen().is_some());
+    assert!(here(&model).task.job.is_none());
     model
 }
 
@@ -57,72 +65,99 @@ fn the_cursor_goes_through_time_and_along_the_front() {
     for _ in 0..100 {
         key(&mut model, KeyCode::Left);
     }
-    let fastest = *here(&model).chosen().unwrap();
-    assert!(fastest.on_front && here(&model).cursor == 0);
+    let (place, fastest) = chosen(&model);
+    assert!(fastest.on_front && place == 0);
     key(&mut model, KeyCode::Right);
-    assert!(here(&model).chosen().unwrap().seconds >= fastest.seconds);
+    assert!(chosen(&model).1.seconds >= fastest.seconds);
     while {
-        let before = here(&model).cursor;
+        let before = chosen(&model).0;
         letter(&mut model, 'L');
-        here(&model).cursor > before
+        chosen(&model).0 > before
     } {
-        assert!(here(&model).chosen().unwrap().on_front);
+        assert!(chosen(&model).1.on_front);
     }
+    assert!(chosen(&model).1.level > 1, "finer levels are on the front");
 }
 
 #[test]
-fn a_point_is_adopted_and_that_can_be_undone() {
+fn a_point_is_adopted_with_its_level_and_that_can_be_undone() {
     let mut model = measured();
     let before = model.work.scenario.clone();
-    let plan = here(&model).chosen().unwrap().plan;
-    let effects = key(&mut model, KeyCode::Enter);
-    assert!(simulates(&effects));
-    let numerics = model.work.scenario.numerics.clone();
-    assert!(numerics.integrator.is_some());
-    let step = numerics.step_us.unwrap() * 1e-6;
-    assert!(step <= plan.step && step > plan.step * 0.9999);
-    assert!(!here(&model).is_stale(&model.work.scenario));
+    while chosen(&model).1.is_answer || chosen(&model).1.level == 1 {
+        key(&mut model, KeyCode::Right);
+    }
+    let total = chosen(&model).1;
+    assert!(simulates(&key(&mut model, KeyCode::Enter)));
+    let scenario = &model.work.scenario;
+    assert_eq!(scenario.eye.level, total.level);
+    assert_eq!(scenario.numerics.integrator, Some(total.plan.integrator));
+    let step = scenario.numerics.step_us.unwrap() * 1e-6;
+    assert!(step <= total.plan.step && step > total.plan.step * 0.9999);
+    assert_eq!(chosen(&model).1, total, "the measurement holds for it too");
     letter(&mut model, 'u');
     assert_eq!(model.work.scenario, before);
 }
 
 #[test]
-fn an_edit_makes_it_stale_and_only_a_key_measures_again() {
-    let mut model = measured();
-    assert!(letter(&mut model, '1').is_empty());
+fn it_measures_while_it_is_on_show_and_goes_on_where_it_was() {
+    let mut model = model();
+    let ticket = ticket_of(&key(&mut model, KeyCode::F(5))).unwrap();
+    let mut part = super::made_up_accuracy::made_up();
+    part.done = 20;
+    let report = Report::so_far::<MeasureAccuracy>(ticket, part);
+    update(&mut model, Message::News(report));
+    assert!(key(&mut model, KeyCode::F(2)).contains(&Effect::Stop(ticket)));
+    let late = Report::progress(ticket, 0.5, Duration::ZERO);
+    update(&mut model, Message::News(late));
+    assert!(here(&model).task.job.is_none());
+    let ticket = ticket_of(&key(&mut model, KeyCode::F(5))).unwrap();
+    let known = here(&model).of(&model.work.scenario).unwrap();
+    assert_eq!(known.done, 20);
+    assert!(key(&mut model, KeyCode::Esc).contains(&Effect::Stop(ticket)));
     assert!(
         key(&mut model, KeyCode::F(5)).is_empty(),
-        "it is still right"
+        "only a key goes on"
     );
-    letter(&mut model, '1');
-    let effects = letter(&mut model, 'l');
-    assert!(simulates(&effects));
-    model.work.scenario.window_ms = 0.3;
-    assert!(here(&model).is_stale(&model.work.scenario));
-    // Back on the screen without its key, which would measure.
-    model.screen = SCREENS.iter().position(|s| s.title == "Accuracy").unwrap();
-    let before = model.work.clone();
-    assert!(key(&mut model, KeyCode::Enter).is_empty());
-    assert!(model.work == before && model.notice.is_some());
-    ticket_of(&letter(&mut model, 'm'));
-    assert!(letter(&mut model, 'm').is_empty(), "one at a time");
+    let ticket = ticket_of(&letter(&mut model, 'm')).unwrap();
+    // Another scenario is measured from the beginning.
+    key(&mut model, KeyCode::F(1));
+    letter(&mut model, 'l');
+    let again = ticket_of(&key(&mut model, KeyCode::F(5))).unwrap();
+    assert!(again > ticket && here(&model).of(&model.work.scenario).is_none());
 }
 
 #[test]
-fn leaving_an_edit_and_escape_stop_it_and_late_news_is_dropped() {
-    for leave in ['1', '\u{1b}', 'u'] {
-        let mut model = model();
-        letter(&mut model, 'l');
-        let ticket = ticket_of(&key(&mut model, KeyCode::F(5)));
-        let code = if leave == '\u{1b}' {
-            KeyCode::Esc
-        } else {
-            KeyCode::Char(leave)
-        };
-        let effects = key(&mut model, code);
-        let stops = Effect::Stop(ticket);
-        assert!(effects.contains(&stops), "{leave}");
-        update(&mut model, Message::News(Report::progress(ticket, 0.5)));
-        assert!(here(&model).task.job.is_none());
-    }
+fn what_is_more_exact_says_what_it_costs_before_it_is_done() {
+    let asked = |model: &Model| match &model.overlay {
+        Some(Overlay::Question(Question::Adopt(words))) => words.clone(),
+        _ => panic!("nothing is asked"),
+    };
+    let mut model = model();
+    // Nothing is known yet: the screen opens, measures, and then asks.
+    letter(&mut model, '>');
+    assert_eq!(model.on_show().title, "Accuracy");
+    let ticket = here(&model).task.job.as_ref().unwrap().ticket;
+    let totals = super::made_up_accuracy::made_up();
+    update(
+        &mut model,
+        Message::News(Report::done::<MeasureAccuracy>(ticket, Ok(totals))),
+    );
+    let words = asked(&model);
+    assert!(
+        words.contains("Error of the damage index: ") && words.contains("ms"),
+        "{words}"
+    );
+    key(&mut model, KeyCode::Esc);
+    assert_eq!(model.work.scenario.eye.level, 1);
+    // Known by now: it is asked on any screen.
+    key(&mut model, KeyCode::F(3));
+    letter(&mut model, '>');
+    asked(&model);
+    assert!(simulates(&key(&mut model, KeyCode::Enter)));
+    assert_eq!(model.on_show().title, "Forces");
+    assert_eq!(model.work.scenario.eye.level, 2);
+    letter(&mut model, '<');
+    asked(&model);
+    key(&mut model, KeyCode::Enter);
+    assert_eq!(model.work.scenario.eye.level, 1);
 }

@@ -2,6 +2,8 @@
 
 use super::drawn::{SIZES, line_from, model, open_sampled, picture, press, ticket};
 use super::made_up;
+use std::time::Duration;
+
 use contrecoup::study::Quantity;
 use contrecoup::study::ensemble::Ensemble;
 use contrecoup::tui::ensemble::RunSamples;
@@ -10,12 +12,12 @@ use contrecoup::tui::task::Report;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Message, update};
 
-/// Opens the screen and lets so many made-up samples come, changed by `then`.
-fn open_changed(model: &mut Model, count: u32, then: impl Fn(&mut Ensemble)) {
+/// Opens the screen and lets made-up samples come, changed by `then`.
+fn open_changed(model: &mut Model, then: impl Fn(&mut Ensemble)) {
     press(model, "\x1b6");
     let job = model.ensemble.task.job.as_ref().unwrap();
     let ticket = job.ticket;
-    let mut done = made_up::ensemble(&job.question.scenario, count);
+    let mut done = made_up::ensemble(&job.question.scenario, job.question.count);
     then(&mut done);
     let report = Report::done::<RunSamples>(ticket, Ok(done));
     update(model, Message::News(report));
@@ -27,37 +29,39 @@ fn bands_of_the_scenario_before_are_not_shown() {
     open_sampled(&mut model);
     assert!(picture(&model, (80, 24)).contains("as it stands"));
     press(&mut model, "\x1b1\r\x15200\r\x1b6");
-    let report = Report::progress(ticket(&model.ensemble.task), 0.01);
+    let report = Report::progress(ticket(&model.ensemble.task), 0.01, Duration::ZERO);
     update(&mut model, Message::News(report));
     for size in SIZES {
         let text = picture(&model, size);
-        assert!(text.contains("running 1 %"), "{text}");
+        assert!(text.contains("10 of 1000"), "{text}");
         for word in ["as it stands", "◆", "median", "What drives", "Bands of"] {
             assert!(!text.contains(word), "{text}");
         }
     }
     open_sampled(&mut model);
-    assert!(picture(&model, (80, 24)).contains("Bands of 24"));
-    // Undone on the screen itself: nothing runs, and nothing is shown as if it had.
+    assert!(picture(&model, (80, 24)).contains("Bands of 1000"));
+    // Undone on the screen itself: nothing is shown before it has run.
     press(&mut model, "u");
     let text = picture(&model, (80, 24));
-    assert!(text.contains("m runs the samples"), "{text}");
-    assert!(!text.contains("Bands of"), "{text}");
+    assert!(
+        text.contains("0 of 1000") && !text.contains("Bands of"),
+        "{text}"
+    );
 }
 
 #[test]
 fn what_the_bands_hold_is_said_beside_many_results() {
     let mut model = model(&["bb-56"], Depth::Mono);
-    open_changed(&mut model, 24, |_| {});
+    open_changed(&mut model, |_| {});
     let results = model.ensemble.of(&model.work.scenario).unwrap().results();
     assert!(results.len() > 13);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjj"] {
         press(&mut model, keys);
         for size in SIZES {
             let text = picture(&model, size);
-            assert!(text.contains("* Bands of 24 of 24 samples, those that ran."));
+            assert!(text.contains("* Bands of 1000 of 1000 samples, those that ran."));
             let words: Vec<&str> = text.split_whitespace().collect();
-            assert!(words.join(" ").contains("Flags: 20 mesh folded"), "{text}");
+            assert!(words.join(" ").contains("Flags: 834 mesh folded"), "{text}");
             let named = |line: &&str| line.contains(['├', '┤']);
             let shown = text.lines().filter(named).count();
             let marked = text.contains(&format!(" of {} ", results.len()));
@@ -79,7 +83,7 @@ fn what_the_bands_hold_is_said_beside_many_results() {
 #[test]
 fn numbers_of_any_length_stand_apart() {
     let mut model = model(&[], Depth::Mono);
-    open_changed(&mut model, 8, |ensemble| {
+    open_changed(&mut model, |ensemble| {
         for sample in &mut ensemble.samples {
             let point = sample.outcome.as_mut().unwrap();
             for (of, long) in [
@@ -115,7 +119,7 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
     // Stopped after a few: the rest was asked for and is not there.
     let done = model.ensemble.done.take().unwrap();
     let mut stopped = (*done.1).clone();
-    stopped.asked = 1000;
+    stopped.samples.truncate(24);
     model.ensemble.done = Some((done.0.clone(), stopped.clone().into()));
     let text = picture(&model, (80, 24));
     let said = line_from(&text, "* Bands of 24 of 24 samples done (1000 asked for)");

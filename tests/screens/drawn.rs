@@ -1,5 +1,7 @@
 //! The app on a made-up answer: opened, driven by keys, and drawn as text and styles.
 
+use std::time::Duration;
+
 use contrecoup::scenario::Scenario;
 use contrecoup::scenario::fields;
 use contrecoup::study::Answer;
@@ -104,19 +106,18 @@ pub fn open_measured(model: &mut Model) {
 pub fn open_sampled(model: &mut Model) {
     press(model, "\x1b6");
     let job = model.ensemble.task.job.as_ref().unwrap();
-    let few = made_up::ensemble(&job.question.scenario, 24);
-    let report = Report::done::<RunSamples>(job.ticket, Ok(few));
+    let all = made_up::ensemble(&job.question.scenario, job.question.count);
+    let report = Report::done::<RunSamples>(job.ticket, Ok(all));
     update(model, Message::News(report));
 }
 
-/// Opens the map and lets a made-up first grid come; the second is on its way.
+/// Opens the map and lets the first points of a made-up grid come; the rest is on its way.
 pub fn open_mapped(model: &mut Model) {
     press(model, "\x1b7");
-    let job = model.screens.map.task.job.as_ref().unwrap();
-    let grid = made_up::grid(job.question.side);
-    let report = Report::done::<DrawMap>(job.ticket, Ok(grid));
+    let ticket = ticket(&model.screens.map.task);
+    let report = Report::so_far::<DrawMap>(ticket, made_up::grid(81));
     update(model, Message::News(report));
-    let report = Report::progress(ticket(&model.screens.map.task), 0.43);
+    let report = Report::progress(ticket, 81.0 / 1089.0, Duration::ZERO);
     update(model, Message::News(report));
 }
 

@@ -13,7 +13,7 @@ use contrecoup::eye::{GLOBE_RADIUS_M, Region};
 use contrecoup::recording::{Extremes, Fold, Frame, Peak, ShotExtremes, Traces};
 use contrecoup::scenario::{Impact, Scenario};
 use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
-use contrecoup::study::map::{Grid, Spot};
+use contrecoup::study::map::{Grid, SIDE, Spot};
 use contrecoup::study::point::{Check, Point};
 use contrecoup::study::quantity::Family;
 use contrecoup::study::{Answer, Compiled, Errors, Flag, FlagKind, Left, Quantity, inputs};
@@ -390,22 +390,22 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
     }
 }
 
-/// A map that rises to the upper right, where the mesh folds; one corner is not allowed.
-pub fn grid(side: usize) -> Grid {
-    let last = (side - 1) as f64;
-    let spot = |place: usize| {
-        let (x, y) = ((place % side) as f64 / last, (place / side) as f64 / last);
-        let damage = 160.0 * x * (0.2 + 0.8 * y);
-        match () {
-            () if x < 0.2 && y > 0.8 => Spot::Refused,
+/// A map that rises to the upper right, where the mesh folds; one corner is not allowed. So many points of it
+/// are known.
+pub fn grid(known: usize) -> Grid {
+    let mut grid = Grid::new(SIDE);
+    let last = (SIDE - 1) as f64;
+    for (x, y) in grid.order().into_iter().take(known) {
+        let (across, up) = (x as f64 / last, y as f64 / last);
+        let damage = 160.0 * across * (0.2 + 0.8 * up);
+        let spot = match () {
+            () if across < 0.2 && up > 0.8 => Spot::Refused,
             () if damage > 90.0 => Spot::Folded(damage_only(damage)),
             () => Spot::Known(damage_only(damage)),
-        }
-    };
-    Grid {
-        side,
-        spots: (0..side * side).map(spot).collect(),
+        };
+        grid.put((x, y), spot);
     }
+    grid
 }
 
 fn damage_only(damage: f64) -> contrecoup::study::Results {

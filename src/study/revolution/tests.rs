@@ -174,8 +174,12 @@ fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let pool = pool.build().unwrap();
         let stop = AtomicBool::new(false);
-        pool.install(|| run(&checked, (16, 1), &stop, &|_| ControlFlow::Continue(())))
-            .unwrap()
+        pool.install(|| {
+            run(&checked, (16, 1), None, &stop, &|_| {
+                ControlFlow::Continue(())
+            })
+        })
+        .unwrap()
     };
     let ensemble = on(2);
     assert_eq!(ensemble.samples, on(1).samples);
@@ -196,7 +200,7 @@ fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
 #[test]
 fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     use crate::scenario::fields::find;
-    use crate::study::map::{Span, Spot, fill};
+    use crate::study::map::{Grid, Span, Spot, fill};
     use crate::study::sweep::{Axis, Sweep};
     use std::sync::atomic::AtomicBool;
     let axis = |text: &str| Axis::read(text).unwrap();
@@ -221,11 +225,14 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
         span("impact.speed_m_s", 10.0, 40.0),
         span("impact.angle_deg", 0.0, 100.0),
     );
-    let go = |_: f64| ControlFlow::Continue(());
-    let grid = fill(&short(), spans, 3, None, &AtomicBool::new(false), &go).unwrap();
-    let value = |x, y| grid.at(x, y).value(Quantity::ScleralStress);
-    assert!(value(0, 0).unwrap() < value(2, 0).unwrap());
-    assert!(matches!(grid.at(0, 2), Spot::Refused), "beyond 90 degrees");
+    let go = |_: &Grid| ControlFlow::Continue(());
+    let grid = fill(&short(), spans, Grid::new(3), &AtomicBool::new(false), &go);
+    let value = |at| {
+        grid.at(at)
+            .and_then(|spot| spot.value(Quantity::ScleralStress))
+    };
+    assert!(value((0, 0)).unwrap() < value((2, 0)).unwrap());
+    assert_eq!(grid.at((0, 2)), Some(&Spot::Refused), "beyond 90 degrees");
 }
 
 #[test]

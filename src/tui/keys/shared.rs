@@ -5,7 +5,7 @@ use crossterm::event::KeyCode;
 
 use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shift};
 use crate::tui::model::{Model, Overlay};
-use crate::tui::screens::SCREENS;
+use crate::tui::screens::{SCREENS, accuracy};
 use crate::tui::take_away;
 use crate::tui::threshold;
 use crate::tui::update::{self, PAGE, presets, scroll, time};
@@ -52,6 +52,9 @@ pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
     named("page", bind(&[c('w')], take_away::page, "page", "write a page of this for a browser")),
     named("copy", bind(&[c('y')], take_away::copy, "", "copy a summary and its command")),
     named("cancel", bind(&[ESC], update::cancel, "", "cancel a long run")),
+    named("more_exact", bind(&[c('>')], |m| accuracy::propose(m, true), "", "more exact: says what it costs, and asks")),
+    named("quicker", bind(&[c('<')], |m| accuracy::propose(m, false), "", "faster: says what it costs, and asks")),
+    named("idle", bind(&[c('I')], update::toggle_idle, "", "compute ahead while you do nothing, or no longer")),
     named("mouse", bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer")),
     named("redraw", bind(&[ctrl('l')], update::repaint, "", "draw everything afresh")),
     #[cfg(unix)]

@@ -108,16 +108,30 @@ fn views(traces: &Traces) -> Vec<View> {
     views
 }
 
-pub(crate) const SCREEN: Screen = Screen::new(
-    ("Forces", "When and how hard?"),
-    "the force profiles",
-    &[Pane {
-        name: "forces",
-        keys: &[KEYS],
-        time: TimeKeys::Early,
-    }],
-    draw,
-);
+pub(crate) const SCREEN: Screen = Screen {
+    courses: |model| view(model).into_iter().flatten().collect(),
+    ..Screen::new(
+        ("Forces", "When and how hard?"),
+        "the force profiles",
+        &[Pane {
+            name: "forces",
+            keys: &[KEYS],
+            time: TimeKeys::Early,
+        }],
+        draw,
+    )
+};
+
+/// The charts on show.
+fn view(model: &Model) -> View {
+    let traces = model.shown.as_ref().and_then(|s| s.answer.traces.as_ref());
+    let mut views = traces.map(views).unwrap_or_default();
+    if views.is_empty() {
+        return View::new();
+    }
+    let count = views.len();
+    views.swap_remove(model.screens.forces.view % count)
+}
 
 #[rustfmt::skip]
 const KEYS: KeyTable = KeyTable::new("Forces", &[

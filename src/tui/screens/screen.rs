@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::study::Answer;
+use crate::study::course::Course;
 use crate::tui::keys::{KeyTable, TimeKeys};
 use crate::tui::model::{Model, Shown, Work};
 use crate::tui::step::Step;
@@ -47,6 +48,9 @@ pub struct Screen {
     pub draw: fn(&Model, Rect, &mut Buffer),
     /// The app was opened on these; the place of the screen in the list.
     pub given: fn(&mut Model, usize, &[Work]),
+    /// How many samples over what is not known of the inputs it has room for; a few at most are run though
+    /// nobody asked.
+    pub samples: u32,
     /// It was asked for by its key.
     pub opened: fn(&mut Model),
     /// Something has happened: asks for what it now wants and stops what it no longer does. Whether
@@ -61,6 +65,8 @@ pub struct Screen {
     pub mouse: fn(&mut Model, Mouse, Rect) -> bool,
     /// The answer through whose time its clock goes, and the end of that time in s.
     pub timed: fn(&Model) -> Option<(&Answer, f64)>,
+    /// The courses on show, whose peaks are visited; none where all are.
+    pub courses: fn(&Model) -> Vec<Course>,
     /// The answers on show, each by its name: what is taken away from here.
     pub answers: fn(&Model) -> Vec<(String, &Shown)>,
 }
@@ -80,6 +86,7 @@ impl Screen {
             panes,
             draw,
             given: |_, _, _| {},
+            samples: 0,
             opened: |_| {},
             attend: |_, _| {},
             hear: |_, _| {},
@@ -91,6 +98,7 @@ impl Screen {
                 false
             },
             timed: own_time,
+            courses: |_| Vec::new(),
             answers: own_answer,
         }
     }

@@ -15,7 +15,7 @@ pub(super) struct Jobs {
     send: Sender<Event>,
     /// How long one answer may take.
     limit: Option<Duration>,
-    workers: HashMap<TypeId, Worker>,
+    workers: HashMap<(TypeId, bool), Worker>,
 }
 
 impl Jobs {
@@ -32,9 +32,10 @@ impl Jobs {
     /// Hands a request to the thread of its kind.
     pub(super) fn start(&mut self, request: Request) {
         let (send, limit) = (&self.send, self.limit);
-        let worker = self.workers.entry(request.kind()).or_insert_with(|| {
+        let kind = request.kind();
+        let worker = self.workers.entry(kind).or_insert_with(|| {
             let send = send.clone();
-            Worker::start(limit, move |report| {
+            Worker::start(limit, kind.1, move |report| {
                 // Nobody listens once the app is leaving.
                 let _ = send.send(Event::News(Message::News(report)));
             })

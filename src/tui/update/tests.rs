@@ -8,7 +8,7 @@ use crate::scenario::fields;
 use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::form::Row;
 use crate::tui::prepare;
-use crate::tui::screens::compare::SimulateMarked;
+use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
 use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Input as Typed, Parser};
 
@@ -278,7 +278,9 @@ fn marks_are_simulated_one_after_another() {
     };
     let effects = done(&mut model, first);
     let (second, _) = asked::<SimulateMarked>(&effects).unwrap();
-    assert!(done(&mut model, second).is_empty());
+    // Their mesh errors follow once all are there.
+    let effects = done(&mut model, second);
+    assert!(asked::<EstimateMarked>(&effects).is_some());
     assert!(
         model
             .screens
@@ -380,7 +382,7 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     assert_eq!(model.work.scenario.eye.level, 1);
     press(&mut model, "s");
     assert!(model.overlay.is_none());
-    ensemble::start(&mut model, ensemble::MANY);
+    press(&mut model, "\x1b6");
     let asked = model.ensemble.task.job.as_ref().unwrap().question.count;
     assert_eq!(asked, crate::tui::guest::MOST_SAMPLES);
 }
@@ -458,4 +460,32 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
         model.overlay,
         Some(Overlay::Question(Question::Quit { .. }))
     ));
+}
+
+#[test]
+fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
+    let busy = |model: &Model| {
+        let screens = &model.screens;
+        [
+            ("Compare", screens.compare.task.job.is_some()),
+            ("Accuracy", screens.accuracy.task.job.is_some()),
+            ("Map", screens.map.task.job.is_some()),
+            ("Doubt", model.ensemble.task.job.is_some()),
+        ]
+        .into_iter()
+        .filter_map(|(title, busy)| busy.then_some(title))
+        .collect::<Vec<_>>()
+    };
+    let mut model = begun();
+    press(&mut model, "\x1b4 ");
+    assert_eq!(busy(&model), ["Compare"]);
+    for _ in 0..2 {
+        for place in (0..SCREENS.len()).rev() {
+            super::show(&mut model, place);
+            attend(&mut model);
+            let title = SCREENS[place].title;
+            let works = ["Compare", "Accuracy", "Map", "Doubt"].contains(&title);
+            assert_eq!(busy(&model), if works { vec![title] } else { vec![] });
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! What keys and the wheel do to the clock that every picture follows.
 
+use crate::study::course::Course;
 use crate::tui::clock::Moment;
 use crate::tui::model::Model;
 use crate::tui::step::Step;
@@ -19,11 +20,13 @@ pub(crate) fn stay_at(model: &mut Model, time: f64) {
     model.clock.playing = false;
 }
 
-/// Goes to the time of the next peak, or to that of the one before.
+/// Goes to the time of the next peak of what is on show, or to that of the one before.
 pub(crate) fn jump(model: &mut Model, forward: bool) {
     let mut clock = model.clock;
     if let Some((answer, _)) = model.timed() {
-        clock.jump(answer, forward);
+        let courses = (model.on_show().courses)(model);
+        let on_show = |of| courses.is_empty() || courses.contains(&Course::Of(of));
+        clock.jump(answer, forward, on_show);
     }
     model.clock = clock;
 }

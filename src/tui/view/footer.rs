@@ -1,4 +1,4 @@
-//! The bottom line: what was just done, or the keys that work here.
+//! The bottom line: what was just done, or what is computed ahead and the keys that work here.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -23,6 +23,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     if let Some(Overlay::Question(question)) = &model.overlay {
         x = put(buffer, area, (x, 0), &question.brief(), theme.bar_strong()) + 2;
+    }
+    if let Some(ahead) = model.ahead() {
+        x = put(buffer, area, (x, 0), &format!("idle: {ahead}"), theme.bar()) + 2;
     }
     // The keys for help and for leaving are always there.
     let is_last = |word: &str| word == "keys" || word == "quit";

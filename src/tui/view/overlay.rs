@@ -217,5 +217,6 @@ fn ask(model: &Model, question: &Question, area: Rect, buffer: &mut Buffer) {
     for (i, line) in lines.iter().enumerate() {
         put(buffer, inside, (0, i as u16), line, theme.text());
     }
-    put(buffer, inside, (0, 3), "y yes   n no", theme.strong());
+    let keys = "Enter or y: yes   Esc or n: no";
+    put(buffer, inside, (0, 3), keys, theme.strong());
 }

@@ -37,10 +37,19 @@ pub fn put_right(
     put(buffer, area, (left, y), text, style);
 }
 
-/// Writes a heading at the left of the first row and, cut to the room that is left, a text at its
-/// right.
-pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&str, Style), right: (&str, Style)) {
-    let end = put(buffer, area, (1, 0), left.0, left.1);
+/// Writes the first heading that there is room for at the left of the first row, or else the last one, and, cut to
+/// the room that is left, a text at its right.
+pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&[&str], Style), right: (&str, Style)) {
+    let fits = |text: &&&str| width(text) + width(right.0) + 4 <= area.width;
+    let (headings, style) = left;
+    let heading = headings.iter().find(fits).or(headings.last());
+    let end = put(
+        buffer,
+        area,
+        (1, 0),
+        heading.copied().unwrap_or_default(),
+        style,
+    );
     let room = usize::from(area.width.saturating_sub(end + 3));
     let text = fitted(right.0, room);
     put_right(buffer, area, (area.width - 1, 0), &text, right.1);

@@ -54,8 +54,8 @@ pub fn draw(model: &Model, asking: &Asking, area: Rect, buffer: &mut Buffer) {
             y += 1;
         }
     };
-    if let Some(percent) = asking.task.percent() {
-        say(&format!("looking: {percent:.0} %"), theme.text());
+    if let Some(pace) = asking.task.pace(None) {
+        say(&format!("looking: {pace}"), theme.text());
         say("Esc stops.", theme.quiet());
     } else if let Some(why) = &asking.error {
         say(why, theme.error());

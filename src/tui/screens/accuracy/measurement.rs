@@ -1,135 +1,252 @@
-//! Speed against error as the app holds it: a measurement, how it is chosen from, and its job.
+//! Total error against time as the app holds it: what is measured, what the cursor stands on, and what to propose.
 //!
-//! It belongs to a scenario apart from the scenario's own integrator and step, which are what it is
-//! there to choose.
+//! It belongs to a scenario apart from the scenario's own level, integrator and step, which are what it is there
+//! to choose.
 
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
+use crate::report::text::{percent, significant};
 use crate::scenario::{NumericsInput, Scenario};
-use crate::study::accuracy::{Accuracy, Point, measure};
-use crate::study::{Refusal, Watch};
+use crate::study::total::{Total, Totals, finest_tried, measure};
+use crate::study::{Quantity, Refusal, Watch};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 
-/// The finest mesh that the app compares levels with; finer ones take long.
-const FINEST: u32 = 2;
-/// Where the cursor begins: the cheapest point for this one of the targets, 1 %.
-const FIRST: usize = 1;
+/// What there is so far is shown this often at most.
+const SHOW_EVERY: Duration = Duration::from_millis(200);
+/// Where the cursor begins: the fastest run of the front within so many percent.
+const FIRST: f64 = 10.0;
+/// Something is more exact or faster only below this share of what there is.
+const WORTH: f64 = 0.8;
 
-/// Asks for a measurement.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MeasureAccuracy(Scenario);
+/// Asks for what a measurement lacks.
+#[derive(Debug, Clone)]
+pub struct MeasureAccuracy {
+    scenario: Scenario,
+    known: Option<Arc<Totals>>,
+}
 
-impl MeasureAccuracy {
-    /// The measurement for a scenario.
-    pub fn of(scenario: &Scenario) -> Self {
-        Self(Scenario {
-            // No name would be refused.
-            name: "any".to_owned(),
-            numerics: NumericsInput::default(),
-            ..scenario.clone()
+impl Question for MeasureAccuracy {
+    type Answer = Totals;
+
+    fn answer(&self, watch: Watch) -> Result<Totals, Refusal> {
+        self.fill_in(watch, &mut |_| {})
+    }
+
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Totals)) -> Result<Totals, Refusal> {
+        let known = self.known.as_deref().cloned();
+        let mut shown = Instant::now();
+        measure(&self.scenario.check()?, known, watch, &mut |totals| {
+            if shown.elapsed() >= SHOW_EVERY {
+                shown = Instant::now();
+                show(totals.clone());
+            }
         })
     }
 }
 
-impl Question for MeasureAccuracy {
-    type Answer = Accuracy;
-
-    fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
-        measure(&self.0.check()?, FINEST, watch)
-    }
+/// What of a scenario matters.
+fn key(scenario: &Scenario) -> Scenario {
+    let mut key = Scenario {
+        // No name would be refused.
+        name: "any".to_owned(),
+        numerics: NumericsInput::default(),
+        ..scenario.clone()
+    };
+    key.eye.level = finest_tried(scenario);
+    key.doubt.clear();
+    key
 }
 
-/// A measurement that is done.
-#[derive(Debug)]
-pub struct Measured {
-    /// What was asked.
-    pub question: Arc<MeasureAccuracy>,
-    /// What came of it.
-    pub report: Accuracy,
-    /// Indices of the points that can be drawn, from the fastest to the slowest.
-    pub order: Vec<usize>,
+/// Another level, integrator and step, and what they cost in words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Proposal {
+    /// The scenario with them.
+    pub scenario: Scenario,
+    /// Errors and times, before and after.
+    pub words: String,
 }
 
 /// All that the screen knows.
 #[derive(Debug, Default)]
 pub struct Measurement {
-    /// The last one that was finished.
-    pub measured: Option<Measured>,
-    /// The one under way.
+    /// What is known, and of which scenario.
+    pub known: Option<(Scenario, Arc<Totals>)>,
+    /// What is under way, or that it was stopped.
     pub task: Task<MeasureAccuracy>,
-    /// Which point is named, counted in time.
-    pub cursor: usize,
+    /// The run under the cursor, once it was moved: level, integrator's name and step in s.
+    cursor: Option<(u32, &'static str, f64)>,
+    /// The result that was chosen.
+    chosen: Option<Quantity>,
+    /// Whether something more exact, or something faster, is to be proposed once it is known.
+    pub wish: Option<bool>,
+    /// What is proposed.
+    pub proposal: Option<Proposal>,
 }
 
 impl Measurement {
+    /// What is known of this scenario.
+    pub fn of(&self, scenario: &Scenario) -> Option<&Arc<Totals>> {
+        let (asked, totals) = self.known.as_ref()?;
+        (*asked == key(scenario)).then_some(totals)
+    }
+
+    /// What is to be measured, if anything is left.
+    pub fn lacking(&self, scenario: &Scenario) -> Option<MeasureAccuracy> {
+        let known = self.of(scenario).cloned();
+        let whole = known.as_ref().is_some_and(|known| known.done == known.all);
+        (!whole).then(|| MeasureAccuracy {
+            scenario: key(scenario),
+            known,
+        })
+    }
+
+    /// Whether what is under way belongs to this scenario.
+    pub fn measures(&self, scenario: &Scenario) -> bool {
+        let job = self.task.job.as_ref();
+        job.is_some_and(|job| job.question.scenario == key(scenario))
+    }
+
+    /// Why nothing more is measured of this scenario.
+    pub fn complaint(&self, scenario: &Scenario) -> Option<&str> {
+        let (asked, why) = self.task.complaint.as_ref()?;
+        (asked.scenario == key(scenario)).then_some(why)
+    }
+
     /// Takes in what a worker says of it.
     pub fn hear(&mut self, report: &mut Option<Report>) {
-        if let Some((question, Some(accuracy))) = self.task.hear(report) {
-            self.take(question, accuracy);
+        if let Some((question, Some(totals))) = self.task.hear(report) {
+            self.known = Some((question.scenario.clone(), Arc::new(totals)));
         }
     }
 
-    /// Puts the cursor on a good choice of a new measurement.
-    fn take(&mut self, question: Arc<MeasureAccuracy>, report: Accuracy) {
-        let mut order: Vec<usize> = (0..report.points.len())
-            .filter(|&i| report.points[i].error().is_finite())
-            .collect();
-        order.sort_by(|&a, &b| {
-            let seconds = |i: usize| report.points[i].seconds;
-            seconds(a).total_cmp(&seconds(b))
-        });
-        let good = report.best[FIRST];
-        let found = order.iter().position(|i| Some(*i) == good);
-        self.cursor = found.unwrap_or(0);
-        self.measured = Some(Measured {
-            question,
-            report,
-            order,
-        });
+    /// The result on show: the chosen one where its error is known, else pressure, else damage.
+    pub fn quantity(&self, scenario: &Scenario) -> Option<Quantity> {
+        let known = self.of(scenario)?.results();
+        let own = [
+            self.chosen,
+            Some(Quantity::Pressure),
+            Some(Quantity::Damage),
+        ];
+        let mut own = own.into_iter().flatten();
+        let there = own.find(|of| known.contains(of));
+        there.or(known.first().copied())
     }
 
-    /// Whether what is on show was measured for another scenario.
-    pub fn is_stale(&self, scenario: &Scenario) -> bool {
-        let asked = MeasureAccuracy::of(scenario);
-        let other = |measured: &Measured| *measured.question != asked;
-        self.measured.as_ref().is_some_and(other)
-    }
-
-    /// The point under the cursor.
-    pub fn chosen(&self) -> Option<&Point> {
-        let measured = self.measured.as_ref()?;
-        let index = measured.order.get(self.cursor)?;
-        measured.report.points.get(*index)
-    }
-
-    /// Moves the cursor to the next point, or by a large step to the next one of the front.
-    pub fn step(&mut self, step: Step) {
-        let Some(measured) = &self.measured else {
+    /// Shows the next result.
+    pub fn next_result(&mut self, scenario: &Scenario) {
+        let (Some(known), Some(here)) = (self.of(scenario), self.quantity(scenario)) else {
             return;
         };
-        let fits = |at: &usize| {
-            let index = measured.order[*at];
-            !step.coarse || measured.report.points[index].on_front
-        };
+        let all = known.results();
+        let at = all.iter().position(|of| *of == here).unwrap_or(0);
+        self.chosen = Some(all[(at + 1) % all.len()]);
+    }
+
+    /// The runs on show, from the fastest to the slowest.
+    pub fn shown(&self, scenario: &Scenario) -> Vec<Total> {
+        let known = self.of(scenario).zip(self.quantity(scenario));
+        known.map_or(Vec::new(), |(known, of)| known.of(of))
+    }
+
+    /// The place of the cursor among them.
+    pub fn place(&self, shown: &[Total]) -> usize {
+        let is_here = |total: &Total| self.cursor == Some(name(total));
+        let first = |total: &Total| total.on_front && total.error() <= FIRST;
+        let place = shown.iter().position(is_here);
+        let place = place.or_else(|| shown.iter().position(first));
+        let best = || shown.iter().rposition(|total| total.on_front);
+        place.or_else(best).unwrap_or(0)
+    }
+
+    /// Moves the cursor to the next run, or by a large step to the next one of the front.
+    pub fn step(&mut self, scenario: &Scenario, step: Step) {
+        let shown = self.shown(scenario);
+        let here = self.place(&shown);
+        let fits = |at: &usize| !step.coarse || shown[*at].on_front;
         let next = if step.up {
-            (self.cursor + 1..measured.order.len()).find(fits)
+            (here + 1..shown.len()).find(fits)
         } else {
-            (0..self.cursor).rev().find(fits)
+            (0..here).rev().find(fits)
         };
-        self.cursor = next.unwrap_or(self.cursor);
+        if let Some(next) = next {
+            self.cursor = Some(name(&shown[next]));
+        }
+    }
+
+    /// Something more exact than the scenario is solved now, or something faster; an error says why there is
+    /// none, and nothing that too little is known yet.
+    pub fn propose(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
+        let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
+        let shown = known.of(of);
+        let present = present(scenario, &shown)?;
+        let front = || shown.iter().filter(|total| total.on_front);
+        let found = if exact {
+            front().find(|total| total.error() < WORTH * present.error())
+        } else {
+            front().rfind(|total| total.seconds < WORTH * present.seconds)
+        };
+        let Some(found) = found else {
+            let words = if exact { "more exact" } else { "faster" };
+            return (known.done == known.all)
+                .then(|| Err(format!("nothing that was tried is {words}")));
+        };
+        let ms = |total: &Total| significant(total.seconds * 1e3);
+        let words = format!(
+            "Error of the {}: {} → {}. Time: {} → {} ms. By level {}, {}, step {} µs.",
+            of.label(),
+            percent(present.error()),
+            percent(found.error()),
+            ms(present),
+            ms(found),
+            found.level,
+            found.plan.integrator.name(),
+            significant(found.step * 1e6),
+        );
+        Some(Ok(Proposal {
+            scenario: adopted(scenario, found),
+            words,
+        }))
     }
 }
 
-/// The scenario solved as a point was. The step is rounded down to six digits.
-pub fn adopted(scenario: &Scenario, point: &Point) -> Scenario {
-    let step = point.plan.step * 1e6;
+fn name(total: &Total) -> (u32, &'static str, f64) {
+    (total.level, total.plan.integrator.name(), total.plan.step)
+}
+
+/// The run that is nearest to how the scenario is solved now.
+fn present<'a>(scenario: &Scenario, shown: &'a [Total]) -> Option<&'a Total> {
+    let own = scenario.numerics.integrator;
+    let step = scenario.numerics.step_us.map(|step| step * 1e-6);
+    let there = shown
+        .iter()
+        .filter(|total| total.level == scenario.eye.level);
+    let far = |total: &Total| {
+        let other = own.is_some_and(|own| own != total.plan.integrator);
+        let off = step.map_or(0.0, |step| (total.plan.step / step).ln().abs());
+        // Without a wish of the person's own it is the plan of an answer.
+        let asked = own.is_some() || step.is_some();
+        f64::from(u8::from(if asked { other } else { !total.is_answer })) * 1e3 + off
+    };
+    there.min_by(|a, b| far(a).total_cmp(&far(b)))
+}
+
+/// The scenario solved as a run was. The step is rounded down to six digits.
+pub fn adopted(scenario: &Scenario, total: &Total) -> Scenario {
+    let step = total.plan.step * 1e6;
     let power = 10f64.powi(5 - step.log10().floor() as i32);
-    Scenario {
+    let mut adopted = Scenario {
         numerics: NumericsInput {
-            integrator: Some(point.plan.integrator),
+            integrator: Some(total.plan.integrator),
             step_us: Some((step * power).floor() / power),
         },
         ..scenario.clone()
+    };
+    if total.is_answer {
+        // What the program would take by itself stays free to be refined.
+        adopted.numerics = NumericsInput::default();
     }
+    adopted.eye.level = total.level;
+    adopted
 }

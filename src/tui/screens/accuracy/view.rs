@@ -1,18 +1,17 @@
-//! Speed against error: every integrator's points on two logarithmic axes, the front joined.
+//! Total error against time: every run on two logarithmic axes, the front joined.
 //!
-//! A letter tells the integrator, a capital that nothing beats the point in both; so the picture is
-//! legible without colours.
+//! A letter tells the integrator, a capital that nothing beats the run in both; levels stand in rows, as the mesh
+//! errors are mostly the larger by far. So the picture is legible without colours, which tell the level.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use super::log_axis::{Axis, tick_label};
-use super::measurement::Measured;
 use crate::dynamics::Integrator;
-use crate::report::errors::{of_damage, worst_in_short};
-use crate::report::text::significant;
-use crate::study::accuracy::{Point, TARGETS};
+use crate::report::text::{percent, significant};
+use crate::study::Quantity;
+use crate::study::total::{ROUNDS, Total, Totals};
 use crate::tui::model::{Look, Model};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
@@ -25,16 +24,13 @@ const LEAST: (u16, u16) = (20, 4);
 /// Errors below this, in %, are drawn there: they are rounding.
 const FLOOR: f64 = 1e-9;
 
-fn style(theme: Theme, point: &Point) -> Style {
-    let place = Integrator::ALL
-        .iter()
-        .position(|i| *i == point.plan.integrator);
+fn style(theme: Theme, total: &Total) -> Style {
     let own = if theme.is_mono() {
         theme.text()
     } else {
-        theme.curve(place.unwrap_or(0))
+        theme.curve(total.level as usize - 1)
     };
-    if point.on_front {
+    if total.on_front {
         own.add_modifier(Modifier::BOLD)
     } else {
         own
@@ -44,40 +40,40 @@ fn style(theme: Theme, point: &Point) -> Style {
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
+    let accuracy = &model.screens.accuracy;
+    let scenario = &model.work.scenario;
+    let shown = accuracy.shown(scenario);
     let (said, style) = status(model, theme);
-    let heading = ("Error in % against time", theme.heading());
-    put_both(buffer, area, heading, (&said, style));
-    let Some(measured) = &model.screens.accuracy.measured else {
-        let text = match (
-            &model.screens.accuracy.task.job,
-            &model.screens.accuracy.task.complaint,
-        ) {
-            (Some(_), _) => "every integrator is being timed at several steps",
-            (None, Some((_, why))) => why,
-            (None, None) => "not measured yet",
-        };
-        let room = usize::from(area.width - 2);
-        for (row, line) in (2..).zip(wrapped(text, room)) {
+    let of = accuracy.quantity(scenario).map_or("", Quantity::label);
+    let full = format!("How exact, at what cost? Error of the {of} in % against time");
+    let brief = format!("How exact? Error of the {of}, %");
+    let titles: &[&str] = match of {
+        "" => &["How exact, and at what cost?", "How exact?"],
+        _ => &[&full, &brief, "How exact?"],
+    };
+    put_both(buffer, area, (titles, theme.heading()), (&said, style));
+    let room = area.width - 2;
+    let (Some(totals), Some(of), false) = (
+        accuracy.of(scenario),
+        accuracy.quantity(scenario),
+        shown.is_empty(),
+    ) else {
+        let text = waiting(model);
+        for (row, line) in (2..).zip(wrapped(&text, usize::from(room))) {
             put(buffer, area, (1, row), &line, theme.text());
         }
         return;
     };
-    let room = area.width - 2;
-    let mut below = flowed(&legend(), room);
+    let here = accuracy.place(&shown);
+    let mut below = flowed(&legend(&shown), room);
     let notes = below.len();
-    if area.height >= 30 {
-        below.extend(flowed(&choices(measured), room));
-        below.extend(flowed(&levels(measured), room));
-    }
+    below.extend(flowed(&levels(totals, of), room));
     let details = below.len();
-    if let Some(point) = model.screens.accuracy.chosen() {
-        below.extend(flowed(&named(model, point), room));
-    }
+    below.extend(flowed(&named(&shown, here), room));
     let top = area.height.saturating_sub(below.len() as u16);
     for (i, line) in below.iter().enumerate() {
         let style = match i {
             _ if i < notes => theme.quiet(),
-            _ if i < details => theme.text(),
             _ if i == details => theme.strong(),
             _ => theme.text(),
         };
@@ -85,126 +81,101 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     let plot = Rect::new(area.x, area.y + 1, area.width, top.saturating_sub(1));
     if plot.height < LEAST.1 + 2 || plot.width < LEAST.0 + LABELS {
-        put(
-            buffer,
-            area,
-            (1, 1),
-            "too small for the chart",
-            theme.warning(),
-        );
+        let text = "too small for the chart";
+        put(buffer, area, (1, 1), text, theme.warning());
         return;
     }
-    chart(
-        measured,
-        model.screens.accuracy.cursor,
-        model.look,
-        plot,
-        buffer,
-    );
+    chart(&shown, here, model.look, plot, buffer);
+}
+
+/// What stands in place of the chart before there is one.
+fn waiting(model: &Model) -> String {
+    let accuracy = &model.screens.accuracy;
+    match accuracy.of(&model.work.scenario) {
+        known if accuracy.task.job.is_some() => {
+            let levels = known.map_or(0, |known| known.levels.len());
+            let so_far = match levels {
+                0 => String::new(),
+                levels => format!(" Solved so far: level 1 to {levels}."),
+            };
+            let text = "Mesh levels, integrators and steps are timed, the coarse ones first. The total error of a level \
+             is known once the two finer ones are.";
+            text.to_owned() + &so_far
+        }
+        Some(totals) if totals.done == totals.all => {
+            "No result has an error here: finer meshes show no limit, or fold.".to_owned()
+        }
+        _ => "not measured yet: m goes on".to_owned(),
+    }
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let stale = model.screens.accuracy.is_stale(&model.work.scenario);
-    let folded = model
-        .screens
-        .accuracy
-        .measured
-        .as_ref()
-        .is_some_and(|m| m.report.folded);
-    if let Some(done) = model.screens.accuracy.task.percent() {
-        let text = format!("measuring {done:.0} %  Esc stops");
-        (text, theme.warning())
-    } else if stale {
-        let text = "of another scenario: m measures".to_owned();
-        (text, theme.warning())
-    } else if let Some((_, why)) = &model.screens.accuracy.task.complaint {
-        (format!("{why}: m measures"), theme.warning())
-    } else if folded {
-        ("the mesh folded".to_owned(), theme.warning())
+    let accuracy = &model.screens.accuracy;
+    if let Some(pace) = accuracy.task.pace(None) {
+        (format!("{pace}  Esc stops"), theme.warning())
+    } else if let Some(why) = accuracy.complaint(&model.work.scenario) {
+        (format!("{why}: m goes on"), theme.warning())
     } else {
-        ("median of seven runs".to_owned(), theme.quiet())
+        (format!("median of {ROUNDS} runs"), theme.quiet())
     }
 }
 
-fn legend() -> Vec<String> {
+/// The letters that are there.
+fn legend(shown: &[Total]) -> Vec<String> {
+    let there = |of: &&Integrator| shown.iter().any(|total| total.plan.integrator == **of);
     let mut parts: Vec<String> = Integrator::ALL
         .iter()
+        .filter(there)
         .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
-    parts.push("capitals: the front".to_owned());
+    parts.push("capitals: nothing is faster and more exact".to_owned());
     parts
 }
 
-/// The cheapest point for each error.
-fn choices(measured: &Measured) -> Vec<String> {
-    let mut parts = vec!["cheapest".to_owned()];
-    for (target, best) in TARGETS.iter().zip(measured.report.best) {
-        let what = best
-            .and_then(|i| measured.report.points.get(i))
-            .map_or_else(
-                || "none".to_owned(),
-                |p| format!("{} {} ms", p.plan.integrator.name(), ms(p.seconds)),
-            );
-        parts.push(format!("within {target} %: {what}"));
+/// What each mesh level may be off by.
+fn levels(totals: &Totals, of: Quantity) -> Vec<String> {
+    let mut parts = vec!["mesh error".to_owned()];
+    for level in 1..=totals.levels.len() as u32 {
+        let Some(mesh) = totals.mesh(level) else {
+            continue;
+        };
+        let error = mesh[of].map_or("no limit".to_owned(), percent);
+        parts.push(format!("level {level}: {error}"));
     }
     parts
 }
 
-/// What the mesh adds.
-fn levels(measured: &Measured) -> Vec<String> {
-    let Some((finest, others)) = measured.report.levels.split_last() else {
+/// All about the run under the cursor.
+fn named(shown: &[Total], here: usize) -> Vec<String> {
+    let Some(total) = shown.get(here) else {
         return Vec::new();
     };
-    let mut parts = vec![format!("mesh against level {}", finest.level)];
-    for level in others {
-        let error = worst_in_short(&level.errors);
-        parts.push(format!("level {}: {error}", level.level));
-    }
-    parts
-}
-
-fn ms(seconds: f64) -> String {
-    significant(seconds * 1e3)
-}
-
-/// All about the point under the cursor.
-fn named(model: &Model, point: &Point) -> Vec<String> {
-    let count = model
-        .screens
-        .accuracy
-        .measured
-        .as_ref()
-        .map_or(0, |m| m.order.len());
-    let mut parts = vec![
-        format!("▸ {} of {count}", model.screens.accuracy.cursor + 1),
+    let automatic = if total.is_answer { " (automatic)" } else { "" };
+    vec![
+        format!("▸ {} of {}", here + 1, shown.len()),
+        format!("level {}", total.level),
         format!(
             "{} {}",
-            point.plan.integrator.method().letter,
-            point.plan.integrator.name()
+            total.plan.integrator.method().letter,
+            total.plan.integrator.name()
         ),
-        format!("step {} µs", significant(point.step * 1e6)),
-    ];
-    if point.plan.integrator.method().adaptive() {
-        parts.push(format!("tolerance {:e}", point.plan.local_tolerance));
-    }
-    parts.push(format!("{} ms", ms(point.seconds)));
-    parts.push(format!("error {}", worst_in_short(&point.errors)));
-    parts.push(format!("damage error {}", of_damage(&point.errors)));
-    let elements = point.element_evaluations as f64 * 1e-6;
-    parts.push(format!("{} evaluations", point.evaluations));
-    let of = model.screens.accuracy.measured.as_ref();
-    let of = of.map_or("", |m| m.report.element.plural());
-    parts.push(format!("{} M {of}", significant(elements)));
-    let front = if point.on_front {
-        "on the front"
-    } else {
-        "beaten: not on the front"
-    };
-    parts.push(front.to_owned());
-    parts
+        format!("step {} µs{automatic}", significant(total.step * 1e6)),
+        format!("{} ms", significant(total.seconds * 1e3)),
+        format!("error {}", percent(total.error())),
+        format!(
+            "of it mesh {}, step {}",
+            percent(total.mesh),
+            percent(total.by_step)
+        ),
+        if total.on_front {
+            "on the front".to_owned()
+        } else {
+            "beaten: not on the front".to_owned()
+        },
+    ]
 }
 
-fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mut Buffer) {
+fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(look);
     let left = LABELS + 1;
     let field = Rect::new(
@@ -213,21 +184,13 @@ fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mu
         area.width - left - 1,
         area.height - 2,
     );
-    let points = &measured.report.points;
-    let shown: Vec<&Point> = measured.order.iter().map(|i| &points[*i]).collect();
-    let least = shown
-        .iter()
-        .map(|p| p.error())
-        .filter(|e| *e > FLOOR)
-        .fold(f64::INFINITY, f64::min);
-    let floor = if least.is_finite() { least } else { FLOOR };
-    let times = Axis::over(shown.iter().map(|p| p.seconds * 1e3));
-    let errors = Axis::over(shown.iter().map(|p| p.error().max(floor)));
+    let times = Axis::over(shown.iter().map(|total| total.seconds * 1e3));
+    let errors = Axis::over(shown.iter().map(|total| total.error().max(FLOOR)));
     axes(area, field, (times, errors), theme, buffer);
     // In cells, so that lines run from mark to mark.
-    let cell = |p: &Point| {
-        let x = times.share(p.seconds * 1e3) * f64::from(field.width - 1);
-        let y = (1.0 - errors.share(p.error().max(floor))) * f64::from(field.height - 1);
+    let cell = |total: &Total| {
+        let x = times.share(total.seconds * 1e3) * f64::from(field.width - 1);
+        let y = (1.0 - errors.share(total.error().max(FLOOR))) * f64::from(field.height - 1);
         (x.round(), y.round())
     };
     let mut raster = Raster::new(field, look.symbols);
@@ -238,8 +201,8 @@ fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mu
     );
     let front: Vec<(f64, f64)> = shown
         .iter()
-        .filter(|p| p.on_front)
-        .map(|p| cell(p))
+        .filter(|total| total.on_front)
+        .map(cell)
         .map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1))
         .collect();
     let ink = Ink::solid(theme.cursor(), 0, '.');
@@ -247,18 +210,18 @@ fn chart(measured: &Measured, cursor: usize, look: Look, area: Rect, buffer: &mu
         raster.line(pair[0], pair[1], ink);
     }
     raster.paint(buffer);
-    // The front hides what it beats, and the chosen point hides everything.
-    let mut marks: Vec<(usize, &Point)> = shown.iter().copied().enumerate().collect();
-    marks.sort_by_key(|(at, p)| (*at == cursor, p.on_front));
-    for (at, point) in marks {
-        let (x, y) = cell(point);
-        let letter = point.plan.integrator.method().letter;
-        let mark = if point.on_front {
+    // The front hides what it beats, and the chosen run hides everything.
+    let mut marks: Vec<(usize, &Total)> = shown.iter().enumerate().collect();
+    marks.sort_by_key(|(at, total)| (*at == cursor, total.on_front));
+    for (at, total) in marks {
+        let (x, y) = cell(total);
+        let letter = total.plan.integrator.method().letter;
+        let mark = if total.on_front {
             letter
         } else {
             letter.to_ascii_lowercase()
         };
-        let mut style = style(theme, point);
+        let mut style = style(theme, total);
         if at == cursor {
             style = style.patch(theme.focus());
         }

@@ -1,11 +1,15 @@
 //! The presets marked for comparison, their answers, and the order of the table.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
-use super::SimulateMarked;
+use super::{EstimateMarked, SimulateMarked};
+use crate::injury::{Injury, Verdict};
+use crate::recording::Traces;
 use crate::scenario::Scenario;
-use crate::study::course::Course;
-use crate::study::{Answer, Quantity};
+use crate::study::course::{Beside, Course};
+use crate::study::quantity::Read;
+use crate::study::{Answer, MeshError, Quantity};
 use crate::tui::model::Shown;
 use crate::tui::task::Task;
 
@@ -19,21 +23,90 @@ pub const MAX_MARKED: usize = 6;
 pub enum Column {
     /// The preset's name.
     Name,
+    /// What to believe of an injury.
+    Verdict(Injury),
     /// One result.
     Result(Quantity),
-    /// The step error.
-    Error,
 }
 
 impl Column {
-    /// The value of an answer in this column, where it has one.
+    /// The value of an answer in this column, where it has one: of a verdict the middle of its range.
     pub fn of(self, answer: &Answer) -> Option<f64> {
         match self {
             Self::Name => None,
+            Self::Verdict(injury) => {
+                let (low, high) = verdict(answer, injury)?.range?;
+                Some(0.5 * (low + high))
+            }
             Self::Result(quantity) => answer.result(quantity),
-            Self::Error => Some(answer.errors.time_step_percent()),
         }
     }
+
+    /// Risks before what they are read off, and that before the rest.
+    fn rank(self) -> u8 {
+        match self {
+            Self::Name | Self::Verdict(_) => 0,
+            Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
+            Self::Result(quantity) if matches!(quantity.row().read, Read::Risk(..)) => 2,
+            Self::Result(_) => 3,
+        }
+    }
+}
+
+/// What to believe of an injury after a blow.
+pub fn verdict(answer: &Answer, injury: Injury) -> Option<Verdict> {
+    let mut verdicts = answer.verdicts().into_iter();
+    verdicts.find(|verdict| verdict.injury == injury)
+}
+
+/// What stands at the same time in all replays and curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Alignment {
+    /// The beginning.
+    #[default]
+    Clock,
+    /// The first contact, of a pulse the beginning of its load.
+    Contact,
+    /// The moment at which the cornea stands deepest.
+    Deepest,
+}
+
+impl Alignment {
+    /// The next one.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Clock => Self::Contact,
+            Self::Contact => Self::Deepest,
+            Self::Deepest => Self::Clock,
+        }
+    }
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Clock => "all on one clock",
+            Self::Contact => "aligned at first contact",
+            Self::Deepest => "aligned where deepest",
+        }
+    }
+
+    /// When that is in an answer, in s.
+    fn moment(self, answer: &Answer) -> f64 {
+        match self {
+            Self::Clock => 0.0,
+            Self::Contact => answer.traces.as_ref().map_or(0.0, first_contact),
+            Self::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
+        }
+    }
+}
+
+/// The last time before anything acts on the eye, in s.
+fn first_contact(traces: &Traces) -> f64 {
+    let drive = Course::Beside(Beside::Drive).values(traces);
+    let first = drive.iter().position(|force| *force > 0.0);
+    let before = first.unwrap_or(0).saturating_sub(1);
+    traces.time.get(before).copied().unwrap_or(0.0)
 }
 
 /// What is known of an entry.
@@ -56,6 +129,8 @@ pub struct Entry {
     pub scenario: Scenario,
     /// What came of it.
     pub found: Found,
+    /// Whether its mesh error was refused.
+    pub without_mesh: bool,
 }
 
 impl Entry {
@@ -79,10 +154,14 @@ pub struct Comparison {
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.
     pub sort: Option<(Column, bool)>,
-    /// The curve below the table.
-    pub curve: Course,
+    /// The curve below the table, once one was chosen.
+    pub curve: Option<Course>,
+    /// What stands at the same time in all of them.
+    pub alignment: Alignment,
     /// The entry that is being simulated.
     pub task: Task<SimulateMarked>,
+    /// The entry whose mesh error is being estimated.
+    pub mesh: Task<EstimateMarked>,
 }
 
 impl Comparison {
@@ -102,6 +181,7 @@ impl Comparison {
             name: name.to_owned(),
             scenario: scenario.clone(),
             found: Found::Awaited,
+            without_mesh: false,
         });
         Ok(())
     }
@@ -119,6 +199,7 @@ impl Comparison {
         {
             entry.scenario = scenario.clone();
             entry.found = Found::Awaited;
+            entry.without_mesh = false;
         }
     }
 
@@ -128,6 +209,35 @@ impl Comparison {
         self.entries.iter().find(awaited)
     }
 
+    /// The next entry whose mesh error is to be estimated, once all are simulated.
+    pub fn next_mesh(&self) -> Option<(&Entry, &Answer)> {
+        let lacks = |entry: &Entry| !entry.without_mesh;
+        let open = self.entries.iter().filter(|entry| lacks(entry));
+        let mut answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
+        let next = answered.find(|(_, answer)| answer.errors.mesh.is_none());
+        next.filter(|_| self.next().is_none())
+    }
+
+    /// Takes in the mesh error of an entry, or that it has none.
+    pub fn take_mesh(&mut self, asked: &EstimateMarked, mesh: Option<MeshError>) {
+        let mut entries = self.entries.iter_mut();
+        let same = |e: &&mut Entry| e.name == asked.name && e.scenario == asked.mesh.scenario;
+        let Some(entry) = entries.find(same) else {
+            return;
+        };
+        entry.without_mesh = mesh.is_none();
+        if let (Found::Answer(shown), Some(mesh)) = (&mut entry.found, mesh) {
+            Arc::make_mut(&mut shown.answer).add(mesh);
+        }
+    }
+
+    /// By how much the time shown of an answer is later than that of the first, in s.
+    pub fn shift(&self, answer: &Answer) -> f64 {
+        let first = self.entries.iter().find_map(Entry::answer);
+        let moment = |answer| self.alignment.moment(answer);
+        moment(answer) - first.map_or(0.0, moment)
+    }
+
     /// Takes in what came of an entry.
     pub fn take(&mut self, name: &str, found: Found) {
         if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
@@ -135,17 +245,17 @@ impl Comparison {
         }
     }
 
-    /// The columns, from the left: the results that some answer has, each in every scene that has it.
+    /// The columns, from the left: what to believe, then the results that some answer has.
     pub fn columns(&self) -> Vec<Column> {
         let answers = || self.entries.iter().filter_map(Entry::answer);
         let none = answers().next().is_none();
         let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
+        let verdicts = Injury::ALL.into_iter().map(Column::Verdict);
         let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
-        let results = results.filter(there);
-        std::iter::once(Column::Name)
-            .chain(results)
-            .chain([Column::Error])
-            .collect()
+        let mut columns: Vec<Column> = verdicts.chain(results).filter(there).collect();
+        columns.sort_by_key(|column| column.rank());
+        columns.insert(0, Column::Name);
+        columns
     }
 
     /// The column with the cursor.
@@ -157,16 +267,23 @@ impl Comparison {
     /// Sorts by the column with the cursor; a second time, the other way round.
     pub fn sort_here(&mut self) {
         let here = self.here();
-        self.sort = match self.sort {
+        self.sort = match self.sorting() {
             Some((column, largest)) if column == here => Some((column, !largest)),
             _ => Some((here, here != Column::Name)),
         };
     }
 
+    /// The column that sorts the table: by itself the risk of the gravest injury, where there is one.
+    pub fn sorting(&self) -> Option<(Column, bool)> {
+        let first = self.columns().into_iter().nth(1);
+        let risk = first.filter(|column| matches!(column, Column::Verdict(_)));
+        self.sort.or(risk.map(|column| (column, true)))
+    }
+
     /// The entries in the order of the table.
     pub fn sorted(&self) -> Vec<&Entry> {
         let mut entries: Vec<&Entry> = self.entries.iter().collect();
-        let Some((column, largest)) = self.sort else {
+        let Some((column, largest)) = self.sorting() else {
             return entries;
         };
         entries.sort_by(|a, b| {
@@ -180,6 +297,17 @@ impl Comparison {
             if largest { order.reverse() } else { order }
         });
         entries
+    }
+
+    /// The curve below the table: by itself the pressure, where there is one.
+    pub fn curve(&self) -> Course {
+        let pressure = |entry: &Entry| entry.answer()?.result(Quantity::Pressure);
+        let own = if self.entries.iter().any(|entry| pressure(entry).is_some()) {
+            Course::Of(Quantity::Pressure)
+        } else {
+            Course::default()
+        };
+        self.curve.unwrap_or(own)
     }
 
     /// The longest window of the answers, in s.
@@ -246,6 +374,41 @@ mod tests {
             comparison.sort_here();
             assert!(values(&comparison).is_sorted());
         }
+    }
+
+    #[test]
+    fn objects_are_compared_by_the_gravest_risk_and_stand_at_the_same_moment() {
+        let mut comparison = Comparison::default();
+        for name in ["foam-dart", "bb-62"] {
+            let mut scenario = library::find(name).unwrap().scenario().unwrap();
+            scenario.window_ms = 0.5;
+            comparison.mark(name, &scenario).unwrap();
+            let checked = scenario.check().unwrap();
+            let keep = Keep {
+                traces: true,
+                frames: None,
+            };
+            let answer = solve(&checked, keep, &mut unwatched).unwrap();
+            comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
+        }
+        let rupture = Column::Verdict(Injury::GlobeRupture);
+        assert_eq!(comparison.columns()[1], rupture);
+        assert_eq!(comparison.sorting(), Some((rupture, true)));
+        assert_eq!(order(&comparison), ["bb-62", "foam-dart"]);
+        let (name, _) = comparison.next_mesh().map(|(e, a)| (&e.name, a)).unwrap();
+        assert_eq!(name, "foam-dart", "in the order of marking");
+        comparison.alignment = Alignment::Deepest;
+        let deepest = |entry: &Entry| {
+            let answer = entry.answer().unwrap();
+            let own = answer.peak(Quantity::Apex).unwrap().time;
+            own - comparison.shift(answer)
+        };
+        let times: Vec<f64> = comparison.entries.iter().map(deepest).collect();
+        assert!(times[0] > 0.0 && (times[1] - times[0]).abs() < 1e-12);
+        comparison.alignment = Alignment::Contact;
+        let contact =
+            |entry: &Entry| first_contact(entry.answer().unwrap().traces.as_ref().unwrap());
+        assert!(comparison.entries.iter().all(|entry| contact(entry) < 1e-4));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Several presets: which are marked, their answers one after another, and the clock they share.
 
+mod cell;
 pub mod comparison;
 mod overlaid;
 mod replays;
@@ -12,13 +13,13 @@ use crate::plain_text::quoted;
 use crate::recording::Traces;
 use crate::scenario::Scenario;
 use crate::study::course::Course;
-use crate::study::{Answer, Refusal, Watch};
+use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
-use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
+use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown, Work};
 use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FRAME_KEYS;
-use crate::tui::simulation::Simulate;
+use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
 use comparison::{FORM, Found, MAX_MARKED};
@@ -32,8 +33,13 @@ pub(crate) const SCREEN: Screen = Screen {
     given,
     attend,
     hear,
+    cancel,
     mouse,
     timed,
+    courses: |model| match model.pane() {
+        REPLAYS => Vec::new(),
+        _ => vec![model.screens.compare.curve()],
+    },
     answers,
     ..Screen::new(
         ("Compare", "Which is worse?"),
@@ -51,7 +57,7 @@ pub(crate) const SCREEN: Screen = Screen {
             },
             Pane {
                 name: "replays",
-                keys: &[KeyTable::new("Compare: replays", FRAME_KEYS)],
+                keys: &[KeyTable::new("Compare: replays", FRAME_KEYS), ALIGN_KEYS],
                 time: TimeKeys::Early,
             },
         ],
@@ -76,7 +82,17 @@ const TABLE_KEYS: KeyTable = KeyTable::new("Compare: table", &[
     bind(&[RIGHT, c('l')], |m| change_column(m, 1), "&", "the column to the right"),
     bind(&[ENTER, c('o')], |m| m.screens.compare.sort_here(), "sort", "sort by the column; again: the other way"),
     bind(&[c('v')], next_curve, "curves", "the next curve below the table"),
+    ALIGN,
 ]);
+
+const ALIGN_KEYS: KeyTable = KeyTable::new("Compare: time", &[ALIGN]);
+
+const ALIGN: Binding = bind(
+    &[c('a')],
+    |m| m.screens.compare.alignment = m.screens.compare.alignment.next(),
+    "align",
+    "at the same time: the beginning, first contact, or where deepest",
+);
 
 /// Asks for the answer to a marked scenario.
 #[derive(Debug)]
@@ -92,6 +108,23 @@ impl Question for SimulateMarked {
 
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
         Simulate(self.scenario.clone()).answer(watch)
+    }
+}
+
+/// Asks for the mesh error of a marked scenario's answer.
+#[derive(Debug)]
+pub struct EstimateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// What is estimated.
+    pub mesh: EstimateMesh,
+}
+
+impl Question for EstimateMarked {
+    type Answer = MeshError;
+
+    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
+        self.mesh.answer(watch)
     }
 }
 
@@ -115,34 +148,61 @@ fn given(model: &mut Model, place: usize, works: &[Work]) {
     }
 }
 
-/// Simulates the marked scenarios one after another; stops what nobody waits for any more.
+/// Simulates the marked scenarios one after another while they are on show, and then estimates their mesh
+/// errors; stops what nobody waits for.
 fn attend(model: &mut Model, on_show: bool) {
     let compare = &mut model.screens.compare;
     if on_show {
         compare.replace(FORM, &model.work.scenario);
     }
-    let awaited = |job: &SimulateMarked| {
+    let awaited = |name: &str, scenario: &Scenario| {
         let mut entries = compare.entries.iter();
-        entries.any(|e| e.name == job.name && e.scenario == job.scenario)
+        on_show && entries.any(|e| e.name == name && e.scenario == *scenario)
     };
-    if let Some(job) = &compare.task.job
-        && !awaited(&job.question)
-    {
+    let is_idle = |job: &SimulateMarked| !awaited(&job.name, &job.scenario);
+    let stops = compare
+        .task
+        .job
+        .as_ref()
+        .is_some_and(|job| is_idle(&job.question));
+    let is_idle = |job: &EstimateMarked| !awaited(&job.name, &job.mesh.scenario);
+    let stops_mesh = compare
+        .mesh
+        .job
+        .as_ref()
+        .is_some_and(|job| is_idle(&job.question));
+    if stops {
         compare.task.stop(None, &mut model.out);
     }
-    if compare.task.job.is_none()
-        && let Some(entry) = compare.next()
-    {
+    if stops_mesh {
+        compare.mesh.stop(None, &mut model.out);
+    }
+    if !on_show || compare.task.job.is_some() || compare.mesh.job.is_some() {
+        return;
+    }
+    if let Some(entry) = compare.next() {
         let question = SimulateMarked {
             name: entry.name.clone(),
             scenario: entry.scenario.clone(),
         };
         compare.task.ask(question, &mut model.out);
+    } else if let Some((entry, answer)) = compare.next_mesh() {
+        let question = EstimateMarked {
+            name: entry.name.clone(),
+            mesh: EstimateMesh {
+                scenario: entry.scenario.clone(),
+                query: MeshQuery::of(answer),
+            },
+        };
+        compare.mesh.ask(question, &mut model.out);
     }
 }
 
 fn hear(model: &mut Model, report: &mut Option<Report>) {
     let compare = &mut model.screens.compare;
+    if let Some((asked, mesh)) = compare.mesh.hear(report) {
+        compare.take_mesh(&asked, mesh);
+    }
     let Some((asked, outcome)) = compare.task.hear(report) else {
         return;
     };
@@ -154,9 +214,33 @@ fn hear(model: &mut Model, report: &mut Option<Report>) {
     compare.take(&asked.name, found);
 }
 
-/// Those of the marked entries, or of the form where none is.
+/// Gives up what is under way; the rest is not begun either.
+fn cancel(model: &mut Model) -> bool {
+    let compare = &mut model.screens.compare;
+    if let Some(job) = &compare.mesh.job {
+        let asked = job.question.clone();
+        compare.mesh.stop(None, &mut model.out);
+        compare.take_mesh(&asked, None);
+        return true;
+    }
+    let Some(job) = &compare.task.job else {
+        return false;
+    };
+    let name = job.question.name.clone();
+    compare.task.stop(None, &mut model.out);
+    let words = "stopped: unmark and mark it again".to_owned();
+    compare.take(&name, Found::Refused(words));
+    true
+}
+
+/// Those of the marked entries in the order of the table, or of the form where none is; none while some are
+/// being simulated.
 fn answers(model: &Model) -> Vec<(String, &Shown)> {
-    let entries = model.screens.compare.entries.iter();
+    let compare = &model.screens.compare;
+    if compare.next().is_some() {
+        return Vec::new();
+    }
+    let entries = compare.sorted().into_iter();
     let marked = entries.filter_map(|entry| match &entry.found {
         Found::Answer(shown) => Some((entry.name.clone(), shown.as_ref())),
         _ => None,
@@ -225,10 +309,10 @@ fn next_curve(model: &mut Model) {
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
         answers.any(|answer| answer.traces.as_ref().is_some_and(has))
     };
-    let here = model.screens.compare.curve;
+    let here = model.screens.compare.curve();
     let after = drawn().skip_while(|course| *course != here).skip(1);
     let next = after.chain(drawn()).find(there);
-    model.screens.compare.curve = next.unwrap_or(here);
+    model.screens.compare.curve = next.or(Some(here));
 }
 
 fn mark(model: &mut Model) {

@@ -3,6 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::comparison::Alignment;
+use crate::study::Answer;
 use crate::study::course::Course;
 use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
@@ -14,7 +16,19 @@ use crate::tui::view::theme::Theme;
 pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let row = course.row();
-    let entries = model.screens.compare.entries.iter().enumerate();
+    let compare = &model.screens.compare;
+    // Each on the time of the first.
+    let shifted = |answer: &Answer| -> Option<Vec<f64>> {
+        let shift = compare.shift(answer);
+        let times = answer.traces.as_ref()?.time.iter();
+        Some(times.map(|time| time - shift).collect())
+    };
+    let times = compare
+        .entries
+        .iter()
+        .map(|entry| entry.answer().and_then(shifted));
+    let times: Vec<_> = times.map(Option::unwrap_or_default).collect();
+    let entries = compare.entries.iter().enumerate();
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
             let traces = entry.answer()?.traces.as_ref()?;
@@ -30,7 +44,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
                 ink
             };
             Some(Curve {
-                time: &traces.time,
+                time: &times[i],
                 values,
                 factor: row.factor,
                 ink,
@@ -40,7 +54,10 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     let Some(window) = model.screens.compare.window() else {
         return;
     };
-    let reading = format!("{:.3} ms", model.time() * 1e3);
+    let reading = match compare.alignment {
+        Alignment::Clock => format!("{:.3} ms", model.time() * 1e3),
+        other => format!("{}, {:.3} ms", other.words(), model.time() * 1e3),
+    };
     // What drives the eye is a load for some and a contact for others.
     let entries = model.screens.compare.entries.iter();
     let mut labels: Vec<&str> = entries

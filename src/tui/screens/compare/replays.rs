@@ -9,13 +9,13 @@ use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::eye::Scene;
-use crate::tui::view::text::{fitted, put};
+use crate::tui::view::text::{fitted, put, put_right};
 use crate::tui::view::theme::Theme;
 
 /// Side by side, all at the same time and on the same scale of force.
 pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    heading(model, area, buffer);
+    heading(model, area, "", buffer);
     let entries = &model.screens.compare.entries;
     if entries.is_empty() {
         return;
@@ -36,8 +36,9 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         1 => String::new(),
         times => format!("  shown {times}x larger"),
     };
-    let text = format!("{:.3} ms{zoom}", model.time() * 1e3);
-    put(buffer, area, (34, 0), &text, theme.strong());
+    let aligned = model.screens.compare.alignment.words();
+    let text = format!("{:.3} ms{zoom}  {aligned}", model.time() * 1e3);
+    put_right(buffer, area, (area.width - 1, 0), &text, theme.strong());
     let count = entries.len() as u16;
     let rows = if count > 3 { 2 } else { 1 };
     let columns = count.div_ceil(rows);
@@ -57,7 +58,8 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         match &entry.found {
             Found::Answer(shown) => Scene {
                 shown,
-                time: model.time().min(shown.answer.window()),
+                time: (model.time() + model.screens.compare.shift(&shown.answer))
+                    .clamp(0.0, shown.answer.window()),
                 largest,
                 highest: pressures(model, shown).and(highest),
                 zoom: model.clock.zoom(),

@@ -3,13 +3,15 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::study::Flag;
+use crate::injury::lines;
+use crate::study::Answer;
 use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
-use crate::tui::view::text::{fitted, flag_name, numeral, put, put_right, width};
+use crate::tui::view::text::{fitted, flag_name, put, put_right, width};
 use crate::tui::view::theme::Theme;
 
-use super::comparison::{Column, Entry, FORM, Found};
+use super::cell::cell;
+use super::comparison::{Column, Comparison, Entry, FORM, Found};
 use super::overlaid::overlaid;
 use super::replays::replays;
 use super::{LIST, REPLAYS, SCREEN, TABLE};
@@ -60,7 +62,8 @@ fn first_listed(model: &Model, room: u16) -> usize {
         .saturating_sub(usize::from(room).saturating_sub(1))
 }
 
-pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
+/// The names of the panes, and at the right how far things are, or else `text`.
+pub(super) fn heading(model: &Model, area: Rect, text: &str, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     for (i, (x, name)) in headings().enumerate() {
         let style = if i == model.pane() {
@@ -70,17 +73,40 @@ pub(super) fn heading(model: &Model, area: Rect, buffer: &mut Buffer) {
         };
         put(buffer, area, (x, 0), &name, style);
     }
-    let entries = &model.screens.compare.entries;
-    let text = match entries.len() {
-        0 | 1 => "mark two to six presets".to_owned(),
-        count => format!("{count} marked"),
+    let said = progress(&model.screens.compare);
+    let text = if said.is_empty() { text } else { &said };
+    put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
+}
+
+/// How far simulations and mesh errors are.
+fn progress(compare: &Comparison) -> String {
+    let count = compare.entries.len();
+    let answered = |entry: &&Entry| !matches!(entry.found, Found::Awaited);
+    let done = compare.entries.iter().filter(answered).count();
+    let lacks = |entry: &&Entry| {
+        let lacks = |answer: &Answer| answer.errors.mesh.is_none();
+        !entry.without_mesh && entry.answer().is_some_and(lacks)
     };
-    put_right(buffer, area, (area.width - 1, 0), &text, theme.quiet());
+    let open = compare.entries.iter().filter(lacks).count();
+    match (count, done, open) {
+        (0, ..) => "mark two to six".to_owned(),
+        (1, ..) => "mark one more".to_owned(),
+        _ if done < count => format!("{done} of {count} simulated"),
+        (_, _, 0) => String::new(),
+        _ => format!("mesh errors: {} of {count}", count - open),
+    }
+}
+
+fn marked(model: &Model) -> String {
+    format!(
+        "{} marked, w takes a page",
+        model.screens.compare.entries.len()
+    )
 }
 
 fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    heading(model, area, buffer);
+    heading(model, area, &marked(model), buffer);
     let wide = list_width(area);
     let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
     let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
@@ -108,72 +134,52 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         let text = "Space marks the preset under the cursor";
         put(buffer, charts, (1, 1), text, theme.quiet());
     } else {
-        overlaid(model, model.screens.compare.curve, charts, buffer);
+        overlaid(model, model.screens.compare.curve(), charts, buffer);
     }
 }
 
-/// A table that is wider is no easier to read.
-const WIDEST: u16 = 120;
-/// The least rows of the chart below it.
+/// The least rows of the chart below the table.
 const CHART: u16 = 5;
 
 fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
-    heading(model, area, buffer);
+    heading(model, area, &marked(model), buffer);
     let count = model.screens.compare.entries.len() as u16;
     let room = area.height.saturating_sub(1);
-    // The differences give way before the chart does.
-    let each = if 2 + 2 * count + CHART <= room { 2 } else { 1 };
+    // What to believe gives way before the errors do, and those before the chart.
+    let fits = |each: &u16| 2 + each * count + CHART <= room;
+    let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
-    let table_area = Rect::new(area.x, area.y + 1, area.width.min(WIDEST), rows);
+    let table_area = Rect::new(area.x, area.y + 1, area.width, rows);
     table(model, each, table_area, buffer);
     let below = room - rows;
     if below >= CHART {
         let place = Rect::new(area.x, area.y + 1 + rows, area.width, below);
-        overlaid(model, model.screens.compare.curve, place, buffer);
+        overlaid(model, model.screens.compare.curve(), place, buffer);
     }
 }
 
 fn title(column: Column) -> (&'static str, &'static str) {
     match column {
         Column::Name => ("preset", ""),
+        Column::Verdict(injury) => (injury.word(), "risk, %"),
         Column::Result(quantity) => (quantity.row().short, quantity.row().unit),
-        Column::Error => ("error", "%"),
     }
 }
 
-/// Columns of a number: one fewer than from number to number.
-const CELLS: u16 = 5;
+/// Columns from the end of a number to that of the next: room for the longest name and the mark of sorting.
+const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
-const NAME: u16 = 18;
-
-/// Columns from the end of a number to that of the next.
-fn number_columns(area: Rect) -> u16 {
-    if area.width >= 110 { 9 } else { 6 }
-}
+const NAME: u16 = 19;
 
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
 fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
-    let each = number_columns(area);
     let compare = &model.screens.compare;
     let columns = compare.columns();
-    let count = usize::from((area.width - NAME) / each).min(columns.len() - 1);
-    // The error, which is the last, is always there; the results before it scroll.
-    let results = count.saturating_sub(1);
-    let last = compare.column.clamp(results, columns.len() - 2);
-    let right = |i: usize| area.width - each * (count - 1 - i) as u16;
-    let shown = columns.into_iter().skip(last + 1 - results);
-    let shown = shown.take(results).chain([Column::Error]);
-    shown
-        .enumerate()
-        .map(|(i, column)| (column, right(i)))
-        .collect()
-}
-
-/// Where the name ends.
-fn name_room(model: &Model, area: Rect) -> usize {
-    let each = number_columns(area);
-    let taken = columns(model, area).len() as u16 * each;
-    usize::from(area.width - taken).saturating_sub(4)
+    let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);
+    let first = compare.column.clamp(count, columns.len() - 1) + 1 - count;
+    let right = |i: usize| NAME + EACH * (i as u16 + 1);
+    let shown = columns.into_iter().skip(first).take(count).enumerate();
+    shown.map(|(i, column)| (column, right(i))).collect()
 }
 
 fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
@@ -181,15 +187,9 @@ fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
     let compare = &model.screens.compare;
     let focused = model.has_focus(TABLE);
     let numbers = columns(model, area);
-    let each_number = number_columns(area);
-    let first = numbers.first().map(|(column, _)| *column);
-    let name = (Column::Name, 0);
-    for (column, right) in std::iter::once(name).chain(numbers) {
-        // Beside the name there is a gap already.
-        let gap = u16::from(Some(column) != first);
-        let room = usize::from(each_number - gap);
+    for &(column, right) in std::iter::once(&(Column::Name, 0)).chain(&numbers) {
         let (name, unit) = title(column);
-        let sign = match compare.sort {
+        let sign = match compare.sorting() {
             Some((by, true)) if by == column => "▾",
             Some((by, false)) if by == column => "▴",
             _ => "",
@@ -202,16 +202,16 @@ fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
         let text = format!("{sign}{name}");
         if column == Column::Name {
             put(buffer, area, (1, 0), &text, style);
-            if each > 1 {
-                put(buffer, area, (1, 1), "Δ to the first", theme.quiet());
-            }
         } else {
-            let text = fitted(&text, room);
             put_right(buffer, area, (right, 0), &text, style);
             put_right(buffer, area, (right, 1), unit, theme.quiet());
         }
     }
-    let base = compare.entries.first();
+    let hidden = compare.columns().len() - 1 - numbers.len();
+    if hidden > 0 {
+        let text = format!("←→ {hidden} more");
+        put(buffer, area, (1, 1), &text, theme.quiet());
+    }
     for (i, entry) in compare.sorted().into_iter().enumerate() {
         let at = compare.entries.iter().position(|e| e.name == entry.name);
         let place = Rect {
@@ -219,129 +219,88 @@ fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
             height: each,
             ..area
         };
-        row(model, entry, (at.unwrap_or(0), base), place, buffer);
+        row(model, entry, (at.unwrap_or(0), &numbers), place, buffer);
     }
 }
 
 fn row(
     model: &Model,
     entry: &Entry,
-    (place, base): (usize, Option<&Entry>),
+    (place, numbers): (usize, &[(Column, u16)]),
     area: Rect,
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
-    let room = name_room(model, area);
+    let room = usize::from(NAME) - 3;
     let sign = mark(place).to_string();
     put(buffer, area, (1, 0), &sign, theme.curve(place));
+    put(
+        buffer,
+        area,
+        (3, 0),
+        &fitted(&entry.name, room),
+        theme.strong(),
+    );
     // In a row of one line what there is to say stands beside the name.
-    let brief = area.height < 2;
-    let flags = match &entry.found {
-        Found::Answer(shown) => shown.answer.flags.len(),
-        _ => 0,
-    };
-    let beside = if brief && flags > 0 {
-        format!(" {flags}!")
-    } else {
-        String::new()
-    };
-    let name = fitted(&entry.name, room - beside.len().min(room));
-    let end = put(buffer, area, (3, 0), &name, theme.strong());
-    put(buffer, area, (end, 0), &beside, theme.warning());
-    let said = if brief { (end + 2, 0) } else { (3, 1) };
+    let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
+    let wide = usize::from(area.width.saturating_sub(said.0 + 1));
     let answer = match &entry.found {
         Found::Awaited => {
             put(buffer, area, said, "simulating", theme.quiet());
             return;
         }
         Found::Refused(why) => {
-            let why = fitted(why, usize::from(area.width.saturating_sub(said.0 + 1)));
-            put(buffer, area, said, &why, theme.error());
+            put(buffer, area, said, &fitted(why, wide), theme.error());
             return;
         }
         Found::Answer(shown) => &shown.answer,
     };
-    for (column, right) in columns(model, area) {
-        let Some(value) = column.of(answer) else {
-            put_right(buffer, area, (right, 0), "-", theme.quiet());
-            continue;
+    for &(column, right) in numbers {
+        let (value, error) = cell(answer, column, !entry.without_mesh);
+        let style = match column {
+            Column::Result(_) if answer.spoiled().is_some() => theme.quiet(),
+            _ => theme.text(),
         };
-        put_right(
-            buffer,
-            area,
-            (right, 0),
-            &numeral(value, CELLS),
-            theme.text(),
-        );
-        // An error that is larger by so many percent says little.
-        let first = base.filter(|_| place > 0 && column != Column::Error);
-        if let Some(first) = first.and_then(Entry::answer).and_then(|a| column.of(a)) {
-            let text = difference(value, first);
-            put_right(buffer, area, (right, 1), &text, theme.quiet());
-        }
+        put_right(buffer, area, (right, 0), &value, style);
+        put_right(buffer, area, (right, 1), &error, theme.quiet());
     }
-    let style = if flags > 0 {
-        theme.warning()
-    } else {
-        theme.quiet()
-    };
-    let text = remark(place == 0, &answer.flags, room);
-    put(buffer, area, (3, 1), &text, style);
+    if !answer.flags.is_empty() {
+        let names: Vec<String> = answer
+            .flags
+            .iter()
+            .map(|flag| flag_name(flag.kind))
+            .collect();
+        let count = format!("{} flags", names.len());
+        let names = names.join(", ");
+        let text = if width(&names) as usize <= room {
+            names
+        } else {
+            count
+        };
+        put(buffer, area, (3, 1), &text, theme.warning());
+    }
+    put(
+        buffer,
+        area,
+        (3, 2),
+        &belief(answer, usize::from(area.width) - 4),
+        theme.text(),
+    );
 }
 
-/// What stands below a name: whether it is the first, and its flags: their names where there is room,
-/// else how many.
-fn remark(first: bool, flags: &[Flag], room: usize) -> String {
-    let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
-    let count = match flags.len() {
-        1 => "1 flag".to_owned(),
-        n => format!("{n} flags"),
+/// What to believe of the gravest injury, in the longest words that there is room for.
+fn belief(answer: &Answer, room: usize) -> String {
+    let verdicts = answer.verdicts();
+    let Some((name, _)) = lines(&verdicts).into_iter().next() else {
+        return String::new();
     };
-    let candidates = match (first, flags.is_empty()) {
-        (true, true) => vec!["the first".to_owned()],
-        (false, true) => return String::new(),
-        (true, false) => vec![
-            format!("the first, {}", names.join(", ")),
-            format!("the first, {count}"),
-            format!("first, {count}"),
-        ],
-        (false, false) => vec![names.join(", "), count],
-    };
-    let brief = format!("{}!", flags.len());
-    let fits = |text: &String| text.len() <= room;
-    candidates.into_iter().find(fits).unwrap_or(brief)
-}
-
-/// How much larger than the first, in % of it.
-fn difference(value: f64, first: f64) -> String {
-    if value == first {
-        return "=".to_owned();
-    }
-    let share = 100.0 * (value - first) / first.abs();
-    match share.abs() {
-        s if !s.is_finite() => "-".to_owned(),
-        s if s >= 1000.0 => format!("×{:.0}", value / first),
-        s if s >= 10.0 => format!("{share:+.0}%"),
-        _ => format!("{share:+.1}%"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_fit_their_columns() {
-        for value in [
-            0.0, 1.234_56, 0.004_971, 72.931, 1234.5, 123_456.0, 9.9e7, 3e-9, -0.5, -0.0063,
-        ] {
-            let text = numeral(value, CELLS);
-            assert!(width(&text) <= CELLS, "{text}");
-        }
-        assert_eq!(difference(2.0, 1.0), "+100%");
-        assert_eq!(difference(1.01, 1.0), "+1.0%");
-        assert_eq!(difference(1.0, 1.0), "=");
-        assert_eq!(difference(1.0, 0.0), "-");
-        assert_eq!(difference(50.0, 1.0), "×50");
-    }
+    let first = &verdicts[0];
+    let short = first.range.map_or(name, |_| first.injury.word());
+    let forms = first.forms().into_iter();
+    let texts: Vec<String> = forms
+        .flat_map(|words| [format!("{name}: {words}"), format!("{short}: {words}")])
+        .collect();
+    let fits = |text: &&String| usize::from(width(text)) <= room;
+    let fitting = texts.iter().find(fits).or(texts.last());
+    fitted(fitting.map_or("", String::as_str), room)
 }

@@ -1,16 +1,15 @@
-//! What the doubt in the inputs does to each result: runs many samples when it is opened.
+//! What the doubt in the inputs does to each result: runs many samples while it is on show.
 
 mod view;
 
 use super::{Pane, Screen};
-use crate::tui::ensemble::{self, MANY};
+use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
 
 pub(crate) const SCREEN: Screen = Screen {
-    opened,
-    attend: ensemble::attend,
+    samples: MANY,
     cancel: |model| model.ensemble.task.end(&mut model.out),
     ..Screen::new(
         ("Doubt", "How sure?"),
@@ -28,16 +27,8 @@ pub(crate) const SCREEN: Screen = Screen {
 const KEYS: KeyTable = KeyTable::new("Doubt", &[
     bind(&[UP, c('k')], |m| go(m, -1), "result", "the result above"),
     bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the result below"),
-    bind(&[c('m')], |m| ensemble::start(m, MANY), "again", "run the samples again, or the rest of them"),
+    bind(&[c('m')], |m| m.ensemble.task.complaint = None, "go on", "go on after Esc"),
 ]);
-
-/// Runs many samples unless they are there.
-fn opened(model: &mut Model) {
-    let known = model.ensemble.of(&model.work.scenario);
-    if known.is_none_or(|ensemble| ensemble.asked < MANY) {
-        ensemble::start(model, MANY);
-    }
-}
 
 /// Moves to another result.
 fn go(model: &mut Model, by: isize) {
@@ -60,13 +51,14 @@ mod tests {
     use crate::tui::update::driven::{asked, key, letter, opened};
     use crate::tui::update::{Effect, Message, begin, update};
     use crossterm::event::KeyCode;
+    use std::time::Duration;
 
     fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
         asked::<RunSamples>(effects).map(|(ticket, question)| (ticket, question.clone()))
     }
 
     /// A model with its answer, and what it asks for when the mesh error has come.
-    fn idle_model() -> (Model, u64, RunSamples) {
+    fn idle_model() -> (Model, (u64, RunSamples)) {
         let mut model = opened();
         model.work.scenario.window_ms = 0.2;
         let effects = begin(&mut model);
@@ -76,28 +68,43 @@ mod tests {
         let (ticket, _) = asked::<EstimateMesh>(&effects).unwrap();
         let report = Report::done::<EstimateMesh>(ticket, Err(Refusal::Cancelled));
         let effects = update(&mut model, Message::News(report));
-        let (ticket, question) = sampled(&effects).expect("the band follows the mesh error");
-        (model, ticket, question)
+        let asked = sampled(&effects).expect("the band follows the mesh error");
+        (model, asked)
     }
 
-    fn tell(model: &mut Model, ticket: u64, question: &RunSamples, count: u32) {
+    /// So many samples, so far or in the end.
+    fn tell(
+        model: &mut Model,
+        (ticket, question): &(u64, RunSamples),
+        count: u32,
+        over: bool,
+    ) -> Vec<Effect> {
         let small = RunSamples {
             count,
             ..question.clone()
         };
         let mut outcome = small.answer(&mut unwatched).unwrap();
         outcome.asked = question.count;
-        let report = Report::done::<RunSamples>(ticket, Ok(outcome));
-        update(model, Message::News(report));
+        let report = if over {
+            Report::done::<RunSamples>(*ticket, Ok(outcome))
+        } else {
+            Report::so_far::<RunSamples>(*ticket, outcome)
+        };
+        update(model, Message::News(report))
     }
 
     #[test]
     fn the_band_comes_when_idle_and_an_edit_stops_it() {
-        let (mut model, ticket, question) = idle_model();
-        assert_eq!(question.count, FEW);
+        let (mut model, asked) = idle_model();
+        assert_eq!(asked.1.count, FEW);
         let scenario = model.work.scenario.clone();
         assert!(model.ensemble.of(&scenario).is_none());
-        tell(&mut model, ticket, &question, 16);
+        tell(&mut model, &asked, 8, false);
+        assert!(
+            model.ensemble.of(&scenario).is_none(),
+            "too few to be shown"
+        );
+        tell(&mut model, &asked, 16, false);
         assert!(model.ensemble.of(&scenario).is_some());
         let renamed = Scenario {
             name: "other".to_owned(),
@@ -105,41 +112,55 @@ mod tests {
         };
         assert!(model.ensemble.of(&renamed).is_some());
 
-        let (mut model, ticket, question) = idle_model();
+        let (mut model, asked) = idle_model();
         let effects = letter(&mut model, 'l');
-        assert!(effects.contains(&Effect::Stop(ticket)));
-        tell(&mut model, ticket, &question, 8);
+        assert!(effects.contains(&Effect::Stop(asked.0)));
+        tell(&mut model, &asked, 16, false);
         assert!(model.ensemble.done.is_none(), "late news");
     }
 
     #[test]
-    fn the_screen_asks_for_more_and_keeps_what_is_done_when_stopped() {
-        let (mut model, ticket, question) = idle_model();
-        tell(&mut model, ticket, &question, 8);
-        let (ticket, question) = sampled(&letter(&mut model, '6')).unwrap();
-        assert_eq!(question.count, MANY);
-        update(&mut model, Message::News(Report::progress(ticket, 0.3)));
-        assert_eq!(model.ensemble.task.percent(), Some(30.0));
-        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(ticket)]);
-        tell(&mut model, ticket, &question, 32);
+    fn idle_work_is_announced_and_a_key_stops_it() {
+        let (mut model, asked) = idle_model();
+        assert!(asked.1.is_idle());
+        let report = Report::progress(asked.0, 0.25, Duration::ZERO);
+        update(&mut model, Message::News(report));
+        assert_eq!(model.ahead().unwrap(), "64 of 256 samples");
+        assert_eq!(letter(&mut model, 'I'), [Effect::Stop(asked.0)]);
+        assert_eq!(model.ahead(), None);
+        let (ticket, question) = sampled(&letter(&mut model, 'I')).unwrap();
+        assert!(question.is_idle());
+        assert!(letter(&mut model, '2').contains(&Effect::Stop(ticket)));
+    }
+
+    #[test]
+    fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
+        let (mut model, asked) = idle_model();
+        tell(&mut model, &asked, 8, false);
+        let asked = sampled(&letter(&mut model, '6')).unwrap();
+        assert_eq!(asked.1.count, MANY);
+        assert!(!asked.1.is_idle() && asked.1.known.as_ref().unwrap().samples.len() == 8);
+        let report = Report::progress(asked.0, 0.3, Duration::ZERO);
+        update(&mut model, Message::News(report));
+        assert_eq!(model.ensemble.pace().unwrap(), "300 of 1000");
+        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(asked.0)]);
+        tell(&mut model, &asked, 32, true);
         let kept = model.ensemble.of(&model.work.scenario).unwrap();
         assert!(kept.stopped() && kept.samples.len() == 32 && kept.asked == MANY);
         assert!(model.ensemble.task.complaint.is_some());
         assert!(letter(&mut model, '6').is_empty(), "only a key goes on");
-        assert!(sampled(&letter(&mut model, 'm')).is_some());
+        let (_, again) = sampled(&letter(&mut model, 'm')).unwrap();
+        assert_eq!(again.known.unwrap().samples.len(), 32);
         assert!(letter(&mut model, 'm').is_empty(), "one at a time");
     }
 
     #[test]
     fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
-        let (mut model, ..) = idle_model();
-        let (ticket, question) = sampled(&letter(&mut model, '6')).unwrap();
-        let effects = letter(&mut model, '1');
-        assert_eq!(effects, [Effect::Stop(ticket)]);
-        assert!(letter(&mut model, '2').is_empty(), "once");
-        tell(&mut model, ticket, &question, 8);
-        assert!(model.ensemble.of(&model.work.scenario).is_some());
-        letter(&mut model, '6');
+        let (mut model, _) = idle_model();
+        let asked = sampled(&letter(&mut model, '6')).unwrap();
+        assert_eq!(letter(&mut model, '2'), [Effect::Stop(asked.0)]);
+        let asked = sampled(&letter(&mut model, '6')).unwrap();
+        tell(&mut model, &asked, 16, false);
         for _ in 0..20 {
             letter(&mut model, 'j');
         }

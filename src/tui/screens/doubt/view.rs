@@ -31,8 +31,12 @@ const MARGIN: f64 = 0.06;
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let (said, style) = status(model, theme);
-    let title = ("5 to 95 % of samples", theme.heading());
-    put_both(buffer, area, title, (&said, style));
+    let titles = [
+        "How sure? Where 5 to 95 % of samples lie",
+        "How sure? 5 to 95 %",
+        "How sure?",
+    ];
+    put_both(buffer, area, (&titles, theme.heading()), (&said, style));
     // Bands of another scenario would be taken for those of this one.
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         let complaint = model.ensemble.complaint(&model.work.scenario);
@@ -86,17 +90,11 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 fn status(model: &Model, theme: Theme) -> (String, Style) {
     let scenario = &model.work.scenario;
     let complaint = model.ensemble.complaint(scenario);
-    match (&model.ensemble.task.job, complaint) {
-        (Some(job), _) if job.ending => ("stopping".to_owned(), theme.warning()),
-        (Some(job), _) => {
-            let text = format!(
-                "running {:.0} %  Esc stops",
-                100.0 * job.share.unwrap_or(0.0)
-            );
-            (text, theme.warning())
-        }
-        (None, Some(why)) => (format!("{why}: m runs all"), theme.warning()),
-        (None, None) => {
+    match (&model.ensemble.task.job, model.ensemble.pace(), complaint) {
+        (Some(job), ..) if job.ending => ("stopping".to_owned(), theme.warning()),
+        (_, Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
+        (.., Some(why)) => (format!("{why}: m goes on"), theme.warning()),
+        (.., None) => {
             let known = model.ensemble.of(scenario);
             let text = known.map_or("no samples yet".to_owned(), |ensemble| {
                 format!("{} samples", ensemble.samples.len())
@@ -275,7 +273,11 @@ impl Notes {
         let brief = wrapped(&text, room);
         let checks = ensemble.checks();
         let (error, count) = (percent(checks.last), checks.count);
-        let text = format!("{text} Step error up to {error} in {count} compared.");
+        let compared = match count {
+            0 => String::new(),
+            _ => format!(" Step error up to {error} in {count} compared."),
+        };
+        let text = text + &compared;
         Self {
             brief,
             whole: wrapped(&text, room),

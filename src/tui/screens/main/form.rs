@@ -111,7 +111,7 @@ fn doubtful(typing: &Typing) -> Option<String> {
 
 /// How far the answer is, once it takes long.
 pub fn simulating(model: &Model) -> Option<String> {
-    let share = model.run.job.as_ref()?.share?;
+    let share = model.run.job.as_ref()?.pace?.share();
     Some(format!("simulating {:.0} %", share * 100.0))
 }
 

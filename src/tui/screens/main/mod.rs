@@ -10,6 +10,7 @@ use ratatui::layout::Rect;
 use super::{Mouse, Pane, Screen};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Field};
+use crate::tui::ensemble::FEW;
 use crate::tui::form::{Row, allowed, nudged, with_text};
 use crate::tui::keys::shared::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
@@ -31,6 +32,7 @@ const HALF_WIDTH: &str = "impact.half_width_deg";
 
 pub(crate) const SCREEN: Screen = Screen {
     mouse,
+    samples: FEW,
     ..Screen::new(
         ("Main", "How bad?"),
         "form, eye, traces, score",

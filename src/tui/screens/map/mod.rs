@@ -1,9 +1,10 @@
-//! One result over two inputs: computed grid by grid while it is on show.
+//! One result over two inputs: filled in from coarse to fine while it is on show.
 
 pub mod state;
 mod view;
 
 use super::{Mouse, Pane, Screen};
+use crate::study::map::Span;
 use crate::tui::form::words;
 use crate::tui::keys::shared::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
@@ -54,7 +55,7 @@ const KEYS: KeyTable = KeyTable::new("Map", &[
     bind(&[c('m')], |m| m.screens.map.task.complaint = None, "", "go on after Esc"),
 ]);
 
-/// While the screen is on show, computes what is missing, grid by grid; stops what is not wanted.
+/// While the screen is on show, computes what is missing; stops what is not wanted.
 fn attend(model: &mut Model, on_show: bool) {
     let map = &mut model.screens.map;
     let mut wanted = None;
@@ -62,11 +63,14 @@ fn attend(model: &mut Model, on_show: bool) {
         map.settle(&model.work.scenario);
         // What Esc stopped goes on by a key alone.
         if map.task.complaint.is_none() {
-            wanted = map.next(&model.work.scenario);
+            wanted = map.lacking(&model.work.scenario);
         }
     }
     if let Some(job) = &map.task.job {
-        if wanted.as_ref() == Some(job.question.as_ref()) {
+        if wanted
+            .as_ref()
+            .is_some_and(|wanted| wanted.is_of(&job.question))
+        {
             return;
         }
         map.task.stop(None, &mut model.out);
@@ -76,32 +80,37 @@ fn attend(model: &mut Model, on_show: bool) {
     }
 }
 
-/// Gives the scenario the values under the cursor.
+/// Gives the scenario the values under the cursor, of the inputs over which it was moved.
 fn adopt(model: &mut Model) {
-    let Some(scenario) = model.screens.map.adopted(&model.work.scenario) else {
+    let Some((moved, scenario)) = model.screens.map.adopted(&model.work.scenario) else {
         return;
     };
+    if moved.is_empty() {
+        let words = "the cursor stands on your values: the arrows move it";
+        model.notice = Some(words.to_owned());
+        return;
+    }
     if let Err(error) = scenario.check() {
         model.notice = Some(words(&error));
         return;
     }
-    if let (Some((x, y)), Some((a, b))) = (model.screens.map.spans, model.screens.map.values()) {
-        let part = |label: &str, value: f64, unit: &str| format!("{label} {value} {unit}");
-        model.notice = Some(format!(
-            "adopted {}, {}",
-            part(x.field.label, a, x.field.unit).trim_end(),
-            part(y.field.label, b, y.field.unit).trim_end()
-        ));
-    }
+    let part = |(span, value): &(Span, f64)| {
+        let text = format!("{} {value} {}", span.field.label, span.field.unit);
+        text.trim_end().to_owned()
+    };
+    let parts: Vec<String> = moved.iter().map(part).collect();
     let work = model.work.with(scenario);
     change(model, work, "");
+    if model.notice.is_none() {
+        model.notice = Some(format!("adopted {}; u takes it back", parts.join(", ")));
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::state::DrawMap;
     use super::*;
-    use crate::study::map::{Grid, SIDES, Spot};
+    use crate::study::map::Spot;
     use crate::study::{PerQuantity, Quantity};
     use crate::tui::simulation::Simulate;
     use crate::tui::task::Report;
@@ -113,52 +122,81 @@ mod tests {
         asked::<DrawMap>(effects).map(|(ticket, question)| (ticket, question.clone()))
     }
 
-    fn tell(model: &mut Model, (ticket, question): (u64, DrawMap)) -> Vec<Effect> {
+    /// So many points more than were known, so far or in the end.
+    fn tell(
+        model: &mut Model,
+        (ticket, question): &(u64, DrawMap),
+        count: usize,
+        over: bool,
+    ) -> Vec<Effect> {
         let known = PerQuantity::from_fn(|q| (q != Quantity::Pressure).then_some(10.0));
-        let spots = vec![Spot::Known(known); question.side * question.side];
-        let grid = Grid {
-            side: question.side,
-            spots,
+        let mut grid = question.known.clone();
+        let before = grid.known().0;
+        for at in grid.order().into_iter().skip(before).take(count) {
+            grid.put(at, Spot::Known(known));
+        }
+        let report = if over {
+            Report::done::<DrawMap>(*ticket, Ok(grid))
+        } else {
+            Report::so_far::<DrawMap>(*ticket, grid)
         };
-        let report = Report::done::<DrawMap>(ticket, Ok(grid));
         update(model, Message::News(report))
     }
 
+    fn count(model: &Model) -> usize {
+        let grid = model.screens.map.grid(&model.work.scenario);
+        grid.map_or(0, |grid| grid.known().0)
+    }
+
     #[test]
-    fn grids_are_refined_until_the_finest() {
+    fn a_map_is_shown_while_it_fills_in_and_goes_on_where_it_was_after_a_visit_elsewhere() {
         let mut model = begun();
-        let mut effects = letter(&mut model, '7');
-        for side in SIDES {
-            let asked = drawn(&effects).unwrap();
-            assert_eq!(asked.1.side, side);
-            effects = tell(&mut model, asked);
-        }
-        assert!(effects.is_empty());
-        assert_eq!(
-            model.screens.map.grid(&model.work.scenario).unwrap().side,
-            SIDES[2]
-        );
+        let asked = drawn(&letter(&mut model, '7')).unwrap();
+        assert!(tell(&mut model, &asked, 81, false).is_empty());
+        assert_eq!(count(&model), 81);
+        assert_eq!(letter(&mut model, '1'), [Effect::Stop(asked.0)]);
+        let again = drawn(&letter(&mut model, '7')).unwrap();
+        assert_eq!(again.1.known.known().0, 81);
+        assert!(tell(&mut model, &again, 2000, true).is_empty());
+        assert_eq!(count(&model), 33 * 33);
+        letter(&mut model, '1');
+        assert!(letter(&mut model, '7').is_empty(), "nothing is left");
     }
 
     #[test]
     fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it() {
         let mut model = begun();
         let asked = drawn(&letter(&mut model, '7')).unwrap();
-        tell(&mut model, asked);
-        for quantity in Quantity::ALL.iter().cycle().take(Quantity::ALL.len() + 1) {
-            if *quantity != Quantity::Pressure {
-                assert_eq!(model.screens.map.chosen, *quantity);
-                assert!(letter(&mut model, 'v').is_empty());
-            }
+        tell(&mut model, &asked, 81, false);
+        let shown = |model: &Model| {
+            let map = &model.screens.map;
+            map.quantity(map.grid(&model.work.scenario).unwrap())
+        };
+        let first = shown(&model);
+        assert_eq!(
+            first,
+            Quantity::RuptureByStress,
+            "a risk, where there is one"
+        );
+        let all = Quantity::ALL
+            .iter()
+            .copied()
+            .filter(|q| *q != Quantity::Pressure);
+        let before = all.clone().take_while(|q| *q != first);
+        let order = all.clone().skip_while(|q| *q != first).chain(before);
+        for quantity in order.chain([first]) {
+            assert_eq!(shown(&model), quantity);
+            assert!(letter(&mut model, 'v').is_empty());
         }
     }
 
     #[test]
     fn escape_and_leaving_stop_it_and_a_key_goes_on() {
         let mut model = begun();
-        let (ticket, question) = drawn(&letter(&mut model, '7')).unwrap();
-        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(ticket)]);
-        assert!(tell(&mut model, (ticket, question)).is_empty(), "late news");
+        let asked = drawn(&letter(&mut model, '7')).unwrap();
+        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(asked.0)]);
+        assert!(tell(&mut model, &asked, 9, false).is_empty(), "late news");
+        assert_eq!(count(&model), 0);
         let (ticket, _) = drawn(&letter(&mut model, 'm')).unwrap();
         assert_eq!(letter(&mut model, '1'), [Effect::Stop(ticket)]);
         let (ticket, _) = drawn(&letter(&mut model, '7')).unwrap();
@@ -178,10 +216,11 @@ mod tests {
         let before = model.work.scenario.clone();
         let effects = key(&mut model, KeyCode::Enter);
         assert!(asked::<Simulate>(&effects).is_some());
-        assert_eq!(
-            Some(&model.work.scenario),
-            model.screens.map.adopted(&before).as_ref()
-        );
+        let (_, adopted) = model.screens.map.adopted(&before).unwrap();
+        assert_eq!(model.work.scenario, adopted);
+        assert!(model.notice.as_ref().unwrap().contains("adopted"));
+        key(&mut model, KeyCode::Enter);
+        assert!(model.notice.as_ref().unwrap().contains("your values"));
         letter(&mut model, 'u');
         assert_eq!(model.work.scenario, before);
     }

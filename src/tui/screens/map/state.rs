@@ -3,7 +3,7 @@
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
-use crate::study::map::{Grid, SIDES, Span, fill, scenario_at};
+use crate::study::map::{Grid, Reading, SIDE, Span, fill};
 use crate::study::sweep::spaced;
 use crate::study::{Quantity, Refusal, Watch};
 use crate::tui::step::Step;
@@ -15,8 +15,6 @@ const PAIRS: [(&str, &str); 2] = [
     ("impact.speed_m_s", "impact.angle_deg"),
     ("impact.force_n", "impact.duration_ms"),
 ];
-/// Points a side of the finest grid, on which the cursor moves.
-const FINEST: usize = SIDES[SIDES.len() - 1];
 /// How far a range reaches at first: to three times the value and to a third of it.
 const REACH: f64 = 2.0;
 /// The factor of one key press on the reach, and its bounds.
@@ -25,27 +23,44 @@ const REACHES: (f64, f64) = (0.1, 20.0);
 /// Where a value is 0 the range reaches so many large steps to both sides, at the first reach.
 const STEPS: f64 = 3.0;
 
-/// Asks for a grid of the map.
-#[derive(Debug, Clone, PartialEq)]
+/// Asks for what a map lacks.
+#[derive(Debug, Clone)]
 pub struct DrawMap {
     /// The scenario; what it holds of the two inputs does not matter.
     pub scenario: Scenario,
     /// The inputs: across and up.
     pub spans: (Span, Span),
-    /// Points a side.
-    pub side: usize,
     /// What is known already.
-    pub known: Option<Grid>,
+    pub known: Grid,
+}
+
+impl DrawMap {
+    /// Whether it is the same map, whatever is known of it.
+    pub fn is_of(&self, other: &Self) -> bool {
+        (&self.scenario, self.spans) == (&other.scenario, other.spans)
+    }
 }
 
 impl Question for DrawMap {
     type Answer = Grid;
 
     fn answer(&self, watch: Watch) -> Result<Grid, Refusal> {
-        overseen(watch, |stop, watch| {
-            let known = self.known.as_ref();
-            fill(&self.scenario, self.spans, self.side, known, stop, watch)
-        })
+        self.fill_in(watch, &mut |_| {})
+    }
+
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Grid)) -> Result<Grid, Refusal> {
+        Ok(overseen(watch, show, |stop, desk| {
+            fill(
+                &self.scenario,
+                self.spans,
+                self.known.clone(),
+                stop,
+                &|grid| {
+                    let (known, all) = grid.known();
+                    desk.lay(known as f64 / all as f64, || grid.clone())
+                },
+            )
+        }))
     }
 }
 
@@ -57,8 +72,8 @@ pub struct Map {
     pub done: Option<(Scenario, (Span, Span), Grid)>,
     /// What is under way, or that it was stopped.
     pub task: Task<DrawMap>,
-    /// The result that was chosen; the scene may lack it.
-    pub chosen: Quantity,
+    /// The result that was chosen, if one was; the scene may lack it.
+    pub chosen: Option<Quantity>,
     /// Where the cursor stands on the finest grid.
     pub cursor: (usize, usize),
     /// How far the ranges reach.
@@ -71,22 +86,11 @@ impl Default for Map {
             spans: None,
             done: None,
             task: Task::default(),
-            chosen: Quantity::Damage,
-            cursor: (FINEST / 2, FINEST / 2),
+            chosen: None,
+            cursor: (SIDE / 2, SIDE / 2),
             reach: REACH,
         }
     }
-}
-
-/// What is known at one place.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
-    /// A result in its unit; none where the inputs are not allowed.
-    pub value: Option<f64>,
-    /// Whether the mesh folded.
-    pub folded: bool,
-    /// Whether it was simulated there, not interpolated.
-    pub exact: bool,
 }
 
 /// Three significant digits.
@@ -113,7 +117,7 @@ fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> 
 /// The place on the finest grid that is nearest to a value.
 fn nearest(span: Span, value: f64) -> usize {
     let share = ((value - span.from) / (span.to - span.from)).clamp(0.0, 1.0);
-    (share * (FINEST - 1) as f64).round() as usize
+    (share * (SIDE - 1) as f64).round() as usize
 }
 
 /// The scenario without what the two inputs say of it.
@@ -201,7 +205,7 @@ impl Map {
             &mut self.cursor.1
         };
         *at = if step.up {
-            (*at + by).min(FINEST - 1)
+            (*at + by).min(SIDE - 1)
         } else {
             at.saturating_sub(by)
         };
@@ -214,19 +218,16 @@ impl Map {
         (*of == spans && *asked == key(scenario, spans)).then_some(grid)
     }
 
-    /// What should be computed next, if anything is left.
-    pub fn next(&self, scenario: &Scenario) -> Option<DrawMap> {
+    /// What is to be computed, if anything is left.
+    pub fn lacking(&self, scenario: &Scenario) -> Option<DrawMap> {
         let spans = self.spans?;
-        let known = self.grid(scenario);
-        let side = match known {
-            None => SIDES[0],
-            Some(grid) => *SIDES.iter().find(|side| **side > grid.side)?,
-        };
-        Some(DrawMap {
+        let known = self.grid(scenario).cloned();
+        let known = known.unwrap_or_else(|| Grid::new(SIDE));
+        let (count, all) = known.known();
+        (count < all).then(|| DrawMap {
             scenario: key(scenario, spans),
             spans,
-            side,
-            known: known.cloned(),
+            known,
         })
     }
 
@@ -240,20 +241,23 @@ impl Map {
     /// The values of the inputs under the cursor.
     pub fn values(&self) -> Option<(f64, f64)> {
         let (x, y) = self.spans?;
-        let value = |span: Span, at: usize| spaced(span.from, span.to, FINEST)[at];
+        let value = |span: Span, at: usize| spaced(span.from, span.to, SIDE)[at];
         Some((value(x, self.cursor.0), value(y, self.cursor.1)))
     }
 
     /// Where the cursor stands, from 0 to 1.
     pub fn place(&self) -> (f64, f64) {
-        let share = |at: usize| at as f64 / (FINEST - 1) as f64;
+        let share = |at: usize| at as f64 / (SIDE - 1) as f64;
         (share(self.cursor.0), share(self.cursor.1))
     }
 
-    /// The result on show: the chosen one where the map has it, else damage.
+    /// The result on show: the chosen one where the map has it, else a risk, else damage.
     pub fn quantity(&self, grid: &Grid) -> Quantity {
-        let there = grid.largest(self.chosen).is_some();
-        if there { self.chosen } else { Quantity::Damage }
+        let mut own = [self.chosen, Some(Quantity::RuptureByStress)]
+            .into_iter()
+            .flatten();
+        let there = own.find(|of| grid.largest(*of).is_some());
+        there.unwrap_or(Quantity::Damage)
     }
 
     /// Shows the next result that the map has.
@@ -265,31 +269,41 @@ impl Map {
         let all = Quantity::ALL.iter().copied();
         let after = all.clone().skip_while(|q| *q != here).skip(1);
         let next = after.chain(all).find(|q| grid.largest(*q).is_some());
-        self.chosen = next.unwrap_or(here);
+        self.chosen = next.or(Some(here));
     }
 
     /// What is known of a result under the cursor.
-    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Reading {
-        let every = (FINEST - 1) / (grid.side - 1);
-        let (x, y) = self.cursor;
-        let exact = x % every == 0 && y % every == 0;
-        let (px, py) = self.place();
-        let spot = grid.nearest(px, py);
-        let value = if exact {
-            spot.value(quantity)
-        } else {
-            grid.between(quantity, px, py)
-        };
-        Reading {
-            value,
-            folded: spot.folded(),
-            exact,
-        }
+    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Option<Reading> {
+        grid.read(quantity, self.place())
     }
 
-    /// The scenario with the values under the cursor.
-    pub fn adopted(&self, scenario: &Scenario) -> Option<Scenario> {
-        Some(scenario_at(scenario, self.spans?, self.cursor, FINEST))
+    /// Whether the cursor was moved away from what the scenario holds: across, and up.
+    fn moved(&self, scenario: &Scenario) -> Option<(bool, bool)> {
+        let (x, y) = self.spans?;
+        let moved = |span: Span, at: usize| {
+            let own = number(span.field, scenario).map(|(value, _)| value);
+            own.is_none_or(|own| !(span.from..=span.to).contains(&own) || nearest(span, own) != at)
+        };
+        Some((moved(x, self.cursor.0), moved(y, self.cursor.1)))
+    }
+
+    /// The inputs that the cursor was moved over, each with its value there, and the scenario with those.
+    pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
+        let ((x, y), (across, up)) = (self.spans?, self.moved(scenario)?);
+        let (a, b) = self.values()?;
+        let mut changed = scenario.clone();
+        let moved = [(x, a, across), (y, b, up)].into_iter();
+        let moved: Vec<_> = moved.filter(|(_, _, moved)| *moved).collect();
+        for (span, value, _) in &moved {
+            set::put_number(&mut changed, span.field, *value);
+        }
+        Some((
+            moved
+                .into_iter()
+                .map(|(span, value, _)| (span, value))
+                .collect(),
+            changed,
+        ))
     }
 }
 
@@ -325,7 +339,7 @@ mod tests {
         map.settle(&scenario);
         let near = |map: &Map, force: f64| {
             let (x, _) = map.spans.unwrap();
-            let step = (x.to - x.from) / (FINEST - 1) as f64;
+            let step = (x.to - x.from) / (SIDE - 1) as f64;
             assert!((map.values().unwrap().0 - force).abs() <= 0.51 * step);
         };
         near(&map, 300.0);
@@ -358,22 +372,39 @@ mod tests {
     }
 
     #[test]
+    fn only_inputs_that_the_cursor_was_moved_over_are_adopted() {
+        let scenario = Scenario::default();
+        let mut map = Map::default();
+        map.settle(&scenario);
+        assert_eq!(map.adopted(&scenario), Some((Vec::new(), scenario.clone())));
+        map.step(Step::MORE, true);
+        let (moved, adopted) = map.adopted(&scenario).unwrap();
+        assert_eq!(moved.len(), 1);
+        let value = |path| number(find(path).unwrap(), &adopted).unwrap().0;
+        assert_eq!(value("impact.force_n"), moved[0].1);
+        assert_eq!(value("impact.duration_ms"), 0.2);
+    }
+
+    #[test]
     fn an_edit_of_an_input_keeps_the_map_and_any_other_does_not() {
         let mut scenario = Scenario::default();
         let mut map = Map::default();
         map.settle(&scenario);
-        let question = map.next(&scenario).unwrap();
-        assert_eq!(question.side, SIDES[0]);
+        let question = map.lacking(&scenario).unwrap();
         let damage = |q| (q == Quantity::Damage).then_some(1.0);
-        let spots = vec![Spot::Known(PerQuantity::from_fn(damage)); 81];
-        map.done = Some((question.scenario, question.spans, Grid { side: 9, spots }));
-        map.cursor = (4, 8);
-        let adopted = map.adopted(&scenario).unwrap();
-        assert_ne!(adopted, scenario);
+        let mut grid = question.known.clone();
+        for at in grid.order().into_iter().take(81) {
+            grid.put(at, Spot::Known(PerQuantity::from_fn(damage)));
+        }
+        map.done = Some((question.scenario, question.spans, grid));
+        map.cursor = (4, 12);
+        let (moved, adopted) = map.adopted(&scenario).unwrap();
+        assert!(moved.len() == 2 && adopted != scenario);
         let grid = map.grid(&adopted).unwrap();
-        let reading = map.reading(grid, map.quantity(grid));
+        let reading = map.reading(grid, map.quantity(grid)).unwrap();
         assert_eq!((reading.value, reading.exact), (Some(1.0), true));
-        assert_eq!(map.next(&adopted).unwrap().side, SIDES[1]);
+        let left = map.lacking(&adopted).unwrap();
+        assert_eq!(left.known.known().0, 81, "it goes on from there");
         scenario.window_ms = 2.0;
         assert!(map.grid(&scenario).is_none());
     }

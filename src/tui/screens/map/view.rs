@@ -12,10 +12,10 @@ use crate::report::figure::with_unit;
 use crate::report::text::{capital, significant};
 use crate::scenario::doubt::number;
 use crate::study::Quantity;
-use crate::study::map::{Grid, Span};
+use crate::study::map::{Grid, SIDE, Span};
 use crate::tui::model::Model;
 use crate::tui::screens::map::state::rounded;
-use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, put, put_both, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
@@ -39,10 +39,11 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let result = quantity.row();
     let whole = whole(grid, quantity);
     let name = capital(result.short);
-    let title = format!("{name}: {} across, {} up", x.field.label, y.field.label);
-    let room = usize::from(area.width.saturating_sub(width(&said) + 4));
-    put(buffer, area, (1, 0), &fitted(&title, room), theme.heading());
-    put_right(buffer, area, (area.width - 1, 0), &said, style);
+    let axes_named = format!("{name}: {} across, {} up", x.field.label, y.field.label);
+    let full = format!("What if? {axes_named}");
+    let brief = format!("What if? {name}");
+    let titles = [&*full, &*axes_named, &*brief, "What if?"];
+    put_both(buffer, area, (&titles, theme.heading()), (&said, style));
     let field = Rect::new(
         area.x + LABELS + 1,
         area.y + 1,
@@ -105,20 +106,15 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let grid = model.screens.map.grid(&model.work.scenario);
-    match (&model.screens.map.task.job, grid) {
-        (Some(job), _) => {
-            let side = job.question.side;
-            let text = format!(
-                "{side} x {side}: {:.0} %  Esc stops",
-                100.0 * job.share.unwrap_or(0.0)
-            );
-            (text, theme.warning())
-        }
-        (None, _) if model.screens.map.task.complaint.is_some() => {
+    let map = &model.screens.map;
+    let grid = map.grid(&model.work.scenario);
+    let all = SIDE * SIDE;
+    match (map.task.pace(Some(all)), grid) {
+        (Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
+        (None, _) if map.task.complaint.is_some() => {
             ("stopped: m goes on".to_owned(), theme.warning())
         }
-        (None, Some(grid)) => (format!("{0} x {0} runs", grid.side), theme.quiet()),
+        (None, Some(grid)) => (format!("{} runs", grid.known().0), theme.quiet()),
         (None, None) => (String::new(), theme.quiet()),
     }
 }
@@ -153,8 +149,11 @@ fn cell(
 ) -> (&'static str, Style) {
     const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
     let (x, y) = place(at, field);
-    let share = |x, y| Some(grid.between(quantity, x, y)? / whole);
-    let Some(value) = share(x, y) else {
+    let share = |x, y| Some(grid.read(quantity, (x, y))?.value? / whole);
+    let Some(reading) = grid.read(quantity, (x, y)) else {
+        return (" ", theme.quiet());
+    };
+    let Some(value) = reading.value.map(|value| value / whole) else {
         return ("·", theme.quiet());
     };
     let steps = theme.heat_steps() as f64;
@@ -183,7 +182,7 @@ fn cell(
     if let Some((_, sign)) = LINES.iter().find(|(level, _)| crosses(*level)) {
         return (sign, theme.strong());
     }
-    if grid.nearest(x, y).folded() {
+    if reading.folded {
         return ("▒", heat);
     }
     let tenths = (value * 10.0).max(0.0) as usize;
@@ -276,7 +275,9 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
     };
     let value = model.screens.map.grid(&model.work.scenario).map(|grid| {
         let quantity = model.screens.map.quantity(grid);
-        let reading = model.screens.map.reading(grid, quantity);
+        let Some(reading) = model.screens.map.reading(grid, quantity) else {
+            return "not known yet".to_owned();
+        };
         let Some(value) = reading.value else {
             return "not allowed".to_owned();
         };

@@ -1,0 +1,113 @@
+//! How far long work is and how long it goes on, in words: `59 of 256, about 20 s`.
+//!
+//! The time left is what is left of the work at the pace of what was done so far. It is said in round numbers
+//! that count down; only where the work turns out much longer do they rise, so that nobody reads a jumping
+//! figure.
+
+use std::time::Duration;
+
+/// The times that are said, in s.
+const SAID: [f64; 19] = [
+    2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 120.0, 180.0, 300.0, 600.0, 900.0, 1200.0,
+    1800.0, 3600.0, 7200.0, 18000.0, 36000.0,
+];
+/// Nothing is said of the time before so much of it has passed, in s, and so much is done.
+const FIRST: (f64, f64) = (1.0, 0.005);
+/// A time that is said rises where the work takes so many times as long.
+const LONGER: f64 = 1.5;
+
+/// The pace of some work.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Pace {
+    /// The share that was done when it was first heard of, and when, in s.
+    first: Option<(f64, f64)>,
+    /// The share done last.
+    share: f64,
+    /// The place in [`SAID`] of the time that is said.
+    said: Option<usize>,
+}
+
+impl Pace {
+    /// So much is done, from 0 to 1, so long after the beginning.
+    pub fn hear(&mut self, share: f64, elapsed: Duration) {
+        let now = elapsed.as_secs_f64();
+        if share < 0.5 * self.share {
+            // Another part of the work has begun.
+            *self = Self::default();
+        }
+        self.share = share;
+        let (before, began) = *self.first.get_or_insert((share, now));
+        let (done, took) = (share - before, now - began);
+        if took < FIRST.0 || done < FIRST.1 {
+            return;
+        }
+        let left = (1.0 - share) * took / done;
+        let near = SAID.iter().position(|said| left <= *said);
+        let near = near.unwrap_or(SAID.len() - 1);
+        let keeps = |said: usize| near > said && left < LONGER * SAID[said];
+        self.said = Some(self.said.filter(|said| keeps(*said)).unwrap_or(near));
+    }
+
+    /// The share done.
+    pub fn share(&self) -> f64 {
+        self.share
+    }
+
+    /// What is done of how many, where it is counted, else in %.
+    pub fn done(&self, of: Option<usize>) -> String {
+        match of {
+            Some(of) => format!("{:.0} of {of}", self.share * of as f64),
+            None => format!("{:.0} %", (100.0 * self.share).floor()),
+        }
+    }
+
+    /// The same, and how long the rest takes, once that is known.
+    pub fn words(&self, of: Option<usize>) -> String {
+        let done = self.done(of);
+        match self.said {
+            Some(said) => format!("{done}, {}", time(SAID[said])),
+            None => done,
+        }
+    }
+}
+
+fn time(seconds: f64) -> String {
+    match seconds {
+        s if s >= 3600.0 => format!("about {} h", s / 3600.0),
+        s if s >= 60.0 => format!("about {} min", s / 60.0),
+        s => format!("about {s} s"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_left_counts_down_and_rises_only_where_the_work_turns_out_longer() {
+        let mut pace = Pace::default();
+        let mut at = |share: f64, ms: u64| {
+            pace.hear(share, Duration::from_millis(ms));
+            pace.words(Some(256))
+        };
+        assert_eq!(at(0.0, 0), "0 of 256");
+        assert_eq!(at(0.02, 500), "5 of 256", "too early to say");
+        assert_eq!(at(0.1, 2000), "26 of 256, about 20 s");
+        // A little slower, a little faster: nothing moves.
+        assert_eq!(at(0.15, 3800), "38 of 256, about 20 s");
+        assert_eq!(at(0.2, 4200), "51 of 256, about 20 s");
+        assert_eq!(at(0.5, 10_000), "128 of 256, about 10 s");
+        assert_eq!(at(0.51, 40_000), "131 of 256, about 45 s");
+        assert_eq!(at(1.0, 78_000), "256 of 256, about 2 s");
+    }
+
+    #[test]
+    fn work_that_goes_on_tells_its_time_by_what_it_does_now() {
+        let mut pace = Pace::default();
+        pace.hear(0.9, Duration::ZERO);
+        pace.hear(0.91, Duration::from_secs(10));
+        assert_eq!(pace.words(None), "91 %, about 2 min");
+        pace.hear(0.95, Duration::from_secs(10_000));
+        assert_eq!(pace.words(None), "95 %, about 5 h");
+    }
+}

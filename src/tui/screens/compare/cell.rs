@@ -1,0 +1,54 @@
+//! A cell of the table: a value with as many digits as its error allows, and that error below it.
+
+use super::comparison::{Column, verdict};
+use crate::report::figure::{Figure, Off};
+use crate::study::quantity::Read;
+use crate::study::{Answer, Quantity};
+
+/// What an answer has in a column, and how far that may be off. Whether a mesh error is still to come.
+pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {
+    let nothing = || ("-".to_owned(), String::new());
+    match column {
+        Column::Name => nothing(),
+        Column::Verdict(injury) => {
+            let verdict = verdict(answer, injury);
+            let range = verdict.as_ref().and_then(crate::injury::Verdict::percent);
+            let Some(range) = range else {
+                return nothing();
+            };
+            let word = verdict.and_then(|verdict| verdict.word());
+            let short = range.trim_end_matches(" %").replace("at least ", "≥");
+            // A word of two says no more than the range.
+            (
+                short,
+                word.filter(|word| word.len() < 10).unwrap_or_default(),
+            )
+        }
+        Column::Result(quantity) => {
+            let Some(figure) = Figure::of(answer, quantity) else {
+                return nothing();
+            };
+            let error = match (quantity.row().read, figure.off) {
+                (Read::Risk(..), _) => return risk(answer, quantity, figure.number),
+                (_, Off::Step(_)) if mesh_comes => "mesh …".to_owned(),
+                (_, off) => off.to_string().replace(' ', ""),
+            };
+            (figure.number, error)
+        }
+    }
+}
+
+/// A risk with the letters of what to know before believing it, and its range.
+fn risk(answer: &Answer, quantity: Quantity, value: String) -> (String, String) {
+    let risks = answer.risks();
+    let own = |risk: &&crate::injury::Risk| {
+        let curve = risk.curve;
+        matches!(quantity.row().read, Read::Risk(injury, measure) if (injury, measure) == (curve.injury, curve.measure))
+    };
+    let Some(risk) = risks.iter().find(own) else {
+        return (value, String::new());
+    };
+    let (low, high) = risk.band;
+    let range = format!("{:.0}-{:.0}", 100.0 * low, 100.0 * high);
+    (value + &risk.marks(), range)
+}
