@@ -49,6 +49,8 @@ pub struct OnLevel {
     pub results: Results,
     /// When its mesh folded, in s.
     pub folded: Option<f64>,
+    /// Springs or cells that were computed.
+    pub elements: f64,
     /// The results that step errors are against, once they are known.
     pub reference: Option<Results>,
 }
@@ -121,6 +123,7 @@ impl Totals {
             Some(OnMesh {
                 results: known.results,
                 folded: known.folded,
+                elements: known.elements,
             })
         };
         let [coarser, finer] = witnesses(&self.model, level).map(on);
@@ -239,10 +242,15 @@ impl Work {
     ) -> Result<(), Refusal> {
         match job {
             Job::Level(level) => {
-                let OnMesh { results, folded } = at_level(scenario, level, watch)?;
+                let OnMesh {
+                    results,
+                    folded,
+                    elements,
+                } = at_level(scenario, level, watch)?;
                 into.levels.push(OnLevel {
                     results,
                     folded,
+                    elements,
                     reference: None,
                 });
             }

@@ -45,6 +45,7 @@ pub fn made_up() -> Totals {
     let level = |(at, value): (usize, &f64)| OnLevel {
         results: all(*value),
         folded: None,
+        elements: 1e6,
         reference: (at < RUN as usize).then(|| all(*value)),
     };
     let run = |level: u32, place: usize| {
