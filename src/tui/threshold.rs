@@ -332,9 +332,10 @@ mod tests {
         key(&mut model, KeyCode::Char('7'));
         key(&mut model, KeyCode::Down);
         assert_eq!(asking(&model).input.value(), "50");
-        assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(ticket)]);
+        // What is computed ahead may begin again beside it.
+        assert!(key(&mut model, KeyCode::Esc).contains(&Effect::Stop(ticket)));
         assert!(asking(&model).task.job.is_none());
-        assert_eq!(key(&mut model, KeyCode::Esc), []);
+        key(&mut model, KeyCode::Esc);
         assert!(model.overlay.is_none() && model.work == before);
     }
 
