@@ -68,7 +68,7 @@ fn memory(pid: u32, name: &str) -> u64 {
 #[test]
 fn a_failed_allocation_leaves_a_clean_terminal_and_says_so() {
     let mut term = started();
-    term.wait_for("(90 %");
+    term.wait_for("Index 26");
     term.settle();
     // As by `ulimit -d`, once everything has begun.
     let limit = memory(term.pid(), "VmData");

@@ -126,7 +126,7 @@ impl Server {
     /// The app, once it shows its first result.
     pub fn open(&self) -> Term {
         let term = Term::start(self.client(self.port, false));
-        term.wait_for("26.42 %");
+        term.wait_for("Index 26");
         term
     }
 }
