@@ -5,12 +5,15 @@
 //! other. A kill that is not heard leaves the temporary file; its writer's lock is gone then, and
 //! the next file written into the folder takes it away.
 //!
+//! A link stays a link: what it leads to is replaced. What is no plain file, such as `/dev/stdout`, is
+//! written to and stays what it is.
+//!
 //! Left out: unnamed files (`O_TMPFILE`), which leave nothing behind, but which only Linux has and
 //! which cannot take the place of another file.
 
 use std::fs::{self, File};
-use std::io;
-use std::path::Path;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, PersistError};
 
@@ -18,8 +21,41 @@ use crate::files;
 
 /// What the names of temporary files begin with.
 const PREFIX: &str = ".contrecoup-";
+/// What they end with: a file of somebody's own is not called like this.
+const SUFFIX: &str = ".part";
 /// Nobody has so many leftovers; a folder of more is not searched to its end.
 const MAX_LOOKED_AT: usize = 100_000;
+
+/// Fills the file at `path`, in the place of whatever it held.
+///
+/// # Errors
+/// What `fill` or the system says; then it holds what it held before.
+pub fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let filled = |file: &mut File| {
+        let mut buffered = BufWriter::new(file);
+        fill(&mut buffered)?;
+        buffered.flush()
+    };
+    if path.metadata().is_ok_and(|m| !m.is_file()) {
+        if files::are_shut() {
+            return Err(io::Error::other(files::REFUSAL));
+        }
+        return filled(&mut File::create(path)?);
+    }
+    let target = resolved(path);
+    let mut file = beside(&target)?;
+    filled(file.as_file_mut())?;
+    put(file, &target, true)
+}
+
+/// The file that a path leads to, even where it is still to be made.
+pub fn resolved(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
+    let beside = || Some(folder.ok()?.join(path.file_name()?));
+    let there = path.canonicalize().ok().or_else(beside);
+    there.unwrap_or_else(|| path.to_owned())
+}
 
 /// A temporary file in the folder of `path`, locked while it is written.
 ///
@@ -33,7 +69,7 @@ pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
     let folder = parent.unwrap_or(Path::new("."));
     sweep_up(folder);
     let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX);
+    builder.prefix(PREFIX).suffix(SUFFIX);
     // Temporary files are private; what comes of this one is as readable as any new file.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
@@ -63,7 +99,9 @@ fn sweep_up(folder: &Path) {
         return;
     };
     for entry in entries.flatten().take(MAX_LOOKED_AT) {
-        let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_ours = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
         if !is_ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
@@ -86,14 +124,44 @@ mod tests {
             .collect()
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link_and_what_is_no_plain_file_stays_what_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| folder.path().join(name);
+        fs::write(file("old"), "old").unwrap();
+        std::os::unix::fs::symlink("old", file("link")).unwrap();
+        write(&file("link"), |out| out.write_all(b"new")).unwrap();
+        assert!(file("link").is_symlink());
+        assert_eq!(fs::read_to_string(file("old")).unwrap(), "new");
+        let half = write(&file("link"), |out| {
+            out.write_all(b"half")?;
+            Err(io::Error::other("enough"))
+        });
+        assert!(half.is_err());
+        assert_eq!(fs::read_to_string(file("old")).unwrap(), "new");
+        std::os::unix::fs::symlink("/dev/null", file("device")).unwrap();
+        write(&file("device"), |out| out.write_all(b"gone")).unwrap();
+        assert_eq!(fs::read(file("device")).unwrap(), b"");
+        assert_eq!(names(folder.path()).len(), 3);
+    }
+
     #[test]
     fn leftovers_go_and_what_is_being_written_stays() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        fs::write(folder.path().join(".contrecoup-dead"), "half").unwrap();
+        fs::write(folder.path().join(".contrecoup-dead.part"), "half").unwrap();
+        // Nobody's file but the person's.
+        let own = folder.path().join(".contrecoup-notes");
+        fs::write(&own, "mine").unwrap();
         let busy = beside(&path).unwrap();
         let second = beside(&path).unwrap();
-        assert_eq!(names(folder.path()).len(), 2, "two that are being written");
+        assert_eq!(
+            names(folder.path()).len(),
+            3,
+            "two that are being written, and notes"
+        );
+        fs::remove_file(own).unwrap();
         put(second, &path, false).unwrap();
         assert!(busy.path().exists());
         let kind = put(busy, &path, false).map_err(|e| e.kind());

@@ -218,11 +218,16 @@ fn two_outputs_on_one_file_are_refused_however_it_is_written() {
 fn a_full_disk_and_a_limit_on_files_give_a_message_and_a_code() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let (export, sweep) = (file("x.csv"), file("y.csv"));
+    let (export, sweep, page) = (file("x.csv"), file("y.csv"), file("p.html"));
+    let report = ["report", "paper-300n", "-o", &page];
     let export = ["export", "paper-300n", "--traces", &export];
     let sweep = [&SWEEP[..], &["--out", &sweep]].concat();
     // A block of 512 bytes is less than either writes.
-    for (arguments, name) in [(&export[..], "x.csv"), (&sweep, "y.csv")] {
+    for (arguments, name) in [
+        (&export[..], "x.csv"),
+        (&sweep, "y.csv"),
+        (&report, "p.html"),
+    ] {
         let output = limited("ulimit -f 1", arguments).output().unwrap();
         failed(&output, 1, name);
         failed(&output, 1, "large");

@@ -205,6 +205,7 @@ fn a_hang_up_ends_the_app_even_where_the_signal_is_ignored() {
             .args(["-qfc", &line, "/dev/null"])
             .env("TERM", "xterm")
             .env("SHELL", "/bin/sh")
+            .env("XDG_CONFIG_HOME", folder.path())
             .stdin(std::process::Stdio::piped())
             .stdout(std::process::Stdio::null())
             .spawn()

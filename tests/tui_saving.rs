@@ -118,18 +118,22 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     term.wait_without("Name");
     term.keys("q");
     term.wait_for("not saved as a preset");
+    // They were to be there again next time: who leaves now hears that they are not.
     term.keys("y");
-    assert_eq!(term.exit_code(), 0);
+    assert_eq!(term.exit_code(), 1);
+    term.wait_for("the changes cannot be kept: File too large");
     term.assert_restored();
     let left = fs::read_dir(home.path().join("contrecoup/presets")).unwrap();
     assert_eq!(left.count(), 0);
+    let left = fs::read_dir(home.path().join("contrecoup")).unwrap();
+    assert_eq!(left.count(), 1);
 }
 
 #[test]
 fn a_folder_that_cannot_be_made_is_explained() {
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", "/dev/null");
-    let term = Term::start(command);
+    let mut term = Term::start(command);
     term.wait_for("Index 26");
     term.keys("s");
     term.wait_for("Name");
@@ -142,6 +146,13 @@ fn a_folder_that_cannot_be_made_is_explained() {
     term.wait_for("not saved: ");
     term.keys("\x1b");
     term.wait_without("Name");
+    // Nothing is kept without a folder either, and nothing promised.
+    term.keys(&format!("{TO_FORCE}{RIGHT}"));
+    term.wait_for("paper-300n *");
+    term.keys("q");
+    term.wait_for("Quit and lose them?");
+    term.keys("y");
+    assert_eq!(term.exit_code(), 0);
 }
 
 #[test]
@@ -245,4 +256,50 @@ fn the_first_start_asks_what_hit_the_eye_and_later_ones_go_on_where_one_left_off
     term.wait_for("where you left off cannot be read");
     term.keys(DOWN);
     term.wait_for("paper-300n");
+}
+
+#[test]
+fn hostile_files_in_the_folder_of_the_app_reach_no_terminal() {
+    let hostile = "\u{9b}2J\u{7f}\u{61c}\u{202e}\u{200b}\u{feff}\u{e0041}";
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("contrecoup");
+    fs::create_dir_all(folder.join("presets")).unwrap();
+    let own = "(name: \"Mine\", impact: ForcePulse(force_n: 42))";
+    fs::write(folder.join(format!("presets/a{hostile}\x1b[31m.ron")), own).unwrap();
+    let broken = format!("(name: \"{hostile}\", {hostile}");
+    fs::write(folder.join("presets/b.ron"), broken).unwrap();
+    let changed = format!("Some(\"(name: \\\"{hostile}\\\", impact: ForcePulse())\")");
+    let left = |source: &str, changed: &str| {
+        format!("(screen: \"{hostile}\", source: \"{source}\", changed: {changed})")
+    };
+    for (file, said) in [
+        (
+            left(hostile, "None"),
+            "cannot be opened any more: \\u{9b}2J",
+        ),
+        (left("/dev/zero", "None"), "any more: /dev/zero"),
+        (left(&"x".repeat(200_000), "None"), "any more: xxx"),
+        (left("bb-56", &changed), "where you left off cannot be read"),
+        (hostile.repeat(1000), "where you left off cannot be read"),
+        ("(".repeat(100_000), "where you left off cannot be read"),
+        (" ".repeat(300_000), "where you left off cannot be read"),
+    ] {
+        fs::write(folder.join("last.ron"), file).unwrap();
+        let mut command = app(&[]);
+        command.env("XDG_CONFIG_HOME", home.path());
+        let mut term = Term::start(command);
+        term.wait_for(said);
+        // The list of presets finds it by its title.
+        term.keys("\rmine");
+        term.wait_for("a\\u{9b}2J");
+        term.keys("\x03");
+        assert_eq!(term.exit_code(), 130);
+        term.assert_restored();
+        let raw = String::from_utf8(term.raw()).unwrap();
+        let through = |c: &char| !c.is_ascii() && raw.contains(*c) || raw.contains("\x1b[31m");
+        assert_eq!(hostile.chars().find(through), None);
+        // What cannot be read makes room for what can.
+        let kept = fs::read_to_string(folder.join("last.ron")).unwrap();
+        assert!(kept.contains("source: \"paper-300n\""), "{kept}");
+    }
 }

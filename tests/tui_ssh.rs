@@ -148,6 +148,31 @@ fn through_ssh_an_idle_screen_is_silent() {
 }
 
 #[test]
+fn a_stopped_client_gets_no_old_frames_and_goes_on_with_its_first_reply() {
+    let Some(server) = app_server() else { return };
+    let (term, wire) = counted(&server, false);
+    // So slowly that it plays all the while.
+    term.keys("\x1b2---");
+    term.wait_for("Node force");
+    term.settle();
+    term.keys(" ");
+    term.wait_for("playing");
+    term.signal("STOP");
+    let before = wire.load(Ordering::Relaxed);
+    thread::sleep(Duration::from_secs(3));
+    let kept = wire.load(Ordering::Relaxed) - before;
+    let frames = term.traffic().1;
+    term.signal("CONT");
+    thread::sleep(Duration::from_secs(1));
+    let frames = term.traffic().1 - frames;
+    println!("ssh: {kept} bytes for a client stopped for 3 s, then {frames} frames in 1 s");
+    // The frames under way and a question now and then; unpaced, three seconds take 30 kB.
+    assert!(kept < 5000, "{kept} bytes");
+    assert!(frames >= 4, "only {frames} frames after it went on");
+    assert!(!term.text().contains("slow link"));
+}
+
+#[test]
 fn through_ssh_replay_frames_keep_their_budget_in_every_number_of_colours() {
     for colours in ["never", "16", "256"] {
         let app = env!("CARGO_BIN_EXE_contrecoup");

@@ -100,6 +100,17 @@ fn file_names_are_safe_in_lists_and_messages() {
         .map(|row| row["name"].as_str().unwrap());
     assert!(names.into_iter().any(|name| format!("{name}.ron") == file));
 
+    let name = file.strip_suffix(".ron").unwrap();
+    for form in ["--csv", "--md", "--json"] {
+        let table = run(config.path(), &["compare", name, "paper-300n", form]);
+        assert!(table.status.success());
+        assert!(said(&table).contains("202e}") || form == "--json");
+    }
+    let page = format!("r{HOSTILE}.md");
+    let report = run(config.path(), &["report", name, "-o", &page]);
+    assert!(said(&report).contains("\\u{202e}"));
+    assert!(config.path().join(&page).exists());
+
     let traces = format!("t{HOSTILE}.csv");
     let export = run(
         config.path(),

@@ -1,9 +1,8 @@
 //! `contrecoup export`: one blow, its frames and traces in files.
 
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::progress::Progress;
@@ -28,7 +27,7 @@ const MAX_POSITIONS: f64 = 5e7;
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)
-        && resolved(frames) == resolved(traces)
+        && whole_file::resolved(frames) == whole_file::resolved(traces)
     {
         return Err(CliError::Input(
             "--frames and --traces name the same file".to_owned(),
@@ -112,15 +111,6 @@ fn write_frames(
     Ok(count)
 }
 
-/// The file that a path leads to, even where it is still to be made.
-fn resolved(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
-    let beside = || Some(folder.ok()?.join(path.file_name()?));
-    let there = path.canonicalize().ok().or_else(beside);
-    there.unwrap_or_else(|| path.to_owned())
-}
-
 fn shown(path: &Path) -> String {
     printable(&path.display().to_string()).into_owned()
 }
@@ -139,27 +129,13 @@ fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError>
     Ok(())
 }
 
-/// Writes a file whole or not at all; what is not a plain file, such as /dev/stdout, is written to.
+/// Writes a file whole or not at all.
 fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
-    let failed = |error: io::Error| match error.kind() {
+    whole_file::write(path, write).map_err(|error| match error.kind() {
         io::ErrorKind::Interrupted => interrupted(Refusal::Cancelled),
+        io::ErrorKind::BrokenPipe => CliError::Output(error),
         _ => CliError::Failed(format!("cannot write {}: {error}", shown(path))),
-    };
-    if path.metadata().is_ok_and(|m| !m.is_file()) {
-        let mut file = BufWriter::new(File::create(path).map_err(failed)?);
-        return match write(&mut file).and_then(|()| file.flush()) {
-            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(CliError::Output(error)),
-            other => other.map_err(failed),
-        };
-    }
-    // A link stays a link: what it leads to is replaced.
-    let target = resolved(path);
-    let mut file = whole_file::beside(&target).map_err(failed)?;
-    let mut buffered = BufWriter::new(file.as_file_mut());
-    write(&mut buffered).map_err(failed)?;
-    buffered.flush().map_err(failed)?;
-    drop(buffered);
-    whole_file::put(file, &target, true).map_err(failed)
+    })
 }
 
 fn csv_to_io(error: csv::Error) -> io::Error {

@@ -1,6 +1,6 @@
 //! `contrecoup report`: a page of one blow or several, to read, print and send.
 
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::sync::{Mutex, PoisonError};
 
 use super::interrupt;
@@ -42,13 +42,10 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         other => other.into(),
     })?;
     let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
-    let mut file = whole_file::beside(&args.output).map_err(failed)?;
-    let mut writer = BufWriter::new(&mut file);
-    write(form, &entries, Some(&command), &mut writer)
-        .and_then(|()| writer.flush())
-        .map_err(failed)?;
-    drop(writer);
-    whole_file::put(file, &args.output, true).map_err(failed)?;
+    whole_file::write(&args.output, |file| {
+        write(form, &entries, Some(&command), file)
+    })
+    .map_err(failed)?;
     writeln!(out, "{name}: written")?;
     Ok(())
 }

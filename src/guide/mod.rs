@@ -51,6 +51,11 @@ topics! {
     speed = "speed",
 }
 
+/// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go on with it.
+pub fn holds_here(line: &str) -> bool {
+    cfg!(unix) || !line.starts_with("Ctrl-Z")
+}
+
 impl Topic {
     /// The first line of the page.
     pub fn title(&self) -> &'static str {
@@ -58,12 +63,13 @@ impl Topic {
         first.trim_start_matches("# ")
     }
 
-    /// The page without what only a renderer of Markdown needs: comments and fences.
+    /// The page without what only a renderer of Markdown needs, comments and fences, and without what does not
+    /// hold here.
     pub fn plain(&self) -> String {
         let mut text = String::new();
         let mut blank = true;
         for line in self.page.lines() {
-            if line.starts_with("<!--") || line.starts_with("```") {
+            if line.starts_with("<!--") || line.starts_with("```") || !holds_here(line) {
                 continue;
             }
             // Where a comment stood between two blank lines, one of them is enough.

@@ -180,7 +180,9 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     head.extend(["flags", "caution", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
     for entry in entries {
-        let mut record = vec![entry.source.clone(), entry.scenario.name.clone()];
+        // CSV has no escapes: a file name that a terminal would obey is written out.
+        let source = printable(&entry.source);
+        let mut record = vec![source.into_owned(), entry.scenario.name.clone()];
         let plain = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
         let answer = entry.outcome.as_ref().ok();
         for &of in Quantity::ALL {

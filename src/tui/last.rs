@@ -2,10 +2,11 @@
 //! it opens with nothing asked for.
 //!
 //! It holds the screen, the preset or file, and the scenario where it was changed since. It is written whole or
-//! not at all. One that cannot be read is told and otherwise as good as none. A guest leaves none.
+//! not at all; where it cannot be, changes are not promised to be kept. One that cannot be read is told and
+//! otherwise as good as none. A guest leaves none.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -91,21 +92,27 @@ pub fn read() -> Result<Option<Left>, ScenarioError> {
     }
 }
 
+/// Where it is kept, in a folder that is made if need be.
+fn place() -> io::Result<PathBuf> {
+    let path = path().ok_or(io::ErrorKind::NotFound)?;
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    Ok(path)
+}
+
+/// Whether there is a place to keep it in, which takes a file.
+pub fn can_be_kept() -> bool {
+    place().is_ok_and(|path| whole_file::beside(&whole_file::resolved(&path)).is_ok())
+}
+
 /// Keeps where the app is left.
 ///
 /// # Errors
 /// What the system says.
 pub fn write(left: &Left) -> io::Result<()> {
-    let Some(path) = path() else {
-        return Ok(());
-    };
     let text = left.text().map_err(io::Error::other)?;
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    let mut file = whole_file::beside(&path)?;
-    file.write_all(text.as_bytes())?;
-    whole_file::put(file, &path, true)
+    whole_file::write(&place()?, |file| file.write_all(text.as_bytes()))
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use super::screens::SCREENS;
 use super::terminal;
 use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use super::update;
+use crate::plain_text::quoted;
 use crate::scenario::library::{self, Origin, resolve};
 use crate::scenario::problem::{Problem, ScenarioError};
 
@@ -81,13 +82,16 @@ pub enum OpenError {
     /// The terminal failed.
     #[error("the terminal failed: {0}")]
     Failed(#[from] io::Error),
+    /// Changes that were to be there again next time are not.
+    #[error("the changes cannot be kept: {0}")]
+    NotKept(io::Error),
 }
 
 impl OpenError {
     /// 1 for failures, 2 for what was asked in vain.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Failed(_) => 1,
+            Self::Failed(_) | Self::NotKept(_) => 1,
             Self::NoTerminal(_) | Self::Scenario(_) => 2,
         }
     }
@@ -136,7 +140,7 @@ pub fn run(
     } else {
         prepare(sources, look)?
     };
-    model.goes_on = goes_on;
+    model.goes_on = goes_on && last::can_be_kept();
     if guest.is_some() {
         welcome(&mut model, sources)?;
     }
@@ -155,9 +159,12 @@ pub fn run(
         idle: guest,
     };
     let (code, model) = terminal::run(model, &settings)?;
-    if goes_on {
-        // Where nothing can be kept, the next start asks again: no reason to fail now.
-        let _ = last::write(&Left::of(&model));
+    // Where nothing was changed, the next start asks again: no reason to fail now.
+    if model.goes_on
+        && let Err(error) = last::write(&Left::of(&model))
+        && model.is_edited()
+    {
+        return Err(OpenError::NotKept(error));
     }
     Ok(ExitCode::from(code))
 }
@@ -181,7 +188,8 @@ fn resume(look: Look) -> Result<Model, ScenarioError> {
     };
     let other = |_| {
         let mut model = prepare(&[], look)?;
-        model.notice = Some(format!("{} cannot be opened any more", left.source));
+        let source = quoted(&left.source);
+        model.notice = Some(format!("cannot be opened any more: {source}"));
         Ok::<_, ScenarioError>(model)
     };
     let mut model = prepare(std::slice::from_ref(&left.source), look).or_else(other)?;
