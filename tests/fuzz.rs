@@ -415,6 +415,7 @@ const SENT: &[&str] = &[
     "\x1b[<65;5;5M",
     "\x1b[<32;999;999m",
     "\x1b]11;rgb:0/0/0\x07",
+    "\x1b]52;c;cXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFxcXFx\x1b\\",
     "\x1bP>|x\x1b\\",
     "\x1b[?62;4c",
     "\x1b[I",

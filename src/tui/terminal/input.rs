@@ -25,7 +25,7 @@ pub enum Input {
 
 /// A paste beyond this is cut: no field takes so much.
 const LONGEST_PASTE: usize = 4096;
-/// No sequence is longer; anything beyond is rubbish.
+/// No sequence of keys is longer; anything beyond is rubbish.
 const LONGEST_SEQUENCE: usize = 64;
 /// A lone ESC becomes a key after this long. A slow link may split a sequence between two packets.
 const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
@@ -103,6 +103,11 @@ impl Parser {
         while !self.held.is_empty() {
             let used = match parse(&self.held) {
                 Parsed::Unfinished if self.held.len() < LONGEST_SEQUENCE => return,
+                Parsed::Unfinished if is_string(&self.held) => {
+                    // However long, it is none of our keys: the last byte may begin its end.
+                    self.held.drain(2..self.held.len() - 1);
+                    return;
+                }
                 Parsed::Unfinished => self.held.len(),
                 Parsed::Dropped(used) => used,
                 Parsed::Found(used, input) => {
@@ -128,6 +133,11 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
     Input::Key(KeyEvent::new(code, modifiers))
 }
 
+/// Whether these bytes begin an OSC, DCS, APC or PM, which run to ST or BEL.
+fn is_string(held: &[u8]) -> bool {
+    matches!(held, [0x1b, b']' | b'P' | b'_' | b'^', ..])
+}
+
 fn parse(held: &[u8]) -> Parsed {
     match held {
         [0x1b] | [0x1b, b'[' | b'O'] | [0x1b, b'[', b'['] => Parsed::Unfinished,
@@ -141,8 +151,7 @@ fn parse(held: &[u8]) -> Parsed {
             Some(code) => Parsed::Found(3, key(code, KeyModifiers::NONE)),
             None => Parsed::Dropped(3),
         },
-        // OSC, DCS, APC and PM run to ST or BEL.
-        [0x1b, b']' | b'P' | b'_' | b'^', rest @ ..] => {
+        [_, _, rest @ ..] if is_string(held) => {
             let end = rest.iter().enumerate().find_map(|(i, byte)| match byte {
                 0x07 => Some(i + 3),
                 b'\\' if i > 0 && rest[i - 1] == 0x1b => Some(i + 3),
@@ -361,6 +370,18 @@ mod tests {
             let mut parser = Parser::default();
             assert_eq!(parser.feed(reply.as_bytes()), [], "{reply:?}");
             assert_eq!(parser.feed(b"x"), [plain(KeyCode::Char('x'))], "{reply:?}");
+        }
+    }
+
+    #[test]
+    fn a_reply_of_any_length_is_dropped_whole() {
+        for end in ["\x07", "\x1b\\"] {
+            for letters in 50..80 {
+                let reply = format!("\x1b]52;c;{}{end}x", "q".repeat(letters));
+                assert_eq!(keys(reply.as_bytes()), [plain(KeyCode::Char('x'))]);
+            }
+            let reply = format!("\x1bP1+r{}{end}", "q".repeat(100_000));
+            assert_eq!(keys(reply.as_bytes()), []);
         }
     }
 
