@@ -1,10 +1,11 @@
 //! What must hold of the body of revolution whatever its parameters are.
 
 use contrecoup::dynamics::revolution::{
-    BallSpring, Blow, Form, Object, Outline, Refusal, Run, STEP_SHARE, Surface, run, run_as,
+    BallSpring, Blow, Form, Object, Outline, Refusal, Run, STEP_SHARE, Steps, Surface, run, run_as,
 };
-use contrecoup::dynamics::{Keep, Spacing};
-use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
+use contrecoup::dynamics::{Integrator, Keep, Spacing};
+use contrecoup::eye::revolution::{Parameters, Region, RevolutionEye, ShellParameters, Surround};
+use contrecoup::injury::DamageIndex;
 use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
 use std::ops::ControlFlow;
 
@@ -53,9 +54,13 @@ fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
     try_hit(eye, object, window_ms, STEP_SHARE).expect("a run")
 }
 
-fn leading(run: &Run) -> [(&'static str, f64); 7] {
+fn leading(run: &Run) -> [(&'static str, f64); 11] {
     let e = &run.extremes;
     [
+        ("back", e.mean_back_pressure.value),
+        ("apex", e.apex.value),
+        ("lens", e.lens.value),
+        ("damage", DamageIndex::of_revolution(e).damage()),
         ("pressure", e.pressure.value),
         ("stress", e.scleral_stress.value),
         ("shortening", e.shortening.value),
@@ -355,6 +360,55 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
         count > objects_in_all / 2,
         "{count} of {objects_in_all} ended early"
     );
+}
+
+#[test]
+fn a_scene_is_computed_for_what_it_has_alone() {
+    let count = |surround, blow: &Blow| {
+        let eye = eye(1, surround);
+        let mut watch = |_| ControlFlow::Continue(());
+        let run = run(&eye, blow, 0.3e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run");
+        let cells = run.cell_evaluations / (run.steps + 1);
+        assert_eq!(run.cell_evaluations, cells * (run.steps + 1));
+        (cells, run.contact_evaluations)
+    };
+    let pulse = contrecoup::dynamics::Pulse::new(&ForcePulse::default());
+    let pulse = Blow::Pulse(pulse, 20f64.to_radians());
+    let shot = Blow::Object(ball(0.345, 4.5, 60.0));
+    // A pulse meets nothing, and a free eye has nothing around it.
+    assert_eq!(count(Some(Surround::orbit()), &pulse).1, 0);
+    let (held, touched) = count(Some(Surround::orbit()), &shot);
+    let (free, _) = count(None, &shot);
+    assert!(touched > 0 && free < held);
+    let alone = eye(1, None).cells;
+    assert_eq!(free, alone.len());
+    assert!(alone.iter().all(|cell| cell.region == Region::Globe));
+}
+
+#[test]
+fn another_integrator_comes_to_the_same_as_steps_get_shorter_and_is_worse_at_long_ones() {
+    let eye = eye(1, Some(Surround::orbit()));
+    let at = |integrator, share| {
+        let blow = Blow::Object(ball(0.345, 4.5, 60.0));
+        let steps = Steps { share, integrator };
+        let mut watch = |_| ControlFlow::Continue(());
+        run(&eye, &blow, 0.5e-3, steps, Keep::default(), &mut watch).expect("a run")
+    };
+    let (verlet, euler) = (Integrator::VelocityVerlet, Integrator::SemiImplicitEuler);
+    let exact = leading(&at(verlet, 0.05));
+    let worst = |integrator, share| {
+        let pairs = leading(&at(integrator, share)).into_iter().zip(exact);
+        pairs.fold(0.0, |worst: f64, ((_, a), (_, b))| {
+            worst.max((a / b - 1.0).abs())
+        })
+    };
+    let [long, short] = [0.6, 0.15].map(|share| [worst(verlet, share), worst(euler, share)]);
+    println!("{long:?} {short:?}");
+    assert!(
+        short[1] < 0.5 * long[1] && short[1] < 0.02,
+        "{long:?} {short:?}"
+    );
+    assert!(long[0] < long[1], "{long:?}");
 }
 
 #[test]

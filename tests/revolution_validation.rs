@@ -2,7 +2,7 @@
 
 use contrecoup::dynamics::Keep;
 use contrecoup::dynamics::revolution::{Blow, Object, Outline, Run, STEP_SHARE, Surface, run};
-use contrecoup::eye::revolution::{Parameters, RevolutionEye, ShellParameters, Surround};
+use contrecoup::eye::revolution::{Layers, Parameters, RevolutionEye, ShellParameters, Surround};
 use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
@@ -35,7 +35,8 @@ fn eye(half: usize, pig: bool, surround: Option<Surround>) -> RevolutionEye {
         surround,
         ..Parameters::default()
     };
-    RevolutionEye::with_core(&parameters, half)
+    // The prototype's own mesh: the engines are compared, not the meshes.
+    RevolutionEye::with_core(&parameters, half, Layers::EVEN)
 }
 
 fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {

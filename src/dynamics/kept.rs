@@ -114,9 +114,9 @@ pub struct Traces {
     pub work: Vec<f64>,
     /// Intraocular pressure, Pa; at the eye of revolution the mean of the globe through a low pass of 20 us.
     pub pressure: Vec<f64>,
-    /// Pressure at the back of the eye of revolution through the same, Pa.
+    /// Pressure at the back of the eye of revolution, a mean over 150 us, Pa.
     pub back_pressure: Vec<f64>,
-    /// Largest tension of its sclera, Pa.
+    /// Largest tension of its sclera, through a low pass of 20 us, Pa.
     pub scleral_stress: Vec<f64>,
     /// Loss of its length along the blow, as a share of it.
     pub shortening: Vec<f64>,

@@ -44,9 +44,10 @@ pub enum Quantity {
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us. In the Paper model that of a
     /// light fast object is the force of the two mass points it meets: with tissue at 0.001 kPa it is the same.
     Contact,
-    /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals.
+    /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals: a
+    /// mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera of the eye of revolution, in megapascals.
+    /// Peak tension of the sclera of the eye of revolution, in megapascals, through a low pass of 20 us.
     ScleralStress,
     /// Largest loss of the eye's length along the blow, in % of it, at the eye of revolution.
     Shortening,
@@ -337,7 +338,7 @@ impl Quantity {
             Self::BackPressure => Row {
                 factor: 1e-6,
                 leads: Leads::Always,
-                revolution: ReadRevolution::Peak(|e| Some(e.back_pressure)),
+                revolution: ReadRevolution::Peak(|e| Some(e.mean_back_pressure)),
                 trace: Some(trace(
                     "pressure at back",
                     "back_pressure_mpa",

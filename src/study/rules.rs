@@ -179,9 +179,10 @@ const CONTACT_ANSWER: Automatic = Automatic {
 };
 
 /// The eye of revolution. Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its
-/// step follows the stability bound, so a step is that of the eye at rest.
+/// step follows the stability bound, so a step is that of the eye at rest. Semi-implicit Euler is there to be compared
+/// with.
 pub(super) static REVOLUTION: Rules = Rules {
-    integrators: &[Integrator::VelocityVerlet],
+    integrators: &[Integrator::VelocityVerlet, Integrator::SemiImplicitEuler],
     answer: REVOLUTION_ANSWER,
     alone: REVOLUTION_ANSWER,
     reference: Integrator::VelocityVerlet,

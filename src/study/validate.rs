@@ -175,6 +175,10 @@ fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64
             Some(force[before] + share * (force[after] - force[before]))
         }),
         Reading::Of(quantity) => answer.result(quantity),
+        Reading::Sensor => {
+            let left = answer.left.revolution();
+            left.map(|left| 1e-6 * left.back_pressure.value)
+        }
         Reading::TimeOf(quantity) => answer.peak(quantity).map(|peak| 1e3 * peak.time),
         Reading::Volume => answer.left.revolution().map(|left| {
             let (least, most) = (left.least_volume, left.most_volume);

@@ -45,6 +45,8 @@ pub(super) struct Touch {
     pub traction: f64,
     /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
     pub loss: f64,
+    /// Segments of the shell that were looked at.
+    pub segments: usize,
 }
 
 /// Where the points lie along a segment, as shares of it.
@@ -110,6 +112,7 @@ impl Target {
             limit: f64::INFINITY,
             traction: 0.0,
             loss: 0.0,
+            segments: 0,
         };
         let centre = flight.x[0];
         let near = object.near();
@@ -119,6 +122,7 @@ impl Target {
             if x[i].min(x[i + 1]) > front {
                 continue;
             }
+            touch.segments += 1;
             let (mut steepest, mut damping): (f64, f64) = (0.0, 0.0);
             for (point, area) in areas.iter().enumerate() {
                 let s = share(point);

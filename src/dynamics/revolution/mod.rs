@@ -24,5 +24,5 @@ mod tests;
 
 pub use object::{BallSpring, HARD, Object, Outline, Surface};
 pub use results::{Energy, Extremes, Run};
-pub use run::{Blow, Form, Refusal, STEP_SHARE, run, run_as, run_through, step_limit};
+pub use run::{Blow, Form, Refusal, STEP_SHARE, Steps, run, run_as, run_through, step_limit};
 pub use sensor::monitored;

@@ -21,9 +21,22 @@ impl<C: Cells> Motion<'_, C> {
             .offer(self.filters[0].pass(now.sums.pressure, share), time);
         e.back_pressure
             .offer(self.filters[1].pass(now.sums.sensor, share), time);
-        if now.shell.stress > e.scleral_stress.value {
-            e.scleral_stress.offer(now.shell.stress, time);
-            e.stress_angle = self.eye.segments[now.shell.at].front_angle;
+        let mean = self.back_mean.pass(now.sums.sensor, time, step);
+        e.mean_back_pressure.offer(mean, time);
+        self.stress = 0.0;
+        for (i, (passed, now)) in self
+            .tension_passed
+            .iter_mut()
+            .zip(&self.tension)
+            .enumerate()
+        {
+            for (passed, now) in passed.iter_mut().zip(now) {
+                self.stress = self.stress.max(passed.pass(*now, share));
+            }
+            if self.stress > e.scleral_stress.value {
+                e.scleral_stress.offer(self.stress, time);
+                e.stress_angle = self.eye.segments[i].front_angle;
+            }
         }
         if let Some(touch) = &now.touch {
             e.rim_force.offer(-touch.rim, time);
@@ -110,8 +123,8 @@ impl<C: Cells> Motion<'_, C> {
         t.dissipated.push(self.energy.lost);
         t.work.push(self.extremes.energy_imparted);
         t.pressure.push(self.filters[0].now);
-        t.back_pressure.push(self.filters[1].now);
-        t.scleral_stress.push(now.shell.stress);
+        t.back_pressure.push(self.back_mean.now);
+        t.scleral_stress.push(self.stress);
         t.shortening.push(shape.shortening);
         t.lens.push(shape.lens);
         if let Some((object, flight)) = &self.object {

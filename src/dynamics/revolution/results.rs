@@ -14,9 +14,11 @@ pub struct Extremes {
     pub rim_force: Peak,
     /// Mean pressure of the globe through a low pass of 20 us, Pa.
     pub pressure: Peak,
-    /// Pressure at the back, through the same, Pa.
+    /// Pressure at the back, through the same, Pa, as a sensor may show it.
     pub back_pressure: Peak,
-    /// Tension of the sclera, along or around, whichever is larger, Pa.
+    /// The same as a mean over the 150 us before, Pa.
+    pub mean_back_pressure: Peak,
+    /// Tension of the sclera, along or around, whichever is larger, each through a low pass of 20 us, Pa.
     pub scleral_stress: Peak,
     /// Front angle of the place of that stress, rad.
     pub stress_angle: f64,
@@ -62,6 +64,7 @@ impl Extremes {
             rim_force: zero,
             pressure: zero,
             back_pressure: zero,
+            mean_back_pressure: zero,
             scleral_stress: zero,
             stress_angle: 0.0,
             shortening: zero,
@@ -89,6 +92,7 @@ impl Extremes {
             self.force,
             self.pressure,
             self.back_pressure,
+            self.mean_back_pressure,
             self.scleral_stress,
             self.shortening,
             self.equator_growth,
@@ -150,6 +154,8 @@ pub struct Run {
     pub simulated: f64,
     /// Whether the run ended before its window because nothing had grown for long: a rule, not a proof.
     pub settled: bool,
-    /// Evaluations of cells, and of segments against an object.
+    /// Evaluations of cells.
     pub cell_evaluations: usize,
+    /// Evaluations of segments of the shell that an object came near to.
+    pub contact_evaluations: usize,
 }

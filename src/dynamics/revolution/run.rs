@@ -1,7 +1,8 @@
 //! Through the window: a leapfrog whose step follows the stability bounds.
 //!
 //! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2) h(n).
-//! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most.
+//! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most. Semi-implicit Euler, for
+//! comparison, kicks by h(n) instead.
 //!
 //! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of the whole is
 //! above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s), which a test compares
@@ -17,9 +18,10 @@ use super::object::{Flight, Object};
 use super::plain::Plain;
 use super::results::{Energy, Extremes, Run};
 use super::rows::Rows;
-use super::sensor::{Accelerometers, ForceMean, LowPass};
+use super::sensor::{Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean};
 use super::shell::{Shell, ShellState};
 use super::state::{Cells, State, Sums};
+use crate::dynamics::Integrator;
 use crate::dynamics::fold::FoldWatch;
 use crate::dynamics::kept::{Frame, Keep, Spacing, Traces};
 use crate::dynamics::load::{Piece, Pulse, Segment};
@@ -76,6 +78,32 @@ pub enum Refusal {
     Stopped(f64),
 }
 
+/// How long steps are and how they are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steps {
+    /// Share of the stability bound.
+    pub share: f64,
+    /// Velocity Verlet, here a leapfrog, or semi-implicit Euler, whose kick is as long as the drift that follows.
+    pub integrator: Integrator,
+}
+
+impl From<f64> for Steps {
+    fn from(share: f64) -> Self {
+        let integrator = Integrator::VelocityVerlet;
+        Self { share, integrator }
+    }
+}
+
+impl Steps {
+    /// How long forces act on a step of `step` s after one of `before` s.
+    fn kick(&self, before: f64, step: f64) -> f64 {
+        match self.integrator {
+            Integrator::SemiImplicitEuler => step,
+            _ => 0.5 * (before + step),
+        }
+    }
+}
+
 /// Told of the share of the window that is done, it may stop the run.
 pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
@@ -88,7 +116,8 @@ pub fn step_limit(eye: &RevolutionEye, blow: &Blow) -> f64 {
     motion.forces(0.0).limit
 }
 
-/// Hits `eye` and follows it for `window` s, with steps of `step_share` of the stability bound.
+/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a share
+/// of the stability bound.
 ///
 /// # Errors
 /// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
@@ -96,11 +125,11 @@ pub fn run(
     eye: &RevolutionEye,
     blow: &Blow,
     window: f64,
-    step_share: f64,
+    steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
 ) -> Result<Run, Refusal> {
-    run_as(Form::Rows, eye, blow, window, step_share, keep, watch)
+    run_as(Form::Rows, eye, blow, window, steps, keep, watch)
 }
 
 /// The same with the cells computed in a certain form.
@@ -112,25 +141,22 @@ pub fn run_as(
     eye: &RevolutionEye,
     blow: &Blow,
     window: f64,
-    step_share: f64,
+    steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
 ) -> Result<Run, Refusal> {
+    let steps = steps.into();
     let mut frames = Vec::new();
     let take = &mut |frame| {
         frames.push(frame);
         ControlFlow::Continue(())
     };
     let run = match form {
-        Form::Plain => {
-            Motion::new(eye, Plain::new(eye), blow, keep, window).go(step_share, watch, take)
-        }
-        Form::Rows => {
-            Motion::new(eye, Rows::new(eye), blow, keep, window).go(step_share, watch, take)
-        }
+        Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(steps, watch, take),
+        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(steps, watch, take),
         Form::Vectors(level) => {
             let rows = Rows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).go(step_share, watch, take)
+            Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
         }
     };
     Ok(Run { frames, ..run? })
@@ -144,7 +170,7 @@ pub fn run_through(
     eye: &RevolutionEye,
     blow: &Blow,
     window: f64,
-    step_share: f64,
+    steps: impl Into<Steps>,
     spacing: Spacing,
     take: Take,
 ) -> Result<(), Refusal> {
@@ -154,7 +180,7 @@ pub fn run_through(
     };
     let watch = &mut |_| ControlFlow::Continue(());
     let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
-    motion.go(step_share, watch, take).map(|_| ())
+    motion.go(steps.into(), watch, take).map(|_| ())
 }
 
 /// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
@@ -202,12 +228,19 @@ pub(super) struct Motion<'a, C> {
     /// s.
     pub swing: f64,
     pub accelerometers: Accelerometers,
-    pub force_mean: ForceMean,
+    pub force_mean: RunningMean,
+    pub back_mean: RunningMean,
+    /// Tension of the sclera in each segment, along and around, Pa, and through a low pass.
+    pub tension: Vec<[f64; 2]>,
+    pub tension_passed: Vec<[LowPass; 2]>,
+    /// The largest of those that passed, Pa.
+    pub stress: f64,
     /// Of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
     pub window: f64,
     /// When what acts was last seen to be gone, s.
     pub over_since: Option<f64>,
+    pub contact_evaluations: usize,
     pub keep: Keep,
     pub energy_before: f64,
     /// Most energy that has come in, and most that the balance was off, J.
@@ -286,10 +319,15 @@ impl<'a, C: Cells> Motion<'a, C> {
             energy_before: object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
             object,
             load,
-            force_mean: ForceMean::new(),
+            force_mean: RunningMean::over(FORCE_MEAN_S),
+            back_mean: RunningMean::over(BACK_MEAN_S),
+            tension: vec![[0.0; 2]; eye.segments.len()],
+            tension_passed: vec![[LowPass::default(); 2]; eye.segments.len()],
+            stress: 0.0,
             filters: [LowPass::default(); 2],
             window,
             over_since: None,
+            contact_evaluations: 0,
             keep,
             came: 0.0,
             missing: 0.0,
@@ -301,7 +339,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    fn go(mut self, step_share: f64, watch: Watch, take: Take) -> Result<Run, Refusal> {
+    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<Run, Refusal> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
@@ -310,14 +348,14 @@ impl<'a, C: Cells> Motion<'a, C> {
                 return Err(Refusal::Stopped(time));
             }
             let now = self.forces(time);
-            let most = step_share * now.limit;
+            let most = by.share * now.limit;
             let before = step;
             step = if steps == 0 {
                 most
             } else {
                 most.min(GROWTH * before)
             };
-            let kick = 0.5 * (before + step);
+            let kick = by.kick(before, step);
             let forces = self.look(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
             let last = time >= self.window || settled;
@@ -351,7 +389,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                 return Ok(self.finish(time, steps, settled));
             }
             step = step.min(self.window - time).max(f64::MIN_POSITIVE);
-            let kick = 0.5 * (before + step);
+            let kick = by.kick(before, step);
             self.energy.lost += now.sums.loss * kick;
             self.energy.lost_in_object += now.loss_in_object * kick;
             if let Some(load) = &self.load {
@@ -389,7 +427,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         let v = (&self.state.vx[at.clone()], &self.state.vr[at.clone()]);
         let fx = &mut self.state.fx[at.clone()];
         let fr = &mut self.state.fr[at];
-        let shell = self.shell.forces(x, r, fx, fr);
+        let shell = self
+            .shell
+            .forces((x, r), (&mut *fx, &mut *fr), &mut self.tension);
         let mut limit = sums.limit.min(self.shell.limit);
         let (mut force, mut loss_in_object) = (0.0, 0.0);
         let mut touch = None;
@@ -399,6 +439,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             loss_in_object = touched.loss;
             limit = limit.min(flight.limit).min(touched.limit);
             force = touched.force;
+            self.contact_evaluations += touched.segments;
             touch = Some(touched);
         }
         if let Some(load) = &self.load {
@@ -485,6 +526,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             simulated: time,
             settled,
             cell_evaluations: (steps + 1) * self.eye.cells.len(),
+            contact_evaluations: self.contact_evaluations,
         }
     }
 }

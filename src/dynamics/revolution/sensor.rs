@@ -12,7 +12,10 @@ const SENSOR_REACH: f64 = 3e-3;
 pub const SMOOTHING_S: f64 = 20e-6;
 /// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are those of the
 /// piece of shell that is hit first, so of the mesh.
-const FORCE_MEAN_S: f64 = 100e-6;
+pub(super) const FORCE_MEAN_S: f64 = 100e-6;
+/// The same for the pressure at the back: sound in the globe, slowed by a bulk modulus of 100 MPa, goes to the back
+/// and returns in this time. What is shorter is an echo of it, and of the focus of a perfectly round eye.
+pub(super) const BACK_MEAN_S: f64 = 150e-6;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.
 const POINTS: usize = 8;
@@ -78,43 +81,46 @@ impl LowPass {
     }
 }
 
-/// The mean of a force over the last [`FORCE_MEAN_S`].
+/// The mean of something over the last while.
 #[derive(Debug, Clone)]
-pub(super) struct ForceMean {
+pub(super) struct RunningMean {
     pub now: f64,
-    impulse: f64,
+    /// Of how long, in s.
+    over: f64,
+    integral: f64,
     before: f64,
-    /// Times and impulses up to them.
+    /// Times and integrals up to them.
     past: VecDeque<(f64, f64)>,
 }
 
-impl ForceMean {
-    pub fn new() -> Self {
+impl RunningMean {
+    pub fn over(over: f64) -> Self {
         Self {
             now: 0.0,
-            impulse: 0.0,
+            over,
+            integral: 0.0,
             before: 0.0,
             past: VecDeque::from([(0.0, 0.0)]),
         }
     }
 
-    /// With `force` now, at `time`, `step` s after the one before.
-    pub fn pass(&mut self, force: f64, time: f64, step: f64) -> f64 {
-        self.impulse += 0.5 * (self.before + force) * step;
-        self.before = force;
-        self.past.push_back((time, self.impulse));
-        let start = time - FORCE_MEAN_S;
+    /// With `value` now, at `time`, `step` s after the one before.
+    pub fn pass(&mut self, value: f64, time: f64, step: f64) -> f64 {
+        self.integral += 0.5 * (self.before + value) * step;
+        self.before = value;
+        self.past.push_back((time, self.integral));
+        let start = time - self.over;
         while self.past.len() > 2 && self.past[1].0 <= start {
             self.past.pop_front();
         }
         let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
-        // Before the first step nothing acted.
+        // Before the first step there was nothing.
         let gone = if start <= t0 {
             0.0
         } else {
             first + (second - first) * (start - t0) / (t1 - t0)
         };
-        self.now = (self.impulse - gone) / FORCE_MEAN_S;
+        self.now = (self.integral - gone) / self.over;
         self.now
     }
 }

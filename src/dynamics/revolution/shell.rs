@@ -48,9 +48,6 @@ pub(super) struct Shell {
 /// What the shell does at some instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct ShellState {
-    /// Largest tension in the sclera, along or around, in Pa, and its segment.
-    pub stress: f64,
-    pub at: usize,
     /// Length of half the closed chain, m.
     pub length: f64,
     /// Stored, J.
@@ -112,8 +109,14 @@ impl Shell {
         }
     }
 
-    /// Adds the forces of a shell whose nodes are at `x`, `r` to `fx`, `fr`, all from front to back.
-    pub fn forces(&self, x: &[f64], r: &[f64], fx: &mut [f64], fr: &mut [f64]) -> ShellState {
+    /// Adds the forces of a shell whose nodes are at `x`, `r` to `fx`, `fr`, all from front to back, and puts the
+    /// tension of the sclera in each segment, along and around, in Pa, into `tension`.
+    pub fn forces(
+        &self,
+        (x, r): (&[f64], &[f64]),
+        (fx, fr): (&mut [f64], &mut [f64]),
+        tension: &mut [[f64; 2]],
+    ) -> ShellState {
         let mut state = ShellState::default();
         let mut before = (0.0, 0.0, 0.0);
         for (i, piece) in self.pieces.iter().enumerate() {
@@ -124,10 +127,7 @@ impl Shell {
             let (s1, s2) = (e1 + self.poisson * e2, e2 + self.poisson * e1);
             state.energy += 0.5 * piece.membrane * (e1 * s1 + e2 * s2);
             state.length += length;
-            let stress = piece.sclera * s1.max(s2);
-            if stress > state.stress {
-                (state.stress, state.at) = (stress, i);
-            }
+            tension[i] = [piece.sclera * s1, piece.sclera * s2];
             let along = piece.membrane * s1 / (piece.length * length);
             let around = 0.5 * piece.membrane * s2 / piece.radius;
             fx[i] += along * side.0;

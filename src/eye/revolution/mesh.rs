@@ -7,13 +7,37 @@
 use super::parameters::Wall;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// Radius of the core's map as a share of the globe's.
-const CORE: f64 = 0.55;
 /// How much of the core's border is a square's, and how much a circle's.
 const SQUARE: f64 = 0.425;
 const CIRCLE: f64 = 0.5;
 /// How much closer rays lie in front.
 const GRADING: f64 = 0.2;
+/// Where cells lie thicker and where thinner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layers {
+    /// Radius of the core's map as a share of the globe's.
+    core: f64,
+    /// By which share the layers within the shell, and those beyond it, are thinner at the shell than on average.
+    within: f64,
+    beyond: f64,
+}
+
+impl Layers {
+    /// Thinner at the shell, whose waves are shorter than the cells of a coarse mesh are wide: a thick cell is
+    /// more mass than moves with it, and the wave that meets itself at the back comes late and too high.
+    pub const THIN: Self = Self {
+        core: 0.6,
+        within: 0.65,
+        beyond: 0.3,
+    };
+    /// All alike, which takes twice as fine a mesh for the same pressures.
+    pub const EVEN: Self = Self {
+        core: 0.55,
+        within: 0.0,
+        beyond: 0.0,
+    };
+}
+
 /// Layers of cells between core and shell, and between shell and wall, per half side of the core.
 const GLOBE_LAYERS: f64 = 0.8;
 const AROUND_LAYERS: f64 = 0.9;
@@ -116,7 +140,12 @@ impl Rays {
 }
 
 /// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a wall beyond another.
-pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wall, f64)>) -> Mesh {
+pub(super) fn build(
+    (half, spacing): (usize, Layers),
+    radius: f64,
+    limbus: f64,
+    surround: Option<(Wall, f64)>,
+) -> Mesh {
     let m = i64::try_from(half).expect("a mesh that fits in memory");
     let mut mesh = Mesh {
         x: Vec::new(),
@@ -147,7 +176,7 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
             } else {
                 0.0
             };
-            let scale = CORE * radius * q / m as f64;
+            let scale = spacing.core * radius * q / m as f64;
             let over = if q > 0.0 { SQUARE / q } else { 0.0 };
             mesh.x
                 .push(scale * (over * u as f64 + CIRCLE * libm::cos(t)));
@@ -172,7 +201,7 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
         .map(|t| (radius * libm::cos(*t), radius * libm::sin(*t)))
         .collect();
     let layers = (GLOBE_LAYERS * half as f64).round() as usize;
-    mesh.shell = mesh.layers(border, &on_shell, layers);
+    mesh.shell = mesh.layers(border, &on_shell, (layers, spacing.within));
 
     if let Some((wall, opening)) = surround {
         // A cell is kept if all of it lies behind the opening.
@@ -188,19 +217,27 @@ pub(super) fn build(half: usize, radius: f64, limbus: f64, surround: Option<(Wal
                 })
                 .collect();
             let layers = (AROUND_LAYERS * half as f64).round() as usize;
-            mesh.wall = mesh.layers(mesh.shell[first..].to_vec(), &on_wall, layers);
+            let shell = mesh.shell[first..].to_vec();
+            mesh.wall = mesh.layers(shell, &on_wall, (layers, -spacing.beyond));
         }
     }
     mesh
 }
 
 impl Mesh {
-    /// Adds a block of straight rays from the nodes `inner` to the points `outer`; returns its last row.
-    fn layers(&mut self, inner: Vec<usize>, outer: &[(f64, f64)], layers: usize) -> Vec<usize> {
+    /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many layers, thinner by a
+    /// share at the outer end, or at the inner one if it is negative; returns its last row.
+    fn layers(
+        &mut self,
+        inner: Vec<usize>,
+        outer: &[(f64, f64)],
+        (layers, thinner): (usize, f64),
+    ) -> Vec<usize> {
         let columns = inner.len();
         let mut nodes = inner;
         for layer in 1..=layers {
-            let share = layer as f64 / layers as f64;
+            let even = layer as f64 / layers as f64;
+            let share = even + thinner * even * (1.0 - even);
             for i in 0..columns {
                 let (x, r) = (self.x[nodes[i]], self.r[nodes[i]]);
                 // The rays at both ends of a whole row lie on the axis.

@@ -13,7 +13,7 @@
 mod mesh;
 mod parameters;
 
-pub use mesh::{Block, Mesh};
+pub use mesh::{Block, Layers, Mesh};
 pub use parameters::{LensParameters, Material, Parameters, ShellParameters, Surround, Wall};
 
 use super::Region as Part;
@@ -203,15 +203,15 @@ impl RevolutionEye {
     pub fn new(parameters: &Parameters, level: u32) -> Self {
         Self {
             level,
-            ..Self::with_core(parameters, 2 * level as usize + 4)
+            ..Self::with_core(parameters, 2 * level as usize + 4, Layers::THIN)
         }
     }
 
     /// Builds the eye with `half` cells in half a side of its core.
-    pub fn with_core(parameters: &Parameters, half: usize) -> Self {
+    pub fn with_core(parameters: &Parameters, half: usize, layers: Layers) -> Self {
         let surround = parameters.surround.as_ref();
         let mesh = mesh::build(
-            half,
+            (half, layers),
             parameters.radius,
             parameters.shell.limbus,
             surround.map(|s| (s.wall, s.opening)),

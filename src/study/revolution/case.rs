@@ -99,8 +99,11 @@ impl RevolutionCase {
     }
 
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    fn share(&self, plan: &Plan) -> f64 {
-        plan.step / plan.multiple / self.limit
+    fn steps(&self, plan: &Plan) -> engine::Steps {
+        engine::Steps {
+            share: plan.step / plan.multiple / self.limit,
+            integrator: plan.integrator,
+        }
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
@@ -109,9 +112,9 @@ impl RevolutionCase {
     /// Motion that leaves the finite numbers, an object that goes through the eye, and
     /// [`Refusal::Cancelled`] if the watch stopped it.
     pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Ran, Refusal> {
-        let share = self.share(plan);
+        let steps = self.steps(plan);
         let run =
-            engine::run(&self.eye, &self.load, plan.window, share, keep, watch).map_err(refused)?;
+            engine::run(&self.eye, &self.load, plan.window, steps, keep, watch).map_err(refused)?;
         Ok(Ran {
             left: Left::Revolution(run.extremes),
             traces: run.traces,
@@ -135,8 +138,8 @@ impl RevolutionCase {
         spacing: Spacing,
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
-        let share = self.share(plan);
-        engine::run_through(&self.eye, &self.load, plan.window, share, spacing, take)
+        let steps = self.steps(plan);
+        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
             .map_err(refused)
     }
 
