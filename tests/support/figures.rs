@@ -28,6 +28,8 @@ const COVERAGE: &str = "contrecoup coverage";
 const FEW: Form = Form::Of("contrecoup coverage --scenes 8");
 const ACCURACY: &str = "contrecoup accuracy paper-300n";
 const SHORT: Form = Form::Of("contrecoup accuracy paper-300n --set window_ms=0.2");
+const ACCURACY_OF_REVOLUTION: &str = "contrecoup accuracy bb-62";
+const SHORT_OF_REVOLUTION: Form = Form::Of("contrecoup accuracy bb-62 --set window_ms=0.1");
 const VALIDATE: &str = "contrecoup validate";
 const BENCH: &str = "cargo bench --bench speed";
 
@@ -94,6 +96,18 @@ pub static FIGURES: &[Figures] = &[
         name: "meshes",
         command: ACCURACY,
         form: SHORT,
+        excerpt: |text| from(text, "level "),
+    },
+    Figures {
+        name: "revolution-methods",
+        command: ACCURACY_OF_REVOLUTION,
+        form: SHORT_OF_REVOLUTION,
+        excerpt: |text| before(&from(text, "  integrator"), "\nfor "),
+    },
+    Figures {
+        name: "revolution-meshes",
+        command: ACCURACY_OF_REVOLUTION,
+        form: SHORT_OF_REVOLUTION,
         excerpt: |text| from(text, "level "),
     },
     Figures {

@@ -238,6 +238,7 @@ fn of_revolution(case: &Compiled, traces: &Traces, size: f64) -> revolution::Ext
         mean_force: of(&traces.contact_force),
         pressure: of(&traces.pressure),
         back_pressure: of(&traces.back_pressure),
+        mean_back_pressure: of(&traces.back_pressure),
         scleral_stress: of(&traces.scleral_stress),
         stress_angle: 0.6,
         shortening: of(&traces.shortening),

@@ -85,6 +85,11 @@ impl Extremes {
         }
     }
 
+    /// Whether nothing ever touched the eye, as far as contact tells.
+    pub fn missed(&self) -> bool {
+        self.force.value == 0.0
+    }
+
     /// When one of them last grew, s.
     pub(super) fn last_growth(&self) -> f64 {
         let node = self.node_force.iter().map(|p| p.time);

@@ -515,6 +515,14 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         self.extremes.fold = self.fold.fold();
         self.extremes.touching = self.energy.contact > 0.0;
+        if self.object.is_some() && self.extremes.missed() {
+            // What an eye that nothing touched shows is rounding.
+            self.extremes = Extremes {
+                rim_force: self.extremes.rim_force,
+                energy_residual: self.extremes.energy_residual,
+                ..Extremes::at_rest()
+            };
+        }
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {
             extremes: self.extremes,

@@ -114,9 +114,9 @@ impl RunningMean {
             self.past.pop_front();
         }
         let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
-        // Before the first step there was nothing.
+        // Before the first step there was nothing; a later entry may lie at the start to the last bit.
         let gone = if start <= t0 {
-            0.0
+            first
         } else {
             first + (second - first) * (start - t0) / (t1 - t0)
         };
@@ -246,4 +246,22 @@ fn between(eye: &RevolutionEye, aim: f64, place: impl Fn(usize) -> usize) -> Vec
         }
     }
     Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mean_forgets_what_lies_before_it_even_where_an_entry_lies_at_its_start() {
+        let step = 0.25;
+        let mut mean = RunningMean::over(8.0 * step);
+        for count in 0..100 {
+            let now = mean.pass(3.0, f64::from(count) * step, step);
+            // It rises from nothing while it still reaches back to before the first step.
+            let expected = 3.0 * (f64::from(count) + 0.5).min(8.0) / 8.0;
+            assert!((now - expected).abs() < 0.2, "{count}: {now}");
+        }
+        assert_eq!(mean.now, 3.0);
+    }
 }

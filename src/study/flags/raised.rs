@@ -164,6 +164,14 @@ impl Raised {
             format!("the orbit's rim met the projectile at {at:.3} ms{force}"),
         );
     }
+
+    /// A projectile that bone caught before it came to the eye.
+    pub fn rim_kept_it_off(&mut self) {
+        self.raise(
+            FlagKind::EyeMissed,
+            "the rim of the orbit kept the projectile off the eye",
+        );
+    }
 }
 
 /// Where a mesh began to fold, in words and figures.

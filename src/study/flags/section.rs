@@ -140,10 +140,7 @@ fn of_shot(shot: &ShotExtremes, window: f64, spacing: f64, raised: &mut Raised) 
         raised.rim_stops(time, None);
     }
     match (shot.contact, shot.rim_at) {
-        (None, Some(_)) => raised.raise(
-            FlagKind::EyeMissed,
-            "the rim of the orbit kept the projectile off the eye",
-        ),
+        (None, Some(_)) => raised.rim_kept_it_off(),
         (None, None) => raised.raise(FlagKind::EyeMissed, "the projectile never touched the eye"),
         (Some(_), _) if shot.touching || shot.going_on => raised.contact_cut(window),
         _ => {}

@@ -37,6 +37,9 @@ pub(in crate::study) fn raise(
     if extremes.rim_force.value > 0.0 {
         let rim = extremes.rim_force;
         raised.rim_stops(rim.time, Some(rim.value));
+        if extremes.missed() {
+            raised.rim_kept_it_off();
+        }
     }
     window(case, extremes, simulated, &mut raised);
     raised.flags()
