@@ -24,7 +24,7 @@ pub enum Reading {
     ForceAt(f64),
     /// A result, in its unit.
     Of(Quantity),
-    /// The peak that a sensor of pressure shows at the back, through a low pass of 20 us, MPa.
+    /// The peak that a sensor of pressure shows at the back, through a low pass of 20 us, `MPa`.
     Sensor,
     /// When it is largest, ms.
     TimeOf(Quantity),
