@@ -32,6 +32,7 @@ use contrecoup::tui::terminal::pacer::{Cause, Pacer};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
+use contrecoup::tui::view::palette::Palette;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -448,6 +449,7 @@ fn opened() -> Model {
         depth: Depth::Sixteen,
         symbols: Symbols::Braille,
         heat: HeatMap::Hot,
+        palette: Palette::default(),
     };
     prepare(&[], look).unwrap()
 }

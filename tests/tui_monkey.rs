@@ -20,6 +20,7 @@ use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
+use contrecoup::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use dice::Dice;
 use ratatui::buffer::Buffer;
@@ -162,6 +163,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
             symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
             heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
+            palette: Palette::default().on(dice.one(&[false, true])),
         };
         let mut model = prepare(&[], look).unwrap();
         let effects = begin(&mut model);

@@ -16,4 +16,4 @@ pub use published::CURVES;
 pub use risk::{Blow, Caution, Computed, MARKS, Measures, Risk};
 pub(crate) use risk::{assess, curve_of};
 pub(crate) use verdict::verdicts;
-pub use verdict::{Part, Validity, Verdict, gravity, lines};
+pub use verdict::{Part, Validity, Verdict, gravity, lines, span};

@@ -142,6 +142,16 @@ fn disagree(a: &Risk, b: &Risk) -> bool {
     high > UNLIKELY && high > FACTOR * low
 }
 
+/// A range of risks from 0 to 1, in whole %, as in `27-94 %`.
+pub fn span((low, high): (f64, f64)) -> String {
+    let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
+    if least == most {
+        whole(low)
+    } else {
+        format!("{least}-{most} %")
+    }
+}
+
 /// A risk in whole percent.
 fn whole(risk: f64) -> String {
     let percent = (100.0 * risk).round();
@@ -244,14 +254,11 @@ impl Verdict {
 
     /// The range in percent.
     pub fn percent(&self) -> Option<String> {
-        let (low, high) = self.range?;
-        let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
+        let range = self.range?;
         Some(if self.at_least {
-            format!("at least {least} %")
-        } else if least == most {
-            whole(low)
+            format!("at least {} %", (100.0 * range.0).round())
         } else {
-            format!("{least}-{most} %")
+            span(range)
         })
     }
 

@@ -9,7 +9,7 @@ use std::fmt;
 use super::injury::share;
 use super::text::{digits, percent, significant};
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
-use crate::study::course::Course;
+use crate::study::course::{Beside, Course};
 use crate::study::quantity::Read;
 use crate::study::{Answer, Errors, Quantity};
 
@@ -165,8 +165,15 @@ pub const PARTS: [(Quantity, Term); 3] = [
 /// of the peak, whatever the value is now; what is no result has none.
 pub fn at_a_moment(answer: &Answer, course: Course, value: f64) -> String {
     let row = course.row();
-    let Course::Of(of) = course else {
-        return with_unit(&significant(settled(value, NEGLIGIBLE_NOW)), row.unit);
+    let of = match course {
+        Course::Of(of) => of,
+        // What drives an eye that is hit is a result of its own.
+        Course::Beside(Beside::Drive) if answer.result(Quantity::Contact).is_some() => {
+            Quantity::Contact
+        }
+        Course::Beside(_) => {
+            return with_unit(&significant(settled(value, NEGLIGIBLE_NOW)), row.unit);
+        }
     };
     let off = Off::of(&answer.errors, of);
     let share = off.percent().map(|percent| percent / 100.0);

@@ -7,14 +7,16 @@ use crate::study::{Answer, Limit, Quantity};
 /// A result on the answer's mesh and in the limit of finer ones, as in
 /// `12.40 N on this mesh, 12.3 ±1.0 N in the limit`; none where no limit is known.
 pub fn beside(answer: &Answer, of: Quantity) -> Option<String> {
-    let limit = answer.errors.limits.as_ref()?[of]?;
+    let limit = alone(answer, of)?;
     let value = within(answer.result(of)?, answer.errors.time_step[of]);
-    let unit = of.row().unit;
-    Some(format!(
-        "{} on this mesh, {} in the limit",
-        with_unit(&value, unit),
-        with_unit(&with_error(&limit), unit)
-    ))
+    let here = with_unit(&value, of.row().unit);
+    Some(format!("{here} on this mesh, {limit} in the limit"))
+}
+
+/// What a result tends to alone, as in `12.3 ±1.0 N`.
+pub fn alone(answer: &Answer, of: Quantity) -> Option<String> {
+    let limit = answer.errors.limits.as_ref()?[of]?;
+    Some(with_unit(&with_error(&limit), of.row().unit))
 }
 
 /// A limit and how far it may be off, both to the second digit of that.

@@ -25,6 +25,8 @@ pub struct Pace {
     share: f64,
     /// The place in [`SAID`] of the time that is said.
     said: Option<usize>,
+    /// How much is done in 1 s, once that is known.
+    rate: Option<f64>,
 }
 
 impl Pace {
@@ -41,11 +43,17 @@ impl Pace {
         if took < FIRST.0 || done < FIRST.1 {
             return;
         }
+        self.rate = Some(done / took);
         let left = (1.0 - share) * took / done;
-        let near = SAID.iter().position(|said| left <= *said);
-        let near = near.unwrap_or(SAID.len() - 1);
+        let near = near(left);
         let keeps = |said: usize| near > said && left < LONGER * SAID[said];
         self.said = Some(self.said.filter(|said| keeps(*said)).unwrap_or(near));
+    }
+
+    /// How long it takes until this share is done, in words, once that is known.
+    pub fn until(&self, share: f64) -> Option<String> {
+        let left = (share - self.share).max(0.0) / self.rate?;
+        Some(time(SAID[near(left)]))
     }
 
     /// The share done.
@@ -69,6 +77,12 @@ impl Pace {
             None => done,
         }
     }
+}
+
+/// The place in [`SAID`] of the least that is no less than this, in s.
+fn near(left: f64) -> usize {
+    let at = SAID.iter().position(|said| left <= *said);
+    at.unwrap_or(SAID.len() - 1)
 }
 
 fn time(seconds: f64) -> String {
@@ -107,6 +121,9 @@ mod tests {
         pace.hear(0.9, Duration::ZERO);
         pace.hear(0.91, Duration::from_secs(10));
         assert_eq!(pace.words(None), "91 %, about 2 min");
+        assert_eq!(pace.until(0.92).unwrap(), "about 10 s");
+        assert_eq!(pace.until(0.5).unwrap(), "about 2 s", "soon");
+        assert_eq!(Pace::default().until(0.5), None);
         pace.hear(0.95, Duration::from_secs(10_000));
         assert_eq!(pace.words(None), "95 %, about 5 h");
     }

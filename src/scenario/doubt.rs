@@ -67,6 +67,14 @@ pub(super) fn suffix(field: &Field, scenario: &Scenario) -> String {
     doubt.map_or_else(String::new, |d| format!(" {} {}", SIGNS[0], plain(*d)))
 }
 
+/// The value of a text whose doubt is still to come, as in `40 +-`; none of any other text.
+#[cfg(feature = "app")]
+pub(crate) fn begun(text: &str) -> Option<&str> {
+    let text = text.trim_end();
+    let ends = |sign: &str| (1..=sign.len()).find_map(|end| text.strip_suffix(sign.get(..end)?));
+    SIGNS.iter().find_map(|sign| ends(sign)).map(str::trim_end)
+}
+
 /// The value and the doubt of what was typed.
 pub(super) fn split(text: &str) -> (&str, Option<&str>) {
     let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));

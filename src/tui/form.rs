@@ -210,6 +210,15 @@ pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scena
     Ok(changed)
 }
 
+/// The place of what is chosen in a field of choices. None of a recorded curve, which is not thrown away by a key.
+pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
+    let Kind::Choice(choices) = &field.kind else {
+        return None;
+    };
+    let present = choices.get(scenario)?;
+    choices.names().iter().position(|name| *name == present)
+}
+
 /// The scenario with a field one step further. Numbers land on multiples of the step and stop at
 /// their bounds; choices go round. `present` is what an unset number stands at.
 ///
@@ -255,11 +264,7 @@ pub fn nudged(
         }
         Kind::Choice(choices) => {
             let names = choices.names();
-            let here = choices
-                .get(scenario)
-                .and_then(|name| names.iter().position(|n| *n == name));
-            // A recorded curve is not thrown away by an arrow.
-            let Some(here) = here else {
+            let Some(here) = chosen(field, scenario) else {
                 return Err("Enter, then a name, takes another".to_owned());
             };
             let by = if step.up { 1 } else { names.len() - 1 };

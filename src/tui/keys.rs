@@ -189,7 +189,7 @@ pub enum TimeKeys {
     Absent,
     /// Before the keys that count everywhere.
     Early,
-    /// After them in the footer, but for the first.
+    /// After them in the footer.
     Late,
 }
 
@@ -239,16 +239,19 @@ pub fn live(model: &Model) -> Vec<(String, &'static str)> {
             nearer.flat_map(|b| keys.of(b)).any(|p| p == press)
         };
         let is_time = table.title == shared::TIME.title;
-        for (place, binding) in table.bindings.iter().enumerate() {
+        for binding in table.bindings {
             let free = keys.of(binding).iter().position(|press| !taken(press));
             let Some(name) = free.and_then(|at| binding.names(keys).into_iter().nth(at)) else {
                 continue;
             };
+            // Where there is one pane there is no next one.
+            let alone = binding.short == "pane" && model.on_show().panes.len() < 2;
             match (binding.short, live.last_mut()) {
                 ("", _) => {}
+                _ if alone => {}
                 ("&", Some((_, names, _))) => names.push_str(&name),
                 (word, _) => {
-                    let late = late_time && is_time && place > 0;
+                    let late = late_time && is_time;
                     live.push((u8::from(late), name, word));
                 }
             }

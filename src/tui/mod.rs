@@ -22,7 +22,7 @@ pub mod save;
 pub mod screens;
 pub mod simulation;
 pub(crate) mod step;
-pub(crate) mod take_away;
+pub mod take_away;
 pub mod task;
 pub mod terminal;
 pub mod threshold;

@@ -13,11 +13,13 @@ use super::keys::chosen::Keys;
 use super::picker::Picker;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
+use super::take_away::WritePage;
 use super::task::{Outbox, Question as _, Task};
 use super::terminal::caps::{Depth, Symbols};
 use super::threshold::Asking;
 use super::undo::History;
 use super::view::heat::{HeatMap, highest, hottest};
+use super::view::palette::Palette;
 use crate::scenario::{self, Scenario};
 use crate::study::Answer;
 use crate::study::drawing::Drawing;
@@ -45,11 +47,7 @@ impl Work {
 
     /// What it is called in short: of a file's path the last part.
     pub fn name(&self) -> &str {
-        let parts = self.source.rsplit(['/', '\\']);
-        parts
-            .into_iter()
-            .find(|part| !part.is_empty())
-            .unwrap_or("")
+        brief(&self.source)
     }
 
     /// The same work with another scenario.
@@ -60,6 +58,12 @@ impl Work {
             ..self.clone()
         }
     }
+}
+
+/// The name of a preset, or the last part of a file's path.
+pub fn brief(source: &str) -> &str {
+    let mut parts = source.rsplit(['/', '\\']);
+    parts.find(|part| !part.is_empty()).unwrap_or("")
 }
 
 /// A preset, or a scenario that was given on the command line.
@@ -187,6 +191,8 @@ pub struct Look {
     pub symbols: Symbols,
     /// Which colours stand for heat.
     pub heat: HeatMap,
+    /// The ground, and colours of the person's own choice.
+    pub palette: Palette,
 }
 
 /// Everything that the screens show.
@@ -204,6 +210,8 @@ pub struct Model {
     pub run: Task<Simulate>,
     /// The mesh error of the answer on show.
     pub mesh: Task<EstimateMesh>,
+    /// A page to take away.
+    pub page: Task<WritePage>,
     /// The place of the screen on show in [`SCREENS`].
     pub screen: usize,
     /// The pane with the focus, for each of [`SCREENS`].
@@ -252,6 +260,7 @@ impl Model {
             shown: None,
             run: Task::default(),
             mesh: Task::default(),
+            page: Task::default(),
             screen: 0,
             panes: vec![0; SCREENS.len()],
             screens: Screens::default(),
@@ -334,6 +343,7 @@ impl Model {
         let looks =
             |overlay: &Overlay| matches!(overlay, Overlay::Threshold(a) if a.task.job.is_some());
         self.run.job.is_some()
+            || self.page.job.is_some()
             || self.overlay.as_ref().is_some_and(looks)
             || screens.compare.task.job.is_some()
             || screens.compare.mesh.job.is_some()

@@ -132,6 +132,7 @@ pub fn run(
         depth,
         symbols: symbols(flags.symbols.or(config.symbols), env),
         heat: config.heat,
+        palette: config.colours.on(config.ground.is_light(env)),
     };
     // Who asks for something, or wants one screen always, goes on from nowhere.
     let goes_on = guest.is_none() && config.start.is_none();

@@ -22,6 +22,8 @@ pub struct Picker {
     pub shown: Vec<usize>,
     /// Whether it asks what hit the eye, which it does once.
     pub first: bool,
+    /// Whether it marks for the comparison what it finds.
+    pub marks: bool,
 }
 
 impl Picker {

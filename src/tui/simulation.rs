@@ -48,6 +48,26 @@ impl Question for EstimateMesh {
     }
 }
 
+/// Whether two scenarios have one answer: neither a title nor the doubt in an input changes a single run.
+pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
+    let same = Scenario {
+        name: b.name.clone(),
+        doubt: b.doubt.clone(),
+        ..a.clone()
+    };
+    same == *b
+}
+
+/// The form holds what the answer on show, or the one on its way, is the answer to as well.
+pub(super) fn follow(model: &mut Model) {
+    let scenario = &model.work.scenario;
+    if let Some(shown) = &mut model.shown
+        && is_alike(&shown.scenario, scenario)
+    {
+        shown.scenario.clone_from(scenario);
+    }
+}
+
 /// Simulates the form.
 pub(super) fn start(model: &mut Model) {
     let scenario = model.work.scenario.clone();
@@ -58,7 +78,10 @@ pub(super) fn start(model: &mut Model) {
 pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.hear(report) {
         match outcome {
-            Some(answer) => model.shown = Some(Shown::new(asked.0.clone(), answer)),
+            Some(answer) => {
+                model.shown = Some(Shown::new(asked.0.clone(), answer));
+                follow(model);
+            }
             None => explain_cancelling(model),
         }
     }
@@ -74,7 +97,7 @@ pub(super) fn lacks_mesh_error(model: &Model) -> Option<&Shown> {
     let lacks = |shown: &&Shown| shown.answer.errors.mesh.is_none();
     let refused = |shown: &&Shown| {
         let complaint = model.mesh.complaint.as_ref();
-        complaint.is_some_and(|(asked, _)| asked.scenario == shown.scenario)
+        complaint.is_some_and(|(asked, _)| is_alike(&asked.scenario, &shown.scenario))
     };
     let shown = model.shown.as_ref().filter(lacks);
     shown.filter(|shown| !refused(shown))
@@ -87,7 +110,11 @@ pub(super) fn attend(model: &mut Model) {
     let wanted = lacks_mesh_error(model).filter(|_| free);
     let wanted = wanted.map(|shown| (shown.scenario.clone(), MeshQuery::of(&shown.answer)));
     let under_way = model.mesh.job.as_ref().map(|job| &job.question.scenario);
-    if under_way == wanted.as_ref().map(|(scenario, _)| scenario) {
+    let right = match (under_way, &wanted) {
+        (Some(asked), Some((scenario, _))) => is_alike(asked, scenario),
+        (asked, wanted) => asked.is_none() && wanted.is_none(),
+    };
+    if right {
         return;
     }
     model.mesh.stop(None, &mut model.out);

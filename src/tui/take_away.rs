@@ -1,11 +1,18 @@
 //! What is taken out of the app: a page as a file, and a summary on the clipboard.
 
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
 use super::model::{Model, Shown};
+use super::task::{Question, Report};
 use super::update::Effect;
 use crate::report::command::{arguments, line};
-use crate::report::page::{Form, write};
+use crate::report::page::html;
 use crate::report::summary;
+use crate::scenario::Scenario;
 use crate::study::comparison::Entry;
+use crate::study::{Answer, Refusal, Watch};
 
 /// Why there is nothing to take; nothing if there is.
 fn obstacle(model: &Model) -> Option<&'static str> {
@@ -54,21 +61,76 @@ pub(crate) fn page(model: &mut Model) {
         words.extend(["-o".to_owned(), format!("{stem}.html")]);
         line("report", &words)
     });
-    let entries: Vec<Entry> = answers
+    let blows = answers
         .iter()
-        .filter_map(|(source, shown)| {
-            Some(Entry {
-                source: source.clone(),
-                scenario: shown.scenario.check().ok()?,
-                outcome: Ok((*shown.answer).clone()),
-            })
-        })
+        .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
         .collect();
-    let mut text = Vec::new();
-    match write(Form::Html, &entries, command.as_deref(), &mut text) {
-        Ok(()) => model.out.effects.push(Effect::Page(stem, text)),
-        Err(error) => model.notice = Some(error.to_string()),
+    let question = WritePage {
+        stem,
+        blows,
+        command,
+    };
+    model.page.ask(question, &mut model.out);
+}
+
+/// Asks for a page for a browser.
+pub struct WritePage {
+    /// What its file's name begins with.
+    pub stem: String,
+    /// Each blow: its source, what was simulated, and what came of it.
+    pub blows: Vec<(String, Scenario, Arc<Answer>)>,
+    /// What repeats the page, if anything does.
+    pub command: Option<String>,
+}
+
+impl fmt::Debug for WritePage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a page {} of {} blows", self.stem, self.blows.len())
     }
+}
+
+impl Question for WritePage {
+    type Answer = String;
+
+    fn answer(&self, watch: Watch) -> Result<String, Refusal> {
+        let mut entries = Vec::with_capacity(self.blows.len());
+        for (source, scenario, answer) in &self.blows {
+            entries.push(Entry {
+                source: source.clone(),
+                scenario: scenario.check()?,
+                outcome: Ok((**answer).clone()),
+            });
+        }
+        match html::page(&entries, self.command.as_deref(), watch) {
+            ControlFlow::Continue(page) => Ok(page),
+            ControlFlow::Break(()) => Err(Refusal::Cancelled),
+        }
+    }
+}
+
+/// Has a page that is done put on the disk.
+pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
+    if let Some((asked, outcome)) = model.page.hear(report) {
+        match outcome {
+            Some(page) => {
+                let effect = Effect::Page(asked.stem.clone(), page.into_bytes());
+                model.out.effects.push(effect);
+            }
+            None => model.notice = model.page.complaint.take().map(|(_, why)| why),
+        }
+    }
+}
+
+/// How far the page is, while one is being written.
+pub(super) fn writing(model: &Model) -> Option<String> {
+    let job = model.page.job.as_ref()?;
+    Some(match job.question.blows.len() {
+        1 => "writing a page".to_owned(),
+        count => format!(
+            "writing a page: blow {} of {count}",
+            1 + (job.pace.unwrap_or_default().share() * count as f64).round() as usize
+        ),
+    })
 }
 
 /// Copies a summary and the command that repeats it.
@@ -92,7 +154,6 @@ mod tests {
     use super::*;
     use crate::study::unwatched;
     use crate::tui::simulation::Simulate;
-    use crate::tui::task::{Question, Report};
     use crate::tui::update::driven::{asked, letter, opened};
     use crate::tui::update::{Message, begin, update};
 
@@ -110,7 +171,12 @@ mod tests {
     fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
         let mut model = answered();
         let effects = letter(&mut model, 'w');
-        let [Effect::Page(stem, text)] = &effects[..] else {
+        let (ticket, question) = asked::<WritePage>(&effects).unwrap();
+        assert_eq!(writing(&model).unwrap(), "writing a page");
+        let report = Report::done::<WritePage>(ticket, question.answer(&mut unwatched));
+        let effects = update(&mut model, Message::News(report));
+        assert_eq!(writing(&model), None);
+        let Some(Effect::Page(stem, text)) = effects.first() else {
             panic!("{effects:?}")
         };
         let text = String::from_utf8(text.clone()).unwrap();

@@ -12,8 +12,9 @@ use super::ensemble;
 use super::keys::{self, Act};
 use super::model::{Choice, Model, Naming, Overlay, Question, Work};
 use super::save::SaveError;
-use super::screens::{SCREENS, accuracy};
+use super::screens::{SCREENS, accuracy, compare};
 use super::simulation;
+use super::take_away;
 use super::task::{Report, Request, Ticket};
 use super::threshold;
 use super::view::overlay::help_rows;
@@ -110,6 +111,7 @@ fn hear(model: &mut Model, report: Report) {
     simulation::hear(model, &mut report);
     ensemble::hear(model, &mut report);
     threshold::hear(model, &mut report);
+    take_away::hear(model, &mut report);
     for screen in SCREENS {
         (screen.hear)(model, &mut report);
     }
@@ -147,10 +149,13 @@ pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
 }
 
 fn put(model: &mut Model, work: Work) {
+    let alike = simulation::is_alike(&work.scenario, &model.work.scenario);
     let same = work.scenario == model.work.scenario;
     model.work = work;
     model.form.settle(&model.work.scenario);
-    if !same {
+    if alike && model.run.complaint.is_none() {
+        simulation::follow(model);
+    } else if !same {
         simulation::start(model);
     }
 }
@@ -282,9 +287,14 @@ pub(crate) fn travel(model: &mut Model, back: bool) {
 pub(crate) fn accept(model: &mut Model) {
     match &model.overlay {
         Some(Overlay::Picker(picker)) => {
-            if let Some(at) = picker.shown.get(picker.row).copied() {
-                model.overlay = None;
-                presets::open(model, at);
+            let (at, marks) = (picker.shown.get(picker.row).copied(), picker.marks);
+            match at {
+                Some(at) if marks => compare::mark_found(model, at),
+                Some(at) => {
+                    model.overlay = None;
+                    presets::open(model, at);
+                }
+                None => {}
             }
         }
         Some(Overlay::Name(naming, input, _)) => {
@@ -317,6 +327,8 @@ pub(crate) fn cancel(model: &mut Model) {
     if let Some(typing) = model.form.typing.take() {
         let work = model.work.with(typing.before);
         put(model, work);
+    } else if model.page.stop(None, &mut model.out) {
+        model.notice = Some("no page is written".to_owned());
     } else if !(model.on_show().cancel)(model) {
         // Its worker says that it was cancelled.
         model.run.end(&mut model.out);

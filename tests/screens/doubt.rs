@@ -163,7 +163,8 @@ fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
         for mark in ["s slope assumed", "x extrapolated", "! invalid here"] {
             assert!(text.contains(mark), "{text}");
         }
-        let is_curve = |line: &&str| line.contains('◆') || line.contains("not valid here ");
+        let is_curve =
+            |line: &&str| line.contains('◆') || line.contains(" not valid ") && line.contains('±');
         let curves = text.lines().filter(is_curve).count();
         assert_eq!(
             text.contains(&format!("1 to {curves} of ")),

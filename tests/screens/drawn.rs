@@ -19,6 +19,7 @@ use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::update::{Effect, Message, begin, update};
 use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
+use contrecoup::tui::view::palette::Palette;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -33,6 +34,7 @@ fn look(depth: Depth) -> Look {
         depth,
         symbols: Symbols::Braille,
         heat: HeatMap::Hot,
+        palette: Palette::default(),
     }
 }
 

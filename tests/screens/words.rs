@@ -341,8 +341,13 @@ fn nothing_is_cut_where_a_terminal_is_small() {
         for keys in ["", &"L".repeat(30)] {
             let mut model = model(&[preset], Depth::Mono);
             press(&mut model, keys);
-            for screen in ["1", "2", "3", "8"] {
-                press(&mut model, &format!("\x1b{screen}"));
+            for screen in ["1", "2", "3", "4", "4\x1b[Z", "4\t", "5", "6", "7", "8"] {
+                match screen {
+                    "5" => open_measured(&mut model),
+                    "6" => open_sampled(&mut model),
+                    "7" => open_mapped(&mut model),
+                    _ => press(&mut model, &format!("\x1b{screen}")),
+                }
                 for (width, height) in [(60, 20), (80, 24), (100, 30), (160, 50)] {
                     let text = picture(&model, (width, height));
                     let on_show = match screen {

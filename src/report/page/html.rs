@@ -1,5 +1,7 @@
 //! The page for a browser.
 
+use std::ops::ControlFlow;
+
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::eye::{Picture, STYLE};
@@ -11,13 +13,18 @@ use crate::report::limit;
 use crate::report::text::{capital, percent};
 use crate::scenario::load::to_ron;
 use crate::study::comparison::{Entry, columns};
-use crate::study::{Answer, Quantity};
+use crate::study::{Answer, Quantity, Watch};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// The whole page.
-pub fn page(entries: &[Entry], command: Option<&str>) -> String {
+pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFlow<(), String> {
+    let mut blows = Vec::with_capacity(entries.len());
+    for (done, entry) in entries.iter().enumerate() {
+        watch(done as f64 / entries.len() as f64)?;
+        blows.push(blow(entry));
+    }
     let names: Vec<_> = entries
         .iter()
         .map(|entry| printable(&entry.scenario.name))
@@ -34,13 +41,13 @@ pub fn page(entries: &[Entry], command: Option<&str>) -> String {
             }
             body {
                 @if entries.len() > 1 { (comparison(entries)) }
-                @for entry in entries { (blow(entry)) }
+                @for blow in &blows { (blow) }
                 footer { (foot(entries, command)) }
                 script { (PreEscaped(include_str!("replay.js"))) }
             }
         }
     };
-    whole.into_string()
+    ControlFlow::Continue(whole.into_string())
 }
 
 fn figure(caption: &str, chart: &charts::Chart) -> Markup {

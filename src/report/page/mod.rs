@@ -7,10 +7,11 @@
 
 mod charts;
 mod eye;
-mod html;
+pub(crate) mod html;
 mod markdown;
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::injury::{Verdict, lines};
@@ -21,7 +22,7 @@ use crate::report::text::{capital, percent};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
 use crate::study::comparison::Entry;
-use crate::study::{Answer, Quantity};
+use crate::study::{Answer, Quantity, unwatched};
 
 /// Where the model comes from.
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
@@ -81,7 +82,10 @@ pub fn write(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match form {
-        Form::Html => out.write_all(html::page(entries, command).as_bytes()),
+        Form::Html => match html::page(entries, command, &mut unwatched) {
+            ControlFlow::Continue(page) => out.write_all(page.as_bytes()),
+            ControlFlow::Break(()) => Ok(()),
+        },
         Form::Markdown => markdown::write(entries, command, out),
         Form::Svg => out.write_all(eye::pictures(entries).as_bytes()),
     }

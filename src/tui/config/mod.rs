@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use super::keys::chosen::Keys;
 use super::terminal::caps::{ColorFlag, Symbols};
 use super::view::heat::HeatMap;
+use super::view::palette::{Ground, Palette};
 use crate::scenario::library;
 use crate::scenario::load::read_text;
 use crate::scenario::problem::ScenarioError;
@@ -26,6 +27,8 @@ pub struct Config {
     pub color: ColorFlag,
     /// Which symbols; `None` by the terminal.
     pub symbols: Option<Symbols>,
+    /// Whether the terminal's ground is dark or light.
+    pub ground: Ground,
     /// Which colours stand for heat.
     pub heat: HeatMap,
     /// Most frames a second of a replay.
@@ -36,6 +39,8 @@ pub struct Config {
     pub idle: bool,
     /// The place of the screen that is shown first; none where the app was left.
     pub start: Option<usize>,
+    /// Colours of one's own.
+    pub colours: Palette,
     /// Keys of one's own.
     pub keys: Keys,
 }
@@ -45,11 +50,13 @@ impl Default for Config {
         Self {
             color: ColorFlag::Auto,
             symbols: None,
+            ground: Ground::Auto,
             heat: HeatMap::Hot,
             fps: 12,
             mouse: false,
             idle: true,
             start: None,
+            colours: Palette::default(),
             keys: Keys::default(),
         }
     }
@@ -87,7 +94,7 @@ impl Config {
             let _ = writeln!(text, "    // {about}: {}{other}.", setting.allowed());
             let _ = writeln!(text, "    {}: {},", setting.name, setting.text(self));
         }
-        text + &table::keys_text(&self.keys) + ")\n"
+        text + &table::colours_text(&self.colours) + &table::keys_text(&self.keys) + ")\n"
     }
 }
 
@@ -104,6 +111,7 @@ pub fn is_there(path: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tui::view::palette::Role;
 
     fn complaint(text: &str) -> String {
         Config::read(text, "config.ron").unwrap_err().to_string()
@@ -112,6 +120,7 @@ mod tests {
     #[test]
     fn what_is_printed_reads_back_as_it_was() {
         let own = "(color: \"256\", symbols: \"ascii\", fps: 30, mouse: true, idle: false, start: \"map\",\n\
+                   ground: \"light\", colours: (heading: 21, fat: \"bright red\", bar: \"auto\"),\n\
                    keys: (undo: [\"Ctrl-X\", \"F12\"], save: \"W\", redraw: []))";
         for text in ["", "()", " // nothing\n", own] {
             let config = Config::read(text, "").unwrap();
@@ -153,11 +162,40 @@ mod tests {
     }
 
     #[test]
+    fn colours_are_chosen_by_the_name_of_their_role() {
+        let config = Config::read("(colours: (heading: 21, fat: \"bright red\"))", "").unwrap();
+        let own = |role| config.colours.own(role);
+        assert_eq!(
+            (own(Role::Heading), own(Role::Fat), own(Role::Bar)),
+            (Some(21), Some(9), None)
+        );
+        let printed = config.to_ron();
+        assert!(printed.contains("heading: 21,"), "{printed}");
+        assert!(printed.contains("fat: \"bright red\","), "{printed}");
+        assert!(printed.contains("bar: \"auto\","), "{printed}");
+        let complaint = complaint(
+            "(\n colours: (\n  heading: 256,\n  fat: \"mauve\",\n  hedding: 1,\n  bar: true,\n ),\n)",
+        );
+        let allowed = "allowed \"auto\", whole numbers 0 to 255, or one of \"black\", \"red\", ";
+        let lines: Vec<_> = complaint.lines().collect();
+        for (line, begins) in lines.iter().zip([
+            "config.ron:3:12: colours.heading: 256 is no such colour: ",
+            "config.ron:4:8: colours.fat: \"mauve\" is no such colour: ",
+            "config.ron:5:12: colours.hedding: there is no such role; did you mean heading?",
+            "config.ron:6:8: colours.bar: true is no such colour: ",
+        ]) {
+            assert!(line.starts_with(begins), "{line}");
+            assert!(line.contains(allowed) || line.contains("role"), "{line}");
+        }
+        assert_eq!(lines.len(), 4);
+    }
+
+    #[test]
     fn names_that_are_not_there_and_values_given_twice_are_refused() {
         assert_eq!(
             complaint("(colour: \"auto\")"),
-            "config.ron:1:10: colour: there is no such setting; did you mean color? \
-             (allowed: color, symbols, heat, fps, mouse, idle, start, keys)"
+            "config.ron:1:10: colour: there is no such setting; did you mean colours or color? \
+             (allowed: color, ground, symbols, heat, fps, mouse, idle, start, colours, keys)"
         );
         assert!(complaint("(fps: 1, fps: 2)").contains("fps: is given twice"));
         assert!(complaint("(keys: (undoo: \"x\"))").contains(":16: keys.undoo: there is no such"));

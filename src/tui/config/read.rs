@@ -9,15 +9,17 @@ use ron::Value;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 
 use super::Config;
-use super::table::{Kind, SETTINGS, Setting};
+use super::table::{Kind, SETTINGS, Setting, USUAL, allowed_colours};
 use crate::plain_text::quoted;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
 use crate::scenario::ron_text::{self, word_at};
 use crate::tui::keys::Press;
 use crate::tui::keys::chosen::open_to_choice;
+use crate::tui::view::palette::{ROLES, SIXTEEN};
 
 const KEYS: &str = "keys";
+const COLOURS: &str = "colours";
 
 /// Reads a file's text.
 pub fn read(text: &str) -> Result<Config, ScenarioError> {
@@ -35,12 +37,27 @@ pub fn read(text: &str) -> Result<Config, ScenarioError> {
             (None, Content::Entries(keys)) if name == KEYS => {
                 problems.extend(take_keys(&mut config, keys, text));
             }
+            (None, Content::Entries(colours)) if name == COLOURS => {
+                problems.extend(take_colours(&mut config, colours, text));
+            }
             (None, _) if name == KEYS => {
                 let allowed = "names and keys in brackets, as in (undo: \"Ctrl-X\")";
                 problems.push(refused(text, KEYS, "is no such list", allowed.to_owned()));
             }
+            (None, _) if name == COLOURS => {
+                let allowed = "roles and colours in brackets, as in (heading: 80)";
+                problems.push(refused(
+                    text,
+                    COLOURS,
+                    "is no such list",
+                    allowed.to_owned(),
+                ));
+            }
             (None, _) => {
-                let names = SETTINGS.iter().map(|setting| setting.name).chain([KEYS]);
+                let names = SETTINGS
+                    .iter()
+                    .map(|setting| setting.name)
+                    .chain([COLOURS, KEYS]);
                 problems.push(unknown(text, name, "setting", names));
             }
         }
@@ -92,6 +109,37 @@ fn take(setting: &Setting, config: &mut Config, content: &Content, text: &str) -
         (Kind::Toggle(_), _) => "is neither true nor false",
     };
     Some(refused(text, setting.name, complaint, setting.allowed()))
+}
+
+/// Takes colours in; gives what is wrong with them.
+fn take_colours(config: &mut Config, colours: &[(String, Content)], text: &str) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for (name, content) in colours {
+        let path = format!("{COLOURS}.{name}");
+        let Some(part) = ROLES.iter().find(|part| part.name == name) else {
+            let names = ROLES.iter().map(|part| part.name);
+            problems.push(unknown(text, &path, "role", names));
+            continue;
+        };
+        let colour = match content {
+            Content::Value(Value::String(word)) if word == USUAL => Some(None),
+            Content::Value(Value::String(word)) => {
+                let place = SIXTEEN.iter().position(|(name, _)| name == word);
+                place.map(|place| Some(place as u8))
+            }
+            Content::Value(Value::Number(number)) => {
+                let number = number.into_f64();
+                let is_place = number.fract() == 0.0 && (0.0..=255.0).contains(&number);
+                is_place.then_some(Some(number as u8))
+            }
+            _ => None,
+        };
+        match colour {
+            Some(colour) => config.colours.choose(part.role, colour),
+            None => problems.push(refused(text, &path, "is no such colour", allowed_colours())),
+        }
+    }
+    problems
 }
 
 /// Takes keys in; gives what is wrong with them.

@@ -10,6 +10,8 @@ use crate::tui::keys::chosen::{Keys, open_to_choice};
 use crate::tui::screens::SCREENS;
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
 use crate::tui::view::heat::HeatMap;
+use crate::tui::view::palette::{Ground, Palette, ROLES, SIXTEEN};
+use crate::tui::view::text::wrapped;
 
 /// One setting.
 pub struct Setting {
@@ -59,6 +61,17 @@ pub static SETTINGS: &[Setting] = &[
             Place {
                 get: |config| place(&config.color),
                 put: |config, at| config.color = ColorFlag::value_variants()[at],
+            },
+        ),
+    },
+    Setting {
+        name: "ground",
+        about: "Whether your terminal is dark or light, for 256 colours; auto: by COLORFGBG, else dark",
+        kind: Kind::Word(
+            words::<Ground>,
+            Place {
+                get: |config| place(&config.ground),
+                put: |config, at| config.ground = Ground::value_variants()[at],
             },
         ),
     },
@@ -149,6 +162,53 @@ impl Setting {
             Kind::Toggle(_) => "true or false".to_owned(),
         }
     }
+}
+
+/// What a colour may be, in words.
+pub fn allowed_colours() -> String {
+    let names: Vec<String> = SIXTEEN
+        .iter()
+        .map(|(name, _)| format!("{name:?}"))
+        .collect();
+    format!(
+        "\"{USUAL}\", whole numbers 0 to 255, or one of {}",
+        names.join(", ")
+    )
+}
+
+/// What stands for the colour that a role has without a wish of one's own.
+pub const USUAL: &str = "auto";
+
+/// The colours as a file has them, each behind what has it and what it usually is.
+pub fn colours_text(own: &Palette) -> String {
+    let written = |place: u8| match SIXTEEN.get(usize::from(place)) {
+        Some((name, _)) => format!("{name:?}"),
+        None => place.to_string(),
+    };
+    let about = format!(
+        "Colours by role: {}. Those of the 16 by name count where a terminal has no more. Behind each stands what \
+         auto is: of the 256 on a dark and on a light ground, and of the 16.",
+        allowed_colours()
+    );
+    let about = wrapped(&about, 100);
+    let mut text = String::new();
+    for line in about {
+        // A string takes whatever it is given.
+        let _ = writeln!(text, "    // {line}");
+    }
+    text += "    colours: (\n";
+    for part in &ROLES {
+        let value = own.own(part.role).map_or(format!("{USUAL:?}"), written);
+        let few = part.sixteen.map_or("none".to_owned(), written);
+        let entry = format!("{}: {value},", part.name);
+        // A string takes whatever it is given.
+        let _ = writeln!(
+            text,
+            "        {entry:<24} // {}: {}, {}, {few}",
+            part.about, part.dark, part.light
+        );
+    }
+    text + "    ),\n"
 }
 
 /// The keys as a file has them, each behind what it does.

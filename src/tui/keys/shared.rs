@@ -45,15 +45,15 @@ pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
     named("pane_before", bind(&[BACK_TAB], |m| m.change_pane(false), "", "the pane before")),
     named("help", bind(&[c('?')], update::help, "keys", "show or hide the keys")),
     named("quit", bind(&[c('q')], update::quit, "quit", "quit; asks if work would be lost")),
+    named("save", bind(&[c('s')], presets::ask_for_name, "save", "save as a preset of your own")),
     named("undo", bind(&[c('u')], |m| update::travel(m, true), "undo", "undo")),
     named("redo", bind(&[c('r'), ctrl('r')], |m| update::travel(m, false), "", "redo")),
-    named("save", bind(&[c('s')], presets::ask_for_name, "save", "save as a preset of your own")),
     named("presets", bind(&[c('p')], presets::open_picker, "presets", "open a preset")),
     named("page", bind(&[c('w')], take_away::page, "page", "write a page of this for a browser")),
+    named("more_exact", bind(&[c('>')], |m| accuracy::propose(m, true), "exact", "more exact: says what it costs, and asks")),
+    named("quicker", bind(&[c('<')], |m| accuracy::propose(m, false), "&", "faster: says what it costs, and asks")),
     named("copy", bind(&[c('y')], take_away::copy, "", "copy a summary and its command")),
     named("cancel", bind(&[ESC], update::cancel, "", "cancel a long run")),
-    named("more_exact", bind(&[c('>')], |m| accuracy::propose(m, true), "", "more exact: says what it costs, and asks")),
-    named("quicker", bind(&[c('<')], |m| accuracy::propose(m, false), "", "faster: says what it costs, and asks")),
     named("idle", bind(&[c('I')], update::toggle_idle, "", "compute ahead while you do nothing, or no longer")),
     named("mouse", bind(&[c('M')], update::toggle_mouse, "", "listen to the mouse, or no longer")),
     named("redraw", bind(&[ctrl('l')], update::repaint, "", "draw everything afresh")),
@@ -138,6 +138,20 @@ static PICKER: KeyTable = KeyTable::new("List of presets", &[
     STOP,
 ]);
 
+/// In the list of presets to mark for a comparison.
+#[rustfmt::skip]
+static MARKER: KeyTable = KeyTable::new("Compare: find", &[
+    bind(&[UP], |m| scroll(m, -1), "preset", "the preset above"),
+    bind(&[DOWN], |m| scroll(m, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |m| scroll(m, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |m| scroll(m, PAGE), "", "ten presets down"),
+    bind(&[ENTER], update::accept, "mark", "mark or unmark it, and find the next"),
+    bind(&[ESC], update::cancel, "close", "close the list; letters are searched for"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
 /// While it is asked at which value a result reaches another one.
 #[rustfmt::skip]
 static THRESHOLD: KeyTable = KeyTable::new("At which value", &[
@@ -175,12 +189,14 @@ static HELP: KeyTable = KeyTable::new("Help", &[
 ]);
 
 /// The tables of what can stand in front of a screen.
-pub(crate) static IN_FRONT: [&KeyTable; 5] = [&TYPING, &PICKER, &THRESHOLD, &QUESTION, &HELP];
+pub(crate) static IN_FRONT: [&KeyTable; 6] =
+    [&TYPING, &PICKER, &MARKER, &THRESHOLD, &QUESTION, &HELP];
 
 /// The keys of what stands in front of the screen now. Nothing behind it hears any.
 pub(crate) fn in_front(model: &Model) -> Option<&'static KeyTable> {
     match &model.overlay {
         Some(Overlay::Help(_)) => Some(&HELP),
+        Some(Overlay::Picker(picker)) if picker.marks => Some(&MARKER),
         Some(Overlay::Picker(_)) => Some(&PICKER),
         Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
         Some(Overlay::Name(..)) => Some(&TYPING),

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
-use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines};
+use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::study::Quantity;
 use crate::tui::keys::shared::{DOWN, UP};
@@ -13,9 +13,13 @@ use crate::tui::model::{Model, Shown};
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 
-/// Columns of the injury's name and of the figures behind the bar.
+/// Columns of the injury's name, of the range of a risk, and of all figures behind the bar.
 const NAME: u16 = 18;
-const FIGURES: u16 = 28;
+const RANGE: u16 = 10;
+const FIGURES: u16 = 32;
+/// In fewer columns what was measured has no room: the columns of what is left then.
+const NARROW: u16 = 60;
+const FEW_FIGURES: u16 = 16;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
@@ -94,7 +98,12 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: area.height.saturating_sub(rows),
         ..area
     };
-    let marks: Vec<String> = MARKS.split("  ").map(str::to_owned).collect();
+    let causes = match shown.answer.errors.mesh {
+        Some(_) => "± step and mesh",
+        None => "± step alone",
+    };
+    let marks = std::iter::once(causes).chain(MARKS.split("  "));
+    let marks: Vec<String> = marks.map(str::to_owned).collect();
     let marks = flowed(&marks, area.width.saturating_sub(2));
     let last = area.height.saturating_sub(marks.len() as u16);
     for (y, line) in (last..).zip(&marks) {
@@ -137,10 +146,14 @@ pub fn curves(
     if risks.is_empty() || area.height < 3 {
         return;
     }
+    let figures = match area.width {
+        ..NARROW => FEW_FIGURES,
+        _ => FIGURES,
+    };
     let bar = Rect::new(
         area.x + NAME,
         area.y,
-        area.width.saturating_sub(NAME + FIGURES),
+        area.width.saturating_sub(NAME + figures),
         area.height,
     );
     put(buffer, area, (1, 1), "published curves", theme.heading());
@@ -265,27 +278,23 @@ fn line(
         put(buffer, bar, (x, y), mark, style);
     }
     if !valid {
-        put(buffer, bar, (0, y), "not valid here", theme.quiet());
+        let texts = ["not valid here", "not valid", "-"];
+        let fits = |text: &&&str| width(text) <= bar.width;
+        let text = texts.iter().find(fits).unwrap_or(&"");
+        put(buffer, bar, (0, y), text, theme.quiet());
     }
-    let percent = format!("{:.0} %", 100.0 * risk.risk);
     let style = if valid { theme.strong() } else { theme.quiet() };
-    put_right(buffer, area, (NAME + bar.width + 6, y), &percent, style);
+    let end = NAME + bar.width + RANGE;
+    put_right(buffer, area, (end, y), &span(risk.band), style);
     let (unit, scale) = risk.curve.measure.unit();
     let marks = risk.marks();
     let error = 100.0 * risk.error;
-    let off = if error > 0.0 {
-        format!(" {}", Off::Both(error)).replace(" %", "%")
-    } else {
-        String::new()
-    };
-    let value = format!("{} {unit}{off}", within(risk.value / scale, Some(error)));
-    put(
-        buffer,
-        area,
-        (NAME + bar.width + 7, y),
-        &value,
-        theme.text(),
-    );
+    // Of what is asked, not computed, it is none.
+    let off = Off::Both(error).to_string().replace(' ', "");
+    let value = format!("{} {unit} {off}", within(risk.value / scale, Some(error)));
+    if area.width >= NARROW {
+        put(buffer, area, (end + 1, y), &value, theme.text());
+    }
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
@@ -296,10 +305,11 @@ fn explain(risk: &Risk, part: Option<&Part>, theme: Theme, area: Rect, buffer: &
     }
     let curve = risk.curve;
     let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);
+    let best = format!(": {}", span((risk.risk, risk.risk)));
     let range = if high - low < 1.0 {
-        String::new()
+        best
     } else {
-        format!(": {low:.0} to {high:.0} % over the range of curve and measure")
+        format!("{best}, {low:.0} to {high:.0} % over the range of curve and measure")
     };
     let mut words = format!(
         "{} by {}{}. {}; {}; {}; {}.",

@@ -6,6 +6,7 @@ use crate::tui::open::prepare;
 use crate::tui::task::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::heat::HeatMap;
+use crate::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// Opened, without its first simulation.
@@ -14,6 +15,7 @@ pub fn opened() -> Model {
         depth: Depth::Mono,
         symbols: Symbols::Braille,
         heat: HeatMap::Hot,
+        palette: Palette::default(),
     };
     prepare(&[], look).unwrap()
 }

@@ -5,6 +5,8 @@ use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
 
 use super::put;
+use crate::scenario::doubt::begun;
+use crate::scenario::fields::Kind;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
 use crate::tui::guest::allowed;
 use crate::tui::keys::begins_value;
@@ -56,7 +58,7 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
 }
 
 pub(crate) fn paste(model: &mut Model, text: &str) {
-    if begins_value(model) && model.form.takes_numbers() {
+    if begins_value(model) {
         begin(model, true);
     }
     type_into(model, |input| {
@@ -67,7 +69,7 @@ pub(crate) fn paste(model: &mut Model, text: &str) {
 }
 
 /// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
-/// makes none leaves the value from before, not a part of what was typed.
+/// makes none leaves the value from before, not a part of what was typed. A value stands while its doubt is typed.
 pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {
@@ -93,7 +95,12 @@ pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
         return;
     };
     change(&mut typing.input);
-    let outcome = with_text(&typing.before, typing.field, typing.input.value());
+    let text = typing.input.value();
+    let known = match typing.field.kind {
+        Kind::Number(..) => begun(text).unwrap_or(text),
+        _ => text,
+    };
+    let outcome = with_text(&typing.before, typing.field, known);
     let outcome = outcome.and_then(|new| {
         if model.guest {
             allowed(&new).map(|()| new)

@@ -7,6 +7,7 @@ use super::text::{fitted, put, width};
 use super::theme::Theme;
 use crate::tui::keys::live;
 use crate::tui::model::{Model, Overlay};
+use crate::tui::take_away::writing;
 
 /// Draws the footer.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -24,7 +25,9 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if let Some(Overlay::Question(question)) = &model.overlay {
         x = put(buffer, area, (x, 0), &question.brief(), theme.bar_strong()) + 2;
     }
-    if let Some(ahead) = model.ahead() {
+    if let Some(writing) = writing(model) {
+        x = put(buffer, area, (x, 0), &writing, theme.bar_strong()) + 2;
+    } else if let Some(ahead) = model.ahead() {
         x = put(buffer, area, (x, 0), &format!("idle: {ahead}"), theme.bar()) + 2;
     }
     // The keys for help and for leaving are always there.

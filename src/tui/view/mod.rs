@@ -9,6 +9,7 @@ mod fill;
 pub mod footer;
 pub mod heat;
 pub mod overlay;
+pub mod palette;
 mod picker;
 mod projection;
 pub mod raster;

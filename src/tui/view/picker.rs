@@ -8,9 +8,12 @@ use super::text::{fitted, put, put_right, seen, width};
 use super::theme::Theme;
 use crate::tui::model::{Choice, Model};
 use crate::tui::picker::{Picker, facts};
+use crate::tui::screens::forces::mark;
 
 /// Columns of a name, and the ends of the three facts.
 const NAME: u16 = 20;
+/// Where the mark of a comparison stands.
+const MARK: u16 = 17;
 const FACTS: [u16; 3] = [28, 37, 47];
 /// Where a title or the origin begins.
 const REST: u16 = 49;
@@ -26,10 +29,10 @@ const WELCOME: [&str; 2] = [
 /// Draws the list in the middle of `area`.
 pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let title = if picker.first {
-        "What hit the eye?"
-    } else {
-        "Open"
+    let title = match picker {
+        _ if picker.first => "What hit the eye?",
+        _ if picker.marks => "Mark two to six",
+        _ => "Open",
     };
     let below = if picker.first {
         1 + WELCOME.len() as u16
@@ -50,7 +53,14 @@ pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let rows = picker.shown.iter().enumerate().skip(first).take(room);
     for (y, (i, at)) in (ABOVE..).zip(rows) {
         let line = Rect::new(inside.x, inside.y + y, inside.width, 1);
-        row(&model.choices[*at], i == picker.row, theme, line, buffer);
+        let choice = &model.choices[*at];
+        row(choice, i == picker.row, theme, line, buffer);
+        let entries = model.screens.compare.entries.iter();
+        let place = entries.enumerate().find(|(_, e)| e.name == choice.name);
+        if let Some((place, _)) = place.filter(|_| picker.marks) {
+            let sign = format!("[{}]", mark(place));
+            put(buffer, line, (MARK, 0), &sign, theme.curve(place));
+        }
     }
     if picker.shown.is_empty() {
         put(

@@ -1,13 +1,9 @@
-//! The roles that colours play, for each number of colours.
-//!
-//! Palettes are made by hand: the sixteen are those that stay legible on dark and light grounds
-//! (bright black and blue do not), and heat has as many steps as can be told apart. Without colours
-//! bold, dim, underline and reverse do the work. Of the 256 every role has a contrast of 4.5 at least, on
-//! black and on the bar. Left out: a palette of 256 for light grounds, where `--color 16` is the better choice.
+//! How each role looks: its colour from the [palette](super::palette), bold where it must stand out, and without
+//! colours bold, dim, underline and reverse alone.
 
 use ratatui::style::{Color, Modifier, Style};
 
-use super::heat::HeatMap;
+use super::palette::Role;
 use crate::eye::Region;
 use crate::injury::gravity;
 use crate::tui::model::Look;
@@ -15,58 +11,48 @@ use crate::tui::terminal::caps::Depth;
 
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
-pub struct Theme {
-    depth: Depth,
-    heat: HeatMap,
-}
+pub struct Theme(Look);
 
 const BOLD: Modifier = Modifier::BOLD;
 const DIM: Modifier = Modifier::DIM;
 const REVERSED: Modifier = Modifier::REVERSED;
 
-/// The paper's HOT map from dark red to white.
-const HOT_16: [Color; 5] = [
-    Color::Red,
-    Color::LightRed,
-    Color::Yellow,
-    Color::LightYellow,
-    Color::White,
+/// The steps from harmless to grave, for index and risk alike.
+const STEPS: [Role; 4] = [Role::Harmless, Role::Mild, Role::Serious, Role::Grave];
+/// The curves, in their order.
+const CURVES: [Role; 6] = [
+    Role::Curve1,
+    Role::Curve2,
+    Role::Curve3,
+    Role::Curve4,
+    Role::Curve5,
+    Role::Curve6,
 ];
-/// Of the same map, what can be read on black.
-const HOT_256: [u8; 7] = [196, 202, 208, 214, 220, 228, 231];
-/// The upper half of cividis (Nunez, Anderton and Renslow 2018, doi:10.1371/journal.pone.0199239): the nearest of
-/// the 256 in even steps of lightness.
-const CIVIDIS_256: [u8; 5] = [243, 246, 144, 185, 227];
-
-/// How grave something is, from harmless on, for index and risk alike.
-const GRAVE_16: [Color; 4] = [
-    Color::LightGreen,
-    Color::LightYellow,
-    Color::LightRed,
-    Color::LightRed,
-];
-const GRAVE_256: [u8; 4] = [114, 221, 209, 203];
 
 impl Theme {
     /// The theme of a look.
     pub fn of(look: Look) -> Self {
-        Self {
-            depth: look.depth,
-            heat: look.heat,
-        }
+        Self(look)
     }
 
-    fn pick(self, mono: Style, sixteen: Color, many: Color) -> Style {
-        match self.depth {
-            Depth::Mono => mono,
-            Depth::Sixteen => Style::new().fg(sixteen),
-            Depth::TwoFiveSix => Style::new().fg(many),
-        }
+    fn ink(self, role: Role) -> Option<Color> {
+        self.0.palette.ink(role, self.0.depth)
+    }
+
+    /// A role's colour, or else another style.
+    fn pick(self, role: Role, otherwise: Style) -> Style {
+        self.ink(role)
+            .map_or(otherwise, |color| Style::new().fg(color))
+    }
+
+    /// A colour on another, or reversed where there are none.
+    fn on(self, role: Role, ground: Role) -> Option<Style> {
+        Some(Style::new().fg(self.ink(role)?).bg(self.ink(ground)?))
     }
 
     /// Whether there are no colours.
     pub fn is_mono(self) -> bool {
-        self.depth == Depth::Mono
+        self.0.depth == Depth::Mono
     }
 
     /// Plain text.
@@ -76,10 +62,9 @@ impl Theme {
 
     /// Text of less weight.
     pub fn quiet(self) -> Style {
-        match self.depth {
-            Depth::TwoFiveSix => Style::new().fg(Color::Indexed(246)),
-            _ => Style::new().add_modifier(DIM),
-        }
+        // Over a curve it must not take the curve's colour.
+        let dim = Style::new().fg(Color::Reset).add_modifier(DIM);
+        self.pick(Role::Quiet, dim)
     }
 
     /// Laid over a result of what was there before the last edit.
@@ -89,8 +74,7 @@ impl Theme {
 
     /// A heading.
     pub fn heading(self) -> Style {
-        self.pick(Style::new(), Color::Cyan, Color::Indexed(80))
-            .add_modifier(BOLD)
+        self.pick(Role::Heading, Style::new()).add_modifier(BOLD)
     }
 
     /// A value that matters.
@@ -105,23 +89,19 @@ impl Theme {
 
     /// Something to beware of.
     pub fn warning(self) -> Style {
-        self.pick(Style::new(), Color::LightYellow, Color::Indexed(221))
-            .add_modifier(BOLD)
+        self.pick(Role::Warning, Style::new()).add_modifier(BOLD)
     }
 
     /// Something wrong.
     pub fn error(self) -> Style {
         let mono = Style::new().add_modifier(Modifier::UNDERLINED);
-        self.pick(mono, Color::LightRed, Color::Indexed(203))
-            .add_modifier(BOLD)
+        self.pick(Role::Error, mono).add_modifier(BOLD)
     }
 
     /// The bar at the top and the bottom.
     pub fn bar(self) -> Style {
-        match self.depth {
-            Depth::TwoFiveSix => Style::new().fg(Color::Indexed(252)).bg(Color::Indexed(236)),
-            _ => Style::new().add_modifier(REVERSED),
-        }
+        self.on(Role::Bar, Role::BarGround)
+            .unwrap_or(Style::new().add_modifier(REVERSED))
     }
 
     /// Something strong in a bar.
@@ -131,14 +111,12 @@ impl Theme {
 
     /// What is chosen in a bar.
     pub fn bar_chosen(self) -> Style {
-        match self.depth {
-            Depth::TwoFiveSix => Style::new()
-                .fg(Color::Indexed(16))
-                .bg(Color::Indexed(80))
-                .add_modifier(BOLD),
-            // The bar is reversed, so this is not.
-            _ => Style::new().remove_modifier(REVERSED).add_modifier(BOLD),
-        }
+        // Where the bar is reversed this is not.
+        let plain = Style::new().remove_modifier(REVERSED);
+        let chosen = self.on(Role::Chosen, Role::ChosenGround);
+        chosen
+            .map_or(plain, |style| plain.patch(style))
+            .add_modifier(BOLD)
     }
 
     /// A frame round something, or an axis.
@@ -149,43 +127,32 @@ impl Theme {
     /// The load and its arc.
     pub fn load(self) -> Style {
         let mono = Style::new().add_modifier(BOLD);
-        self.pick(mono, Color::LightGreen, Color::Indexed(84))
+        self.pick(Role::Load, mono)
     }
 
     /// The mark of the present moment.
     pub fn cursor(self) -> Style {
         let mono = Style::new().add_modifier(BOLD);
-        self.pick(mono, Color::LightCyan, Color::Indexed(123))
+        self.pick(Role::Cursor, mono)
     }
 
     /// One of several curves.
     pub fn curve(self, index: usize) -> Style {
-        let sixteen = [
-            Color::LightCyan,
-            Color::LightYellow,
-            Color::LightMagenta,
-            Color::LightGreen,
-            Color::LightRed,
-            Color::White,
-        ];
-        let many = [80, 221, 176, 114, 209, 254];
         let mono = match index % 3 {
             0 => Style::new(),
             1 => Style::new().add_modifier(BOLD),
             _ => Style::new().add_modifier(DIM),
         };
-        let i = index % sixteen.len();
-        self.pick(mono, sixteen[i], Color::Indexed(many[i]))
+        self.pick(CURVES[index % CURVES.len()], mono)
     }
 
     /// One of four steps from harmless to grave.
     fn grave(self, step: usize) -> Style {
-        let step = step.min(GRAVE_256.len() - 1);
-        let mono = Style::new();
-        let style = self.pick(mono, GRAVE_16[step], Color::Indexed(GRAVE_256[step]));
+        let step = step.min(STEPS.len() - 1);
+        let style = self.pick(STEPS[step], Style::new());
         match step {
             0 | 1 => style,
-            2 if self.depth != Depth::Mono => style,
+            2 if !self.is_mono() => style,
             _ => style.add_modifier(BOLD),
         }
     }
@@ -205,13 +172,14 @@ impl Theme {
         self.grave(gravity(risk))
     }
 
+    /// The colours of heat; without colours the steps are told by glyphs and bold.
+    fn heats(self) -> &'static [Color] {
+        self.0.palette.heat(self.0.heat, self.0.depth)
+    }
+
     /// How many steps of heat there are above cold.
     pub fn heat_steps(self) -> usize {
-        match (self.depth, self.heat) {
-            (Depth::Sixteen, _) => HOT_16.len(),
-            (Depth::TwoFiveSix, HeatMap::Cividis) => CIVIDIS_256.len(),
-            (Depth::Mono | Depth::TwoFiveSix, _) => HOT_256.len(),
-        }
+        self.heats().len()
     }
 
     /// A step of heat; 0 is cold.
@@ -220,14 +188,10 @@ impl Theme {
             return self.quiet();
         };
         let step = step.min(self.heat_steps() - 1);
-        match (self.depth, self.heat) {
-            (Depth::Mono, _) if step + 2 < HOT_256.len() => Style::new(),
-            (Depth::Mono, _) => Style::new().add_modifier(BOLD),
-            (Depth::Sixteen, _) => Style::new().fg(HOT_16[step]),
-            (Depth::TwoFiveSix, HeatMap::Hot) => Style::new().fg(Color::Indexed(HOT_256[step])),
-            (Depth::TwoFiveSix, HeatMap::Cividis) => {
-                Style::new().fg(Color::Indexed(CIVIDIS_256[step]))
-            }
+        match self.0.depth {
+            Depth::Mono if step + 2 < self.heat_steps() => Style::new(),
+            Depth::Mono => Style::new().add_modifier(BOLD),
+            Depth::Sixteen | Depth::TwoFiveSix => Style::new().fg(self.heats()[step]),
         }
     }
 
@@ -235,36 +199,32 @@ impl Theme {
     pub fn region(self, region: Region) -> Style {
         let dim = Style::new().add_modifier(DIM);
         match region {
-            Region::Interior => self.pick(dim, Color::Gray, Color::Indexed(243)),
-            Region::Lens => self.pick(Style::new(), Color::LightCyan, Color::Indexed(117)),
-            Region::Shell => self.pick(Style::new(), Color::Gray, Color::Indexed(252)),
-            Region::Retina => self.pick(
-                Style::new().add_modifier(BOLD),
-                Color::LightMagenta,
-                Color::Indexed(176),
-            ),
-            // Dark yellow is a step of heat already.
-            Region::Fat if self.depth == Depth::Sixteen => dim,
-            // Brown beside dark red would be one colour.
-            Region::Fat => self.pick(dim, Color::Reset, Color::Indexed(101)),
-            Region::Orbit => self.pick(Style::new(), Color::Green, Color::Indexed(108)),
+            Region::Interior => self.pick(Role::Interior, dim),
+            Region::Lens => self.pick(Role::Lens, Style::new()),
+            Region::Shell => self.pick(Role::Shell, Style::new()),
+            Region::Retina => self.pick(Role::Retina, Style::new().add_modifier(BOLD)),
+            Region::Fat => self.pick(Role::Fat, dim),
+            Region::Orbit => self.pick(Role::Orbit, Style::new()),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::heat::HeatMap;
+    use super::super::palette::Palette;
     use super::*;
     use crate::tui::terminal::caps::Symbols;
 
     /// The contrast that text needs (WCAG 2.1, 1.4.3).
     const READABLE: f64 = 4.5;
 
-    fn theme(depth: Depth, heat: HeatMap) -> Theme {
+    fn theme(depth: Depth, heat: HeatMap, light: bool) -> Theme {
         Theme::of(Look {
             depth,
             symbols: Symbols::Braille,
             heat,
+            palette: Palette::default().on(light),
         })
     }
 
@@ -310,10 +270,12 @@ mod tests {
     }
 
     #[test]
-    fn every_role_can_be_read_on_its_ground() {
-        for heat in [HeatMap::Hot, HeatMap::Cividis] {
-            let theme = theme(Depth::TwoFiveSix, heat);
-            let black = Color::Indexed(16);
+    fn every_role_can_be_read_on_dark_and_on_light_grounds() {
+        let grounds = [(false, 16), (true, 231), (true, 255)];
+        let maps = [HeatMap::Hot, HeatMap::Cividis];
+        for ((light, ground), heat) in grounds.iter().flat_map(|g| maps.map(|map| (*g, map))) {
+            let theme = theme(Depth::TwoFiveSix, heat, light);
+            let ground = Color::Indexed(ground);
             let mut roles = vec![
                 theme.text(),
                 theme.quiet(),
@@ -342,31 +304,34 @@ mod tests {
             for role in roles {
                 // What has no colour of its own is the terminal's.
                 let Some(ink) = role.fg else { continue };
-                let ratio = contrast(ink, role.bg.unwrap_or(black));
-                assert!(ratio >= READABLE, "{role:?}: {ratio:.2}");
+                let ratio = contrast(ink, role.bg.unwrap_or(ground));
+                assert!(ratio >= READABLE, "{role:?} on {ground:?}: {ratio:.2}");
             }
         }
     }
 
     #[test]
-    fn the_even_map_goes_up_in_even_steps_of_lightness() {
-        let theme = theme(Depth::TwoFiveSix, HeatMap::Cividis);
-        let lightness = |step| {
-            let ink = theme.heat(step).fg.unwrap();
-            116.0 * luminance(ink).cbrt() - 16.0
-        };
-        let steps: Vec<f64> = (2..=theme.heat_steps())
-            .map(|step| lightness(step) - lightness(step - 1))
-            .collect();
-        let most = steps.iter().copied().fold(0.0, f64::max);
-        let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
-        assert!(least > 5.0 && most < 1.5 * least, "{steps:?}");
+    fn the_even_map_leaves_the_ground_in_even_steps_of_lightness() {
+        for light in [false, true] {
+            let theme = theme(Depth::TwoFiveSix, HeatMap::Cividis, light);
+            let lightness = |step| {
+                let ink = theme.heat(step).fg.unwrap();
+                116.0 * luminance(ink).cbrt() - 16.0
+            };
+            let sign = if light { -1.0 } else { 1.0 };
+            let steps: Vec<f64> = (2..=theme.heat_steps())
+                .map(|step| sign * (lightness(step) - lightness(step - 1)))
+                .collect();
+            let most = steps.iter().copied().fold(0.0, f64::max);
+            let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(least > 5.0 && most < 1.5 * least, "{steps:?}");
+        }
     }
 
     #[test]
     fn what_is_chosen_in_a_bar_stands_out_without_colours() {
         for depth in [Depth::Mono, Depth::Sixteen] {
-            let theme = theme(depth, HeatMap::Hot);
+            let theme = theme(depth, HeatMap::Hot, false);
             let chosen = theme.bar().patch(theme.bar_chosen());
             assert!(theme.bar().add_modifier.contains(REVERSED));
             assert!(!chosen.add_modifier.contains(REVERSED));

@@ -129,6 +129,8 @@ fn legend(shown: &[Total]) -> Vec<String> {
         .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
     parts.push("capitals: nothing is faster and more exact".to_owned());
+    parts.push("> more exact".to_owned());
+    parts.push("< faster".to_owned());
     parts
 }
 
@@ -252,7 +254,7 @@ fn axes(area: Rect, field: Rect, (times, errors): (Axis, Axis), theme: Theme, bu
         let label = tick_label(value);
         let left = x.saturating_sub(width(&label) / 2);
         put(buffer, area, (x, bottom), "┬", theme.line());
-        if left >= free && left + width(&label) + 3 <= area.width {
+        if left >= free && left + width(&label) + 4 <= area.width {
             free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;
         }
     }

@@ -16,13 +16,14 @@ use crate::study::course::Course;
 use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Shown, Work};
+use crate::tui::model::{Choice, Model, Overlay, Shown, Work};
+use crate::tui::picker::Picker;
 use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FRAME_KEYS;
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
-use comparison::{FORM, Found, MAX_MARKED};
+use comparison::{Comparison, FORM, Found, MAX_MARKED};
 
 /// The places of the panes.
 const LIST: usize = 0;
@@ -74,6 +75,7 @@ const LIST_KEYS: KeyTable = KeyTable::new("Compare: presets", &[
     bind(&[HOME], |m| go(m, -i16::MAX), "", "the first preset"),
     bind(&[END], |m| go(m, i16::MAX), "", "the last preset"),
     bind(&[c(' '), ENTER], mark, "mark", "mark or unmark, two to six in all"),
+    bind(&[c('/')], find, "find", "find presets by letters, and mark them"),
 ]);
 
 #[rustfmt::skip]
@@ -315,17 +317,44 @@ fn next_curve(model: &mut Model) {
     model.screens.compare.curve = next.or(Some(here));
 }
 
+/// Marks what the cursor is on, or unmarks it.
 fn mark(model: &mut Model) {
     let compare = &mut model.screens.compare;
-    let outcome = if compare.row == 0 {
-        compare.mark(FORM, &model.work.scenario)
-    } else if let Some(choice) = model.choices.get(compare.row - 1) {
-        match &choice.scenario {
-            Ok(scenario) => compare.mark(&choice.name, scenario),
-            Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
-        }
-    } else {
-        Ok(())
+    // The form stands above the presets.
+    let outcome = match compare.row.checked_sub(1) {
+        None => compare.mark(FORM, &model.work.scenario),
+        Some(at) => match model.choices.get(at) {
+            Some(choice) => mark_choice(compare, choice),
+            None => Ok(()),
+        },
     };
     model.notice = outcome.err();
+}
+
+fn mark_choice(compare: &mut Comparison, choice: &Choice) -> Result<(), String> {
+    match &choice.scenario {
+        Ok(scenario) => compare.mark(&choice.name, scenario),
+        Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
+    }
+}
+
+/// Opens the list that is searched by letters.
+fn find(model: &mut Model) {
+    let mut picker = Picker::at(&model.choices, "");
+    picker.marks = true;
+    model.overlay = Some(Overlay::Picker(picker));
+}
+
+/// Marks the choice of this place, or unmarks it, and makes room for the next name.
+pub(crate) fn mark_found(model: &mut Model, at: usize) {
+    let Some(choice) = model.choices.get(at) else {
+        return;
+    };
+    let compare = &mut model.screens.compare;
+    let outcome = mark_choice(compare, choice);
+    compare.row = 1 + at;
+    model.notice = outcome.err();
+    let mut picker = Picker::at(&model.choices, &choice.name);
+    picker.marks = true;
+    model.overlay = Some(Overlay::Picker(picker));
 }

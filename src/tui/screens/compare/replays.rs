@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::comparison::Found;
 use super::view::heading;
-use crate::tui::model::Model;
+use crate::tui::model::{Model, brief};
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::eye::Scene;
@@ -51,7 +51,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
             width,
             height,
         );
-        let name = fitted(&entry.name, usize::from(width) - 4);
+        let name = fitted(brief(&entry.name), usize::from(width) - 4);
         put(buffer, place, (1, 0), &mark(i).to_string(), theme.curve(i));
         put(buffer, place, (3, 0), &name, theme.strong());
         let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);

@@ -5,9 +5,9 @@ use ratatui::layout::Rect;
 
 use crate::injury::lines;
 use crate::study::Answer;
-use crate::tui::model::Model;
+use crate::tui::model::{Model, brief};
 use crate::tui::screens::forces::mark;
-use crate::tui::view::text::{fitted, flag_name, put, put_right, width};
+use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 use super::cell::cell;
@@ -119,7 +119,7 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
         let chosen = i == model.screens.compare.row;
         let style = if chosen { theme.focus() } else { theme.text() };
-        let text = fitted(name, usize::from(wide) - 6);
+        let text = fitted(brief(name), usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
         put(buffer, list, (1, y), &sign, lit);
         put(buffer, list, (5, y), &text, style);
@@ -131,8 +131,15 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         area.height - 1,
     );
     if model.screens.compare.entries.is_empty() {
-        let text = "Space marks the preset under the cursor";
-        put(buffer, charts, (1, 1), text, theme.quiet());
+        let texts = [
+            "Space marks the preset under the cursor,",
+            "/ finds presets by letters and marks them",
+        ];
+        let room = usize::from(charts.width.saturating_sub(2));
+        let lines = texts.iter().flat_map(|text| wrapped(text, room));
+        for (y, line) in (1..).zip(lines) {
+            put(buffer, charts, (1, y), &line, theme.quiet());
+        }
     } else {
         overlaid(model, model.screens.compare.curve(), charts, buffer);
     }
@@ -169,7 +176,7 @@ fn title(column: Column) -> (&'static str, &'static str) {
 /// Columns from the end of a number to that of the next: room for the longest name and the mark of sorting.
 const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
-const NAME: u16 = 19;
+const NAME: u16 = 20;
 
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
 fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
@@ -238,7 +245,7 @@ fn row(
         buffer,
         area,
         (3, 0),
-        &fitted(&entry.name, room),
+        &fitted(brief(&entry.name), room),
         theme.strong(),
     );
     // In a row of one line what there is to say stands beside the name.

@@ -8,12 +8,14 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::report::ensemble::{distribution, hundredths};
-use crate::report::text::percent;
+use crate::report::figure::allowing;
+use crate::report::text::{digits, percent};
 use crate::study::Quantity;
 use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
-use crate::tui::ensemble::is_whole;
+use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::Model;
+use crate::tui::task::Job;
 use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 
@@ -40,15 +42,18 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     // Bands of another scenario would be taken for those of this one.
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         let complaint = model.ensemble.complaint(&model.work.scenario);
-        let text = match (&model.ensemble.task.job, complaint) {
-            (Some(_), _) => {
-                "The blow is simulated over what is published of the eye's materials and over \
-                 your own doubt in the inputs: type 300 +- 20 into a field to add some."
-            }
-            (None, Some(why)) => why,
-            (None, None) => "not known yet: m runs the samples",
+        let texts = match (&model.ensemble.task.job, complaint) {
+            (Some(job), _) => waiting(model, job),
+            (None, Some(why)) => vec![why.to_owned()],
+            (None, None) => vec!["not known yet: m runs the samples".to_owned()],
         };
-        for (row, line) in (2..).zip(wrapped(text, usize::from(area.width - 2))) {
+        let room = usize::from(area.width - 2);
+        let lines = texts.iter().flat_map(|text| {
+            let mut lines = wrapped(text, room);
+            lines.push(String::new());
+            lines
+        });
+        for (row, line) in (2..).zip(lines) {
             put(buffer, area, (1, row), &line, theme.text());
         }
         return;
@@ -85,6 +90,27 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     for (i, line) in notes.iter().enumerate() {
         put(buffer, area, (1, first + i as u16), line, theme.quiet());
     }
+}
+
+/// What is computed before the first bands, and when those come.
+fn waiting(model: &Model, job: &Job<RunSamples>) -> Vec<String> {
+    let what = "The blow is simulated over what is published of the eye's materials and over your own \
+                doubt in the inputs: type 300 +- 20 into a field to add some.";
+    let each = model.shown.as_ref().map(|shown| {
+        let seconds = shown.answer.solve_time.as_secs_f64();
+        format!(
+            " One sample takes about as long as the blow itself: {} s.",
+            digits(seconds, 1)
+        )
+    });
+    let share = FIRST as f64 / f64::from(job.question.count);
+    let until = job.pace.and_then(|pace| pace.until(share));
+    let until = until.map_or_else(String::new, |until| format!(", in {until}"));
+    let when = format!(
+        "The first bands come with sample {FIRST}{until}, and fill in from there.{}",
+        each.unwrap_or_default()
+    );
+    vec![what.to_owned(), when]
 }
 
 fn status(model: &Model, theme: Theme) -> (String, Style) {
@@ -145,7 +171,11 @@ fn result(
     for (i, value) in [band.low, band.median, band.high].iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
         // One column is kept free, so that numbers do not touch.
-        let text = numeral(*value, NUMBER - 1);
+        let text = [allowing(*value, Some(0.1 * (band.high - band.low)))];
+        let mut fitting = text.into_iter().filter(|text| width(text) < NUMBER);
+        let text = fitting
+            .next()
+            .unwrap_or_else(|| numeral(*value, NUMBER - 1));
         put_right(buffer, area, (right, 0), &text, style);
     }
     let left = LABEL + 4 + 3 * NUMBER;

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{DIAL, FORM};
 use crate::report::text::digits;
+use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::model::{Model, Overlay};
@@ -104,7 +105,8 @@ fn doubtful(typing: &Typing) -> Option<String> {
     let Kind::Number(..) = typing.field.kind else {
         return None;
     };
-    let value = typing.input.value().trim();
+    let text = typing.input.value().trim();
+    let value = begun(text).unwrap_or(text);
     let tenth = 0.1 * value.parse::<f64>().ok()?.abs();
     (tenth > 0.0).then(|| format!("not sure? {value} +- {}", digits(tenth, 1)))
 }

@@ -11,7 +11,7 @@ use super::{Mouse, Pane, Screen};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Field};
 use crate::tui::ensemble::FEW;
-use crate::tui::form::{Row, allowed, nudged, with_text};
+use crate::tui::form::{Row, allowed, chosen, nudged, with_text};
 use crate::tui::keys::shared::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
 };
@@ -91,7 +91,7 @@ const FORM_KEYS: KeyTable = KeyTable::new("Form", &[
     bind(&[RIGHT, c('l')], |m| step(m, Step::MORE), "&", "a small step up"),
     bind(&[SHIFT_LEFT, c('H')], |m| step(m, Step::MUCH_LESS), "", "a large step down"),
     bind(&[SHIFT_RIGHT, c('L')], |m| step(m, Step::MUCH_MORE), "", "a large step up"),
-    bind(&[ENTER], enter, "edit", "edit the value, open the list, unfold"),
+    bind(&[ENTER], enter, "edit", "edit the value, take the next choice, open the list, unfold"),
     bind(&[c('t')], threshold::ask, "threshold", "at which value of it a result reaches what you ask"),
     bind(&[c('a')], |m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
 ]);
@@ -122,6 +122,10 @@ fn enter(model: &mut Model) {
     match model.form.selected {
         Row::Preset => presets::open_picker(model),
         Row::Fold => model.form.fold(&model.work.scenario),
+        // There is nothing to type where there are a few names to choose from.
+        Row::Field(field) if chosen(field, &model.work.scenario).is_some() => {
+            nudge(model, field.path, Step::MORE);
+        }
         Row::Field(_) => typing::begin(model, false),
     }
 }

@@ -7,6 +7,7 @@ use ratatui::style::Style;
 
 use crate::injury::{Injury, Term, Verdict, lines};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
+use crate::report::limit::alone;
 use crate::study::{Flag, Quantity};
 use crate::tui::model::{Model, Shown};
 use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
@@ -77,7 +78,7 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         None => index(shown, theme, block, buffer),
     }
     below(model, shown, theme, area, buffer);
-    flags(shown, theme, area, buffer);
+    flags(shown, rows == 1, theme, area, buffer);
 }
 
 /// The line above: whether the score is out of date, and what its errors come from.
@@ -90,13 +91,14 @@ fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut 
         None => (model.on_show().question, theme.heading()),
     };
     let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
-    let causes = match (&shown.answer.errors.mesh, model.idle) {
-        (Some(_), _) => " ± step and mesh ",
-        (None, true) => " ± step; mesh to come ",
-        (None, false) => " ± step; mesh off ",
+    let texts = match (&shown.answer.errors.mesh, model.idle) {
+        (Some(_), _) => [" ± step and mesh, > for less ", " ± step and mesh "],
+        (None, true) => [" ± step; mesh to come "; 2],
+        (None, false) => [" ± step; mesh off "; 2],
     };
-    if end + width(causes) < area.width {
-        put_right(buffer, area, (area.width - 1, 0), causes, theme.quiet());
+    let fits = |text: &&&str| end + width(text) < area.width;
+    if let Some(text) = texts.iter().find(fits) {
+        put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
     }
 }
 
@@ -238,6 +240,9 @@ const FIGURE: u16 = 27;
 const TIMES: u16 = 6;
 /// From so many columns on there is room for all words beside a bar.
 const SPACIOUS: u16 = 56;
+/// From so many on there is room for what it tends to on finer meshes, which ends here.
+const BROAD: u16 = 84;
+const LIMIT: u16 = FIGURE + 34;
 
 /// One part of the index: its value, and how many times its limit that is.
 fn part(
@@ -280,11 +285,34 @@ fn part(
     let text = format!("{times} {words}");
     put_right(buffer, area, (area.width, 0), &text, theme.strong());
     let beside = TIMES + 2 + width(words);
-    let (left, right) = (FIGURE + 2, area.width.saturating_sub(beside));
+    let mut left = FIGURE + 2;
+    if let Some(limit) = alone(&shown.answer, of)
+        && area.width >= BROAD
+    {
+        let text = format!("on finer meshes: {limit}");
+        left = put(buffer, area, (left, 0), &text, theme.quiet()).max(LIMIT) + 2;
+    }
+    let right = area.width.saturating_sub(beside);
     if right >= left + SHORTEST {
         let share = value / term.threshold;
         let field = Rect::new(area.x + left, area.y, right - left, 1);
         bar(share, theme.gauge(share), theme, field, buffer);
+    }
+}
+
+/// What the index tends to on finer meshes, right of the column where the line begins to be free, if there is room.
+fn tends(shown: &Shown, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
+    let Some(limit) = alone(&shown.answer, Quantity::Damage) else {
+        return;
+    };
+    let texts = [
+        format!("index on ever finer meshes: {limit}"),
+        format!("on finer meshes: {limit}"),
+        format!("finer: {limit}"),
+    ];
+    let fits = |text: &&String| free + 2 + width(text) <= area.width;
+    if let Some(text) = texts.iter().find(fits) {
+        put_right(buffer, area, (area.width, 6), text, theme.text());
     }
 }
 
@@ -298,13 +326,29 @@ fn sentence(flag: &Flag) -> String {
     }
 }
 
-/// Every flag by name; the sentence where there is room.
-fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+/// The risks of the injuries but the gravest, as many as there is room for, and where all are.
+fn others(verdicts: &[Verdict], room: u16) -> String {
+    let one = |verdict: &Verdict| Some(format!("{} {}", verdict.injury.word(), verdict.percent()?));
+    let all: Vec<String> = verdicts.iter().skip(1).filter_map(one).collect();
+    let some = |count: usize| {
+        let more = if count < all.len() { " (8: all)" } else { "" };
+        all[..count].join(", ").replace(" %,", ",") + more
+    };
+    let mut texts = (1..=all.len()).rev().map(some);
+    texts.find(|text| width(text) <= room).unwrap_or_default()
+}
+
+/// Every flag by name; the sentence where there is room. Where none is raised, what has found no room above.
+fn flags(shown: &Shown, answers_left: bool, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height.saturating_sub(6));
     let flags = &shown.answer.flags;
     if flags.is_empty() {
-        let style = theme.quiet();
-        put(buffer, area, (0, 6), "No flags raised", style);
+        let end = put(buffer, area, (0, 6), "No flags raised", theme.quiet());
+        tends(shown, end, theme, area, buffer);
+        if rows > 1 && answers_left {
+            let text = others(&shown.answer.verdicts(), area.width);
+            put(buffer, area, (0, 7), &text, theme.text());
+        }
         return;
     }
     let room = usize::from(area.width);

@@ -131,6 +131,12 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     };
     let risks = shown.answer.risks();
     injury::curves((&risks, &verdicts), None, theme, curves, buffer);
+    // A scale, a line for each and a gap; what is left is the chart's.
+    let taken = match risks.len() as u16 {
+        0 => 0,
+        count => count + 3,
+    };
+    let top = (used + 1 + taken).min(upper.height);
     let Some(traces) = &shown.answer.traces else {
         return;
     };
@@ -163,8 +169,8 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     }
     .draw(
         Rect {
-            y: upper.y + upper.height,
-            height: below,
+            y: area.y + top,
+            height: area.height - top,
             width: area.width - 1,
             ..area
         },

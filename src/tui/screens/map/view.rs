@@ -8,9 +8,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::report::figure::with_unit;
+use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
 use crate::scenario::doubt::number;
+use crate::scenario::problem::plain;
 use crate::study::Quantity;
 use crate::study::map::{Grid, SIDE, Span};
 use crate::tui::model::Model;
@@ -25,6 +26,9 @@ const LINES: [(f64, &str); 2] = [(0.5, "+"), (1.0, "#")];
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
+/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its runs.
+const MAPPED: f64 = 10.0;
+
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
@@ -38,11 +42,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let quantity = grid.map_or(Quantity::Damage, |grid| model.screens.map.quantity(grid));
     let result = quantity.row();
     let whole = whole(grid, quantity);
+    let over = format!("{} across, {} up", x.field.label, y.field.label);
     let name = capital(result.short);
-    let axes_named = format!("{name}: {} across, {} up", x.field.label, y.field.label);
+    let whole_name = format!("What if? {}: {over}", capital(result.label));
+    let axes_named = format!("{name}: {over}");
     let full = format!("What if? {axes_named}");
     let brief = format!("What if? {name}");
-    let titles = [&*full, &*axes_named, &*brief, "What if?"];
+    let titles = [&*whole_name, &*full, &*axes_named, &*brief, "What if?"];
     put_both(buffer, area, (&titles, theme.heading()), (&said, style));
     let field = Rect::new(
         area.x + LABELS + 1,
@@ -205,6 +211,11 @@ fn own(model: &Model, (x, y): (Span, Span), field: Rect, theme: Theme, buffer: &
     }
 }
 
+/// A value of an input in as few digits as it takes, four at most.
+fn short(value: f64) -> String {
+    plain(significant(value).parse().unwrap_or(value))
+}
+
 fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mut Buffer) {
     let bottom = field.height;
     for row in 0..bottom {
@@ -226,20 +237,14 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
             buffer,
             area,
             (LABELS, 1 + row),
-            &significant(value),
+            &short(value),
             theme.quiet(),
         );
     }
     let row = 2 + bottom;
     let (left, right) = (LABELS + 1, area.width - 1);
-    put(
-        buffer,
-        area,
-        (left, row),
-        &significant(x.from),
-        theme.quiet(),
-    );
-    let text = format!("{} {}", significant(middle(x)), x.field.unit);
+    put(buffer, area, (left, row), &short(x.from), theme.quiet());
+    let text = format!("{} {}", short(middle(x)), x.field.unit);
     let at = left + field.width / 2;
     put(
         buffer,
@@ -248,13 +253,7 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
         &text,
         theme.quiet(),
     );
-    put_right(
-        buffer,
-        area,
-        (right, row),
-        &significant(x.to),
-        theme.quiet(),
-    );
+    put_right(buffer, area, (right, row), &short(x.to), theme.quiet());
     // Below the number at the top of its axis.
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
@@ -265,12 +264,7 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         return String::new();
     };
     let part = |span: Span, value: f64| {
-        let text = format!(
-            "{} {} {}",
-            span.field.label,
-            significant(value),
-            span.field.unit
-        );
+        let text = format!("{} {} {}", span.field.label, short(value), span.field.unit);
         text.trim_end().to_owned()
     };
     let value = model.screens.map.grid(&model.work.scenario).map(|grid| {
@@ -288,7 +282,7 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         } else {
             ""
         };
-        let value = with_unit(&significant(value), row.unit);
+        let value = with_unit(&within(value, Some(MAPPED)), row.unit);
         format!("{} {about}{value}{folded}", row.label)
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());

@@ -18,6 +18,45 @@ fn typing_simulates_what_makes_sense_and_escape_restores() {
 }
 
 #[test]
+fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
+    let mut model = model();
+    answer(&mut model, 1);
+    let effects = press(&mut model, "\r\x1545");
+    let (ticket, _) = asked::<Simulate>(&effects[effects.len() - 1..]).unwrap();
+    answer(&mut model, ticket);
+    for typed in [" ", "+", "-", " ", "5"] {
+        let effects = press(&mut model, typed);
+        assert!(asked::<Simulate>(&effects).is_none(), "{typed}");
+        assert_eq!((force(&model), model.stale()), (45.0, None), "{typed}");
+        assert!(model.form.typing.as_ref().unwrap().error.is_none());
+    }
+    press(&mut model, "\r");
+    assert_eq!(model.work.scenario.doubt["impact.force_n"], 5.0);
+    assert!(asked::<Simulate>(&press(&mut model, "u")).is_some());
+    assert!(model.work.scenario.doubt.is_empty());
+    // Enter takes no half of a doubt.
+    press(&mut model, "45 +-\r");
+    let error = model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed"));
+}
+
+#[test]
+fn enter_takes_the_next_of_a_few_choices() {
+    let mut model = model();
+    let shape = fields::find("impact.shape").unwrap();
+    model.form.selected = Row::Field(shape);
+    press(&mut model, "\r");
+    assert_eq!(shape.text(&model.work.scenario).unwrap(), "Triangle");
+    assert!(model.form.typing.is_none());
+    // What is pasted is typed.
+    let table = "Table([(0, 0), (0.1, 1), (0.3, 0)])";
+    press(&mut model, &format!("\x1b[200~{table}\x1b[201~\r"));
+    assert_eq!(shape.text(&model.work.scenario).unwrap(), "Table");
+    press(&mut model, "\r");
+    assert!(model.form.typing.is_some(), "a recorded curve is kept");
+}
+
+#[test]
 fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
     let mut model = model();
     press(&mut model, "\r\x15-1\r");
@@ -86,12 +125,12 @@ fn what_the_form_shows_can_be_typed() {
     press(&mut model, "\x15auto");
     press(&mut model, "\r");
     model.form.selected = field("eye.lens");
-    press(&mut model, "\r\x15soft\r");
+    press(&mut model, "\x1b[200~soft\x1b[201~\r");
     assert_eq!(model.work.scenario.eye.lens, crate::scenario::Lens::Soft);
     model.form.selected = field("model");
-    press(&mut model, "\r\x15physiological\r");
+    press(&mut model, "\x1b[200~physiological\x1b[201~\r");
     model.form.selected = field("model.species");
-    press(&mut model, "\r\x15pig\r");
+    press(&mut model, "\x1b[200~pig\x1b[201~\r");
     let crate::scenario::Model::Physiological(parts) = &model.work.scenario.model else {
         panic!()
     };
@@ -143,7 +182,8 @@ fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
                 .ends_with("F4 or Alt-4 shows Compare")
         );
         press(&mut model, "\x1b[200~12\x1b[201~");
-        assert!(model.form.typing.is_none());
+        assert_eq!(model.form.typing.is_some(), row == shape);
+        press(&mut model, "\x1b");
     }
     press(&mut model, "\x1b3");
     assert_eq!(model.screen, 2);
