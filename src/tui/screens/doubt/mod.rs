@@ -3,6 +3,9 @@
 mod view;
 
 use super::{Pane, Screen};
+use crate::study::Quantity;
+use crate::study::ensemble::Ensemble;
+use crate::study::quantity::Read;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -29,6 +32,13 @@ const KEYS: KeyTable = KeyTable::new("Doubt", &[
     bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the result below"),
     bind(&[c('m')], |m| m.ensemble.task.complaint = None, "go on", "go on after Esc"),
 ]);
+
+/// The results that have bands, the risks first: they are the answer.
+fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
+    let mut results = ensemble.results();
+    results.sort_by_key(|of| !matches!(of.row().read, Read::Risk(..)));
+    results
+}
 
 /// Moves to another result.
 fn go(model: &mut Model, by: isize) {

@@ -7,6 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+use super::listed;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
 use crate::report::text::{digits, percent};
@@ -58,7 +59,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
         return;
     };
-    let results = ensemble.results();
+    let results = listed(ensemble);
     let chosen = model.screens.doubt.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
     let notes = Notes::of(ensemble, usize::from(area.width - 2));
