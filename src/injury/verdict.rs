@@ -242,14 +242,21 @@ impl Verdict {
     /// The range in a word or two.
     pub fn word(&self) -> Option<String> {
         let (low, high) = self.range?;
+        let unclear = self.is_unclear();
         let (low, high) = (gravity(low), gravity(high));
         Some(if low == high {
             SCALE[low].1.to_owned()
-        } else if high - low == SCALE.len() - 1 {
+        } else if unclear {
             "unclear".to_owned()
         } else {
             format!("{} to {}", SCALE[low].1, SCALE[high].1)
         })
+    }
+
+    /// Whether its range goes from the least word to the greatest.
+    pub fn is_unclear(&self) -> bool {
+        let whole = |(low, high)| gravity(high) - gravity(low) == SCALE.len() - 1;
+        self.range.is_some_and(whole)
     }
 
     /// The range in percent.

@@ -208,8 +208,8 @@ pub fn answers(
             vec![form.unwrap_or_else(|| fitted(words, room))]
         };
         let style = match verdict.range {
-            Some((_, high)) => theme.risk(high),
-            None => theme.text(),
+            Some((_, high)) if !verdict.is_unclear() => theme.risk(high),
+            _ => theme.text(),
         };
         for line in &words {
             put(buffer, area, (NAME, y), line, style);

@@ -229,7 +229,7 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
     match outcome {
         Ok(()) => {
             model.overlay = None;
-            model.notice = Some(format!("saved as {name}"));
+            model.notice = Some(format!("saved as {name}; p lists, renames and removes it"));
             if model.work.scenario.name == model.work.original.name && model.is_edited() {
                 model.work.scenario.name.clone_from(&name);
                 if let Some(shown) = &mut model.shown {

@@ -129,8 +129,7 @@ fn legend(shown: &[Total]) -> Vec<String> {
         .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
     parts.push("capitals: nothing is faster and more exact".to_owned());
-    parts.push("> more exact".to_owned());
-    parts.push("< faster".to_owned());
+    parts.push("> more exact, < faster".to_owned());
     parts
 }
 

@@ -162,10 +162,16 @@ fn draw_row(
     };
     match row {
         Row::Preset => {
-            put(buffer, area, (1, 0), "Preset", style);
             let mark = if model.is_edited() { " *" } else { "" };
             let name = format!("{}{mark}", model.work.name());
-            let name = fitted(&name, usize::from(area.width - 9));
+            let name = fitted(&name, usize::from(area.width - 2));
+            put(
+                buffer,
+                area,
+                (1, 0),
+                beside("Preset", &name, area.width),
+                style,
+            );
             value(model, &name, chosen && focused, area, buffer);
         }
         Row::Fold => {
@@ -182,26 +188,40 @@ fn draw_row(
             };
             put(buffer, area, (1, 0), &text, style);
         }
-        Row::Field(field) => {
-            put(buffer, area, (1, 0), field.label, style);
-            match &model.form.typing {
-                Some(typing) if chosen => typed(model, typing, area, buffer),
-                _ => {
-                    let text = shown_value(model, field);
-                    let label = width(field.label) + 2;
-                    let doubtful = is_unverified(&model.work.scenario, field);
-                    let label = label + if doubtful { 2 } else { 0 };
-                    let room = usize::from(area.width.saturating_sub(label));
-                    let text = fitted(&text, room);
-                    if doubtful {
-                        let right = area.width.saturating_sub(width(&text) + 1);
-                        put_right(buffer, area, (right, 0), "?", theme.warning());
-                    }
-                    value(model, &text, chosen && focused, area, buffer);
-                }
+        Row::Field(field) => match &model.form.typing {
+            Some(typing) if chosen => {
+                put(buffer, area, (1, 0), field.label, style);
+                typed(model, typing, area, buffer);
             }
-        }
+            _ => {
+                let doubtful = is_unverified(&model.work.scenario, field);
+                let marked = if doubtful { 2 } else { 0 };
+                let room = area.width - marked;
+                let text = fitted(&shown_value(model, field), usize::from(room - 2));
+                put(
+                    buffer,
+                    area,
+                    (1, 0),
+                    beside(field.label, &text, room),
+                    style,
+                );
+                if doubtful {
+                    let right = area.width.saturating_sub(width(&text) + 1);
+                    put_right(buffer, area, (right, 0), "?", theme.warning());
+                }
+                value(model, &text, chosen && focused, area, buffer);
+            }
+        },
     }
+}
+
+/// As many words of a label as there is room for beside a value.
+fn beside<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
+    let ends = label.match_indices(' ').map(|(at, _)| &label[..at]);
+    let mut shorter: Vec<&str> = ends.chain([label]).collect();
+    shorter.reverse();
+    let fits = |text: &&str| 2 + width(text) + width(value) <= room;
+    shorter.into_iter().find(fits).unwrap_or("")
 }
 
 fn value(model: &Model, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) {

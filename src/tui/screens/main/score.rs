@@ -53,8 +53,9 @@ const SHORTEST: u16 = 4;
 const INDEX: u16 = 1;
 const BELOW: u16 = 5;
 
-/// Draws the score below a line that says whether it is out of date.
-pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+/// Draws the score below a line that says whether it is out of date; `beside` says whether all verdicts stand
+/// beside it.
+pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
     let rows = if area.height >= ROOM + ANSWERS {
@@ -78,7 +79,7 @@ pub fn draw(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         None => index(shown, theme, block, buffer),
     }
     below(model, shown, theme, area, buffer);
-    flags(shown, rows == 1, theme, area, buffer);
+    flags(shown, rows == 1 && !beside, theme, area, buffer);
 }
 
 /// The line above: whether the score is out of date, and what its errors come from.
@@ -308,7 +309,6 @@ fn tends(shown: &Shown, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer
     let texts = [
         format!("index on ever finer meshes: {limit}"),
         format!("on finer meshes: {limit}"),
-        format!("finer: {limit}"),
     ];
     let fits = |text: &&String| free + 2 + width(text) <= area.width;
     if let Some(text) = texts.iter().find(fits) {

@@ -86,7 +86,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     };
     eye(model, shown, parts.eye, buffer);
     sparklines(model, shown, parts.traces, buffer);
-    score::draw(model, shown, parts.score, buffer);
+    score::draw(model, shown, parts.risks.is_some(), parts.score, buffer);
     if let Some(place) = parts.risks {
         for y in 0..area.height {
             put(buffer, place, (0, y), "│", theme.line());
