@@ -51,9 +51,12 @@ impl Left {
         Some(self.fold()?.since)
     }
 
-    /// Whether a projectile never touched the eye. One on the axis of revolution always does.
+    /// Whether a projectile never touched the eye.
     pub fn missed(&self) -> bool {
-        self.section().is_some_and(Extremes::missed)
+        match self {
+            Self::Section(extremes) => extremes.missed(),
+            Self::Revolution(extremes) => extremes.missed(),
+        }
     }
 
     /// By how much the energies miss, as a share of what came in.

@@ -261,7 +261,7 @@ impl Quantity {
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
-                scatter: within(0.6, 0.12),
+                scatter: within(0.7, 0.12),
                 read: Read::Peak(|e| Some(e.force[Monitor::Right as usize])),
                 revolution: ReadRevolution::Peak(|e| Some(e.node_force[Monitor::Right as usize])),
                 trace: Some(Trace {

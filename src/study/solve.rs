@@ -305,12 +305,12 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     let results = case.results(&ran.left);
     let difference = case.results(&second?.left).difference_percent(&results);
     let disagreement = difference.headline();
-    let time_step = if ran.left.missed() {
-        // All of an eye that is not hit is exactly 0.
-        difference.map(|_, difference| difference.map(|_| 0.0))
-    } else {
-        stated(case, plan, &results, (&difference, factor))
-    };
+    let mut time_step = stated(case, plan, &results, (&difference, factor));
+    if ran.left.missed() {
+        // All of an eye that is not hit is exactly 0, but not how the object flies on.
+        let exact = |of| results[of] == Some(0.0);
+        time_step = time_step.map(|of, error| error.map(|e| if exact(of) { 0.0 } else { e }));
+    }
     let errors = Errors {
         time_step,
         mesh: None,

@@ -85,9 +85,9 @@ impl Extremes {
         }
     }
 
-    /// Whether nothing ever touched the eye, as far as contact tells.
+    /// Whether an object never touched the eye, as one that bone caught.
     pub fn missed(&self) -> bool {
-        self.force.value == 0.0
+        self.rebound.is_some() && self.force.value == 0.0
     }
 
     /// When one of them last grew, s.

@@ -515,15 +515,16 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         self.extremes.fold = self.fold.fold();
         self.extremes.touching = self.energy.contact > 0.0;
-        if self.object.is_some() && self.extremes.missed() {
+        self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
+        if self.extremes.missed() {
             // What an eye that nothing touched shows is rounding.
             self.extremes = Extremes {
                 rim_force: self.extremes.rim_force,
+                rebound: self.extremes.rebound,
                 energy_residual: self.extremes.energy_residual,
                 ..Extremes::at_rest()
             };
         }
-        self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         Run {
             extremes: self.extremes,
             traces: self.keep.traces.then_some(self.traces),
