@@ -9,7 +9,7 @@ use std::fmt;
 use super::injury::share;
 use super::text::{digits, percent, significant};
 use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
-use crate::study::course::{Beside, Course};
+use crate::study::course::{Beside, Course, Group};
 use crate::study::quantity::Read;
 use crate::study::{Answer, Errors, Quantity};
 
@@ -170,6 +170,10 @@ pub fn at_a_moment(answer: &Answer, course: Course, value: f64) -> String {
         // What drives an eye that is hit is a result of its own.
         Course::Beside(Beside::Drive) if answer.result(Quantity::Contact).is_some() => {
             Quantity::Contact
+        }
+        // No error is estimated of the energies, so they have the digits that any result has.
+        Course::Beside(_) if row.place.0 == Group::Energies => {
+            return with_unit(&rounded(settled(value, NEGLIGIBLE_NOW), DIGITS.0), row.unit);
         }
         Course::Beside(_) => {
             return with_unit(&significant(settled(value, NEGLIGIBLE_NOW)), row.unit);

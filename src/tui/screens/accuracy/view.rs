@@ -128,7 +128,7 @@ fn legend(shown: &[Total]) -> Vec<String> {
         .filter(there)
         .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
-    parts.push("capitals: nothing is faster and more exact".to_owned());
+    parts.push("capitals: unbeaten in time and error".to_owned());
     parts.push("> more exact, < faster".to_owned());
     parts
 }
