@@ -87,6 +87,12 @@ pub static FIGURES: &[Figures] = &[
         excerpt: str::to_owned,
     },
     Figures {
+        name: "tolerance",
+        command: "contrecoup coverage --tolerance",
+        form: Form::Rows(|| vec!["asked for ", "50 % ", "20 % ", "10 % ", "5.0 % ", "2.0 % "]),
+        excerpt: str::to_owned,
+    },
+    Figures {
         name: "methods",
         command: ACCURACY,
         form: SHORT,
