@@ -121,7 +121,7 @@ mod tests {
     fn what_is_printed_reads_back_as_it_was() {
         let own = "(color: \"256\", symbols: \"ascii\", fps: 30, mouse: true, idle: false, start: \"map\",\n\
                    ground: \"light\", colours: (heading: 21, fat: \"bright red\", bar: \"auto\"),\n\
-                   keys: (undo: [\"Ctrl-X\", \"F12\"], save: \"W\", redraw: []))";
+                   keys: (save: \"W\", undo: [\"Ctrl-X\", \"F12\"], redraw: []))";
         for text in ["", "()", " // nothing\n", own] {
             let config = Config::read(text, "").unwrap();
             let printed = config.to_ron();
