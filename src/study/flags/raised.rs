@@ -156,7 +156,7 @@ impl Raised {
 
     /// A projectile that met the rim of the orbit at `time`, in s, with a force in N where it is known.
     pub fn rim_stops(&mut self, time: f64, force: Option<f64>) {
-        let force = force.map_or_else(String::new, |force| format!(", with {force:.3e} N"));
+        let force = force.map_or_else(String::new, |force| format!(", with {force:.1e} N"));
         let at = time * 1e3;
         self.raise_at(
             time,
