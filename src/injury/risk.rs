@@ -226,7 +226,7 @@ pub fn assess(measures: &Measures) -> Vec<Risk> {
         // Beyond its data a curve tells only that the risk rises; and since nothing brings no risk and
         // the curve is convex at first, below them the chord from there bounds it.
         let band = if value > last {
-            (curve.band(last).0, 1.0)
+            (least.min(curve.band(last).0), 1.0)
         } else if value < first {
             (0.0, curve.band(first).1 * value / first)
         } else {
@@ -264,6 +264,21 @@ mod tests {
             }),
             stress: None,
         }
+    }
+
+    #[test]
+    fn beyond_the_data_an_error_that_reaches_back_among_them_widens_the_range() {
+        let stressed = |error| {
+            let stress = Some(Computed { value: 36e6, error });
+            let risks = assess(&Measures {
+                stress,
+                ..Measures::default()
+            });
+            risks[0].band
+        };
+        let (sure, unsure) = (stressed(0.0), stressed(1.2));
+        assert!(unsure.0 < 0.05 && sure.0 > 0.5, "{sure:?} {unsure:?}");
+        assert_eq!((sure.1, unsure.1), (1.0, 1.0));
     }
 
     #[test]

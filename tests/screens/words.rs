@@ -270,7 +270,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     };
     said(
         &after(&[], "ajjjjjjjj\r-"),
-        &["▸Name", "1 to 80", "Enter accept  Esc restore"],
+        &["▸Name", "1 to 80", "Enter accept  Esc cancel"],
     );
     said(
         &after(&["paper-600n"], &("L".repeat(30) + "\tKK")),

@@ -20,7 +20,8 @@ struct Piece {
     radius: f64,
     /// A0 t E/(1 - nu^2), N m.
     membrane: f64,
-    /// E/(1 - nu^2) of the sclera, Pa; 0 where there is none.
+    /// E/(1 - nu^2) of the sclera, Pa, times its share of the ring: under a blow at an angle rings hold cornea too,
+    /// and the sclera must not take all of their tension as soon as a little of it is there.
     sclera: f64,
 }
 
@@ -77,11 +78,7 @@ impl Shell {
                 length,
                 radius,
                 membrane: 2.0 * PI * radius * length * stretch,
-                sclera: if segment.sclera > 0.0 {
-                    p.sclera_modulus / plane
-                } else {
-                    0.0
-                },
+                sclera: segment.sclera * p.sclera_modulus / plane,
             });
             let areal = p.density * segment.thickness
                 + ENTRAINED * eye.parameters.vitreous.density * length;

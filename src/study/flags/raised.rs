@@ -154,22 +154,22 @@ impl Raised {
         self.raise_at(window, FlagKind::WindowShort, how);
     }
 
-    /// A projectile that met the rim of the orbit at `time`, in s, with a force in N where it is known.
-    pub fn rim_stops(&mut self, time: f64, force: Option<f64>) {
+    /// A projectile that met a rim, which is named, at `time`, in s, with a force in N where it is known.
+    pub fn rim_stops(&mut self, rim: &str, time: f64, force: Option<f64>) {
         let force = force.map_or_else(String::new, |force| format!(", with {force:.1e} N"));
         let at = time * 1e3;
         self.raise_at(
             time,
             FlagKind::RimStops,
-            format!("the orbit's rim met the projectile at {at:.3} ms{force}"),
+            format!("{rim} met the projectile at {at:.3} ms{force}"),
         );
     }
 
-    /// A projectile that bone caught before it came to the eye.
-    pub fn rim_kept_it_off(&mut self) {
+    /// A projectile that a rim caught before it came to the eye.
+    pub fn rim_kept_it_off(&mut self, rim: &str) {
         self.raise(
             FlagKind::EyeMissed,
-            "the rim of the orbit kept the projectile off the eye",
+            format!("{rim} kept the projectile off the eye"),
         );
     }
 }

@@ -16,6 +16,8 @@ const DEEP: f64 = 0.02;
 /// A soft object squeezed by more than this share of the diameter is no linear spring.
 const FLATTENED: f64 = 0.5;
 
+/// What catches an object.
+const RIM: &str = "the orbit's rim";
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
@@ -137,10 +139,10 @@ fn of_shot(shot: &ShotExtremes, window: f64, spacing: f64, raised: &mut Raised) 
         );
     }
     if let Some(time) = shot.rim_at {
-        raised.rim_stops(time, None);
+        raised.rim_stops(RIM, time, None);
     }
     match (shot.contact, shot.rim_at) {
-        (None, Some(_)) => raised.rim_kept_it_off(),
+        (None, Some(_)) => raised.rim_kept_it_off(RIM),
         (None, None) => raised.raise(FlagKind::EyeMissed, "the projectile never touched the eye"),
         (Some(_), _) if shot.touching || shot.going_on => raised.contact_cut(window),
         _ => {}

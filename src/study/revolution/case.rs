@@ -34,6 +34,8 @@ pub struct RevolutionCase {
     pub angle_deg: f64,
     /// Whether the eye is a pig's.
     pub pig: bool,
+    /// What catches an object that is too wide.
+    pub rim: &'static str,
     /// Longest stable step at rest, in s.
     limit: f64,
 }
@@ -85,6 +87,10 @@ impl RevolutionCase {
             window: scenario.window_ms * 1e-3,
             angle_deg,
             pig: model.species == Species::Pig,
+            rim: match model.support {
+                Support::Gelatin => "the rim of the gelatin's cup",
+                Support::Orbit | Support::Free => "the orbit's rim",
+            },
         })
     }
 

@@ -36,9 +36,9 @@ pub(in crate::study) fn raise(
     }
     if extremes.rim_force.value > 0.0 {
         let rim = extremes.rim_force;
-        raised.rim_stops(rim.time, Some(rim.value));
+        raised.rim_stops(case.rim, rim.time, Some(rim.value));
         if extremes.missed() {
-            raised.rim_kept_it_off();
+            raised.rim_kept_it_off(case.rim);
         }
     }
     window(case, extremes, simulated, &mut raised);

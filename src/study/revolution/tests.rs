@@ -286,6 +286,25 @@ fn a_crushed_front_says_how_many_cells_folded_and_where() {
 }
 
 #[test]
+fn neighbouring_angles_have_neighbouring_stresses_where_the_sclera_comes_under_the_object() {
+    let stress = |angle_deg: f64| {
+        let mut turned = scene(Projectile {
+            angle_deg,
+            ..bb(62.5)
+        });
+        turned.window_ms = 0.4;
+        let value = solved(&turned).result(Quantity::ScleralStress);
+        value.unwrap()
+    };
+    let stresses: Vec<f64> = (0..=20)
+        .map(|i| stress(24.0 + 0.25 * f64::from(i)))
+        .collect();
+    for pair in stresses.windows(2) {
+        assert!((pair[1] / pair[0] - 1.0).abs() < 0.02, "{stresses:?}");
+    }
+}
+
+#[test]
 fn what_bone_or_the_cup_keeps_off_the_eye_does_nothing_and_is_said_to() {
     let mut wide = scene(Projectile {
         mass_g: 8.0,

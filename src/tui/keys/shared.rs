@@ -114,7 +114,7 @@ pub(crate) static TIME: KeyTable = KeyTable::new("Time", &[
 #[rustfmt::skip]
 static TYPING: KeyTable = KeyTable::new("Typing", &[
     bind(&[ENTER], update::accept, "accept", "accept"),
-    bind(&[ESC], update::cancel, "restore", "restore what was there"),
+    bind(&[ESC], update::cancel, "cancel", "leave it as it was"),
     LEAVE,
     #[cfg(unix)]
     STOP,

@@ -41,7 +41,7 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
         (KeyCode::Char(c), Some(field)) if !event.modifiers.intersects(held) => {
             let Some(c) = admitted(field, c) else {
                 model.notice =
-                    Some("A number is being typed: Enter accepts, Esc restores".to_owned());
+                    Some("A number is being typed: Enter accepts, Esc cancels".to_owned());
                 return;
             };
             Some(InputRequest::InsertChar(c))

@@ -2,7 +2,7 @@
 
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
-use crate::scenario::{Scenario, set};
+use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
 use crate::study::map::{Grid, Reading, SIDE, Span, fill};
 use crate::study::sweep::spaced;
 use crate::study::{Quantity, Refusal, Watch};
@@ -10,9 +10,10 @@ use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 use crate::tui::worker::overseen;
 
+const ANGLE: &str = "impact.angle_deg";
 /// Pairs of inputs to begin with; the first whose fields are there.
 const PAIRS: [(&str, &str); 2] = [
-    ("impact.speed_m_s", "impact.angle_deg"),
+    ("impact.speed_m_s", ANGLE),
     ("impact.force_n", "impact.duration_ms"),
 ];
 /// How far a range reaches at first: to three times the value and to a third of it.
@@ -20,6 +21,8 @@ const REACH: f64 = 2.0;
 /// The factor of one key press on the reach, and its bounds.
 const ZOOM: f64 = 1.5;
 const REACHES: (f64, f64) = (0.1, 20.0);
+/// An angle has room if what the model is trusted for is so many times as large.
+const LEAST_SHARE: f64 = 1.25;
 /// Where a value is 0 the range reaches so many large steps to both sides, at the first reach.
 const STEPS: f64 = 3.0;
 
@@ -101,6 +104,14 @@ pub fn rounded(value: f64) -> f64 {
 /// A range round the present value, within the field's bounds.
 fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> {
     let (value, bounds) = number(field, scenario)?;
+    // No farther than the model is trusted, unless the scenario itself goes nearly there.
+    let share = TRUSTED_ANGLE_DEG / value.abs();
+    let turned = matches!(scenario.model, Model::Physiological(_)) && field.path == ANGLE;
+    let reach = if turned && share >= LEAST_SHARE {
+        reach.min(share - 1.0)
+    } else {
+        reach
+    };
     let (from, to) = if value == 0.0 {
         let wide = STEPS * bounds.coarse * reach / REACH;
         (-wide, wide)
@@ -135,11 +146,23 @@ fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
 }
 
 impl Map {
-    /// Chooses inputs where there are none, or where the scenario no longer has them.
+    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges where what it
+    /// holds lies outside them.
     pub fn settle(&mut self, scenario: &Scenario) {
-        let there = |span: &Span| number(span.field, scenario).is_some();
-        if self.spans.is_some_and(|(x, y)| there(&x) && there(&y)) {
+        let holds = |span: &Span| {
+            number(span.field, scenario)
+                .is_some_and(|(value, _)| (span.from..=span.to).contains(&value))
+        };
+        if self.spans.is_some_and(|(x, y)| holds(&x) && holds(&y)) {
             return;
+        }
+        if let Some((x, y)) = self.spans {
+            let again = |old: Span| span(old.field, scenario, self.reach);
+            if let (Some(x), Some(y)) = (again(x), again(y)) {
+                self.spans = Some((x, y));
+                self.go_home(scenario, (true, true));
+                return;
+            }
         }
         let field = |path| find(path).filter(|field| number(field, scenario).is_some());
         let pair = PAIRS.iter().find_map(|(x, y)| Some((field(x)?, field(y)?)));
