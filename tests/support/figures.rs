@@ -96,25 +96,25 @@ pub static FIGURES: &[Figures] = &[
         name: "methods",
         command: ACCURACY,
         form: SHORT,
-        excerpt: |text| before(&from(text, "  integrator"), "\nfor "),
+        excerpt: methods,
     },
     Figures {
         name: "meshes",
         command: ACCURACY,
         form: SHORT,
-        excerpt: |text| from(text, "level "),
+        excerpt: meshes,
     },
     Figures {
         name: "revolution-methods",
         command: ACCURACY_OF_REVOLUTION,
         form: SHORT_OF_REVOLUTION,
-        excerpt: |text| before(&from(text, "  integrator"), "\nfor "),
+        excerpt: methods,
     },
     Figures {
         name: "revolution-meshes",
         command: ACCURACY_OF_REVOLUTION,
         form: SHORT_OF_REVOLUTION,
-        excerpt: |text| from(text, "level "),
+        excerpt: meshes,
     },
     Figures {
         name: "hard-cases",
@@ -198,6 +198,16 @@ fn from(text: &str, begin: &str) -> String {
         .collect();
     assert!(!lines.is_empty(), "no {begin:?} in\n{text}");
     lines.join("\n") + "\n"
+}
+
+/// Of a measured accuracy the integrators over their steps.
+fn methods(text: &str) -> String {
+    before(&from(text, "  integrator"), "\nfor ")
+}
+
+/// And the mesh levels.
+fn meshes(text: &str) -> String {
+    from(text, "level ")
 }
 
 fn only(text: &str, keep: impl Fn(&&str) -> bool) -> String {

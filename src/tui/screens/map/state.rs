@@ -156,17 +156,9 @@ impl Map {
         if self.spans.is_some_and(|(x, y)| holds(&x) && holds(&y)) {
             return;
         }
-        if let Some((x, y)) = self.spans {
-            let again = |old: Span| span(old.field, scenario, self.reach);
-            if let (Some(x), Some(y)) = (again(x), again(y)) {
-                self.spans = Some((x, y));
-                self.go_home(scenario, (true, true));
-                return;
-            }
-        }
-        let field = |path| find(path).filter(|field| number(field, scenario).is_some());
-        let pair = PAIRS.iter().find_map(|(x, y)| Some((field(x)?, field(y)?)));
-        self.spans = pair.and_then(|(x, y)| {
+        let chosen = self.spans.map(|(x, y)| (x.field, y.field));
+        let first = PAIRS.iter().filter_map(|(x, y)| Some((find(x)?, find(y)?)));
+        self.spans = chosen.into_iter().chain(first).find_map(|(x, y)| {
             Some((
                 span(x, scenario, self.reach)?,
                 span(y, scenario, self.reach)?,
