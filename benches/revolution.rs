@@ -14,9 +14,8 @@ use std::time::Instant;
 
 /// Rounds of whole runs.
 const ROUNDS: usize = 3;
-/// Simulated time of a whole run, and of those that are only compared, in s.
+/// Simulated time, in s.
 const WINDOW: f64 = 3e-3;
-const SHORT: f64 = 1e-3;
 
 fn bb() -> Blow {
     Blow::Object(Object {
@@ -37,14 +36,14 @@ fn cpu_seconds() -> f64 {
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-fn hit(form: Form, eye: &RevolutionEye, window: f64) -> (f64, Run) {
+fn hit(form: Form, eye: &RevolutionEye) -> (f64, Run) {
     let start = cpu_seconds();
     let mut watch = |_| ControlFlow::Continue(());
     let run = run_as(
         form,
         eye,
         &bb(),
-        window,
+        WINDOW,
         STEP_SHARE,
         Keep::default(),
         &mut watch,
@@ -53,11 +52,11 @@ fn hit(form: Form, eye: &RevolutionEye, window: f64) -> (f64, Run) {
 }
 
 /// Fastest time of each form, in s, and its run.
-fn fastest(forms: &[Form], eye: &RevolutionEye, window: f64, rounds: usize) -> Vec<(f64, Run)> {
-    let mut best: Vec<_> = forms.iter().map(|&form| hit(form, eye, window)).collect();
-    for _ in 1..rounds {
+fn fastest(forms: &[Form], eye: &RevolutionEye) -> Vec<(f64, Run)> {
+    let mut best: Vec<_> = forms.iter().map(|&form| hit(form, eye)).collect();
+    for _ in 1..ROUNDS {
         for (best, &form) in best.iter_mut().zip(forms) {
-            best.0 = best.0.min(hit(form, eye, window).0);
+            best.0 = best.0.min(hit(form, eye).0);
         }
     }
     best
@@ -66,27 +65,17 @@ fn fastest(forms: &[Form], eye: &RevolutionEye, window: f64, rounds: usize) -> V
 fn main() {
     let mut forms = vec![Form::Plain];
     forms.extend(vector_sets().into_iter().map(Form::Vectors));
-    println!("BB at 60 m/s, orbit, 1 ms: time a cell and step, and the plain loop over it");
+    println!("BB at 60 m/s, orbit, 3 ms: the run, and its time a cell and step");
     for level in 1..=RevolutionEye::FINEST {
         let eye = RevolutionEye::new(&Parameters::default(), level);
-        for (form, (time, run)) in forms.iter().zip(fastest(&forms, &eye, SHORT, ROUNDS)) {
-            let ns = 1e9 * time / run.cell_evaluations as f64;
+        for (form, (time, run)) in forms.iter().zip(fastest(&forms, &eye)) {
             println!(
-                "level {level} {:>5} cells {:>6} steps {ns:8.2} ns  {form:?}",
+                "level {level} {:>5} cells {:>6} steps to {:.2} ms {:9.2} ms {:8.2} ns  {form:?}",
                 eye.cells.len(),
-                run.steps
-            );
-        }
-    }
-    println!("BB at 60 m/s, orbit, 3 ms");
-    for level in 1..=3 {
-        let eye = RevolutionEye::new(&Parameters::default(), level);
-        for (form, (time, run)) in forms[1..].iter().zip(fastest(&forms[1..], &eye, WINDOW, 3)) {
-            println!(
-                "level {level} {:8.2} ms {:>6} steps to {:.2} ms  {form:?}",
-                1e3 * time,
                 run.steps,
-                1e3 * run.simulated
+                1e3 * run.simulated,
+                1e3 * time,
+                1e9 * time / run.cell_evaluations as f64,
             );
         }
     }

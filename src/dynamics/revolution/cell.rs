@@ -92,6 +92,10 @@ impl Response {
     }
 }
 
+fn squared((x, r): Point) -> f64 {
+    x * x + r * r
+}
+
 /// From the first corner to the third, and from the second to the fourth.
 fn diagonals(p: [Point; 4]) -> (Point, Point) {
     (
@@ -260,7 +264,7 @@ impl Rest {
             a,
             b,
             det,
-            length: 0.5 * det / libm::hypot(a.0, a.1).max(libm::hypot(b.0, b.1)),
+            length: 0.5 * det / squared(a).max(squared(b)).sqrt(),
             radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
         }
     }
@@ -335,7 +339,8 @@ impl Rest {
             third: (xx + rr + hh) / 3.0,
         };
         let change = det / (2.0 * self.area) * hoop;
-        (strain, libm::pow(change, -2.0 / 3.0))
+        let root = libm::cbrt(change);
+        (strain, 1.0 / (root * root))
     }
 
     /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and

@@ -30,8 +30,8 @@ struct Piece {
 struct Hinge {
     /// D 2 pi r0 / l0, N m.
     stiffness: f64,
-    /// Angle at rest, rad.
-    angle: f64,
+    /// Cosine and sine of its angle at rest.
+    rest: (f64, f64),
 }
 
 /// The chain.
@@ -55,8 +55,9 @@ pub(super) struct ShellState {
     pub energy: f64,
 }
 
-fn turn(a: (f64, f64), b: (f64, f64)) -> f64 {
-    libm::atan2(a.0 * b.1 - a.1 * b.0, a.0 * b.0 + a.1 * b.1)
+/// Cosine and sine of the angle from one side to another, times the length of both.
+fn turn(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0 * b.0 + a.1 * b.1, a.0 * b.1 - a.1 * b.0)
 }
 
 impl Shell {
@@ -91,9 +92,11 @@ impl Shell {
                     s.modulus * s.thickness.powi(3) / (12.0 * plane)
                 };
                 let length = 0.5 * (pieces[i - 1].length + pieces[i].length);
+                let (cos, sin) = turn(side[i - 1], side[i]);
+                let norm = libm::hypot(cos, sin);
                 Hinge {
                     stiffness: 0.5 * (bending(i - 1) + bending(i)) * 2.0 * PI * at[i].1 / length,
-                    angle: turn(side[i - 1], side[i]),
+                    rest: (cos / norm, sin / norm),
                 }
             })
             .collect();
@@ -133,9 +136,9 @@ impl Shell {
             fr[i + 1] -= along * side.1 + around;
             if i > 0 {
                 let hinge = self.hinges[i - 1];
-                let change = turn((before.0, before.1), side) - hinge.angle;
-                // A fold beyond half a turn is the short way round.
-                let change = change - 2.0 * PI * (change / (2.0 * PI)).round();
+                // Turned back by the angle at rest: a fold beyond half a turn is the short way round.
+                let (cos, sin) = turn(hinge.rest, turn((before.0, before.1), side));
+                let change = libm::atan2(sin, cos);
                 let moment = hinge.stiffness * change;
                 state.energy += 0.5 * moment * change;
                 // The angle grows as the second side turns anticlockwise or the first clockwise.
