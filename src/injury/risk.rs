@@ -182,6 +182,12 @@ impl Risk {
         }
         marks
     }
+
+    /// The band if the value were known within a `factor` only.
+    pub fn band_within(&self, factor: f64) -> (f64, f64) {
+        let at = |value| band(self.curve, value, self.error);
+        (at(self.value / factor).0, at(self.value * factor).1)
+    }
 }
 
 /// The first curve of an injury against a measure.
@@ -203,6 +209,21 @@ fn reach(curve: &Curve) -> (f64, f64) {
     }
 }
 
+/// Least and greatest risk at a value that may be off by a share of it.
+fn band(curve: &Curve, value: f64, error: f64) -> (f64, f64) {
+    let (first, last) = reach(curve);
+    let least = curve.band(value * (1.0 - error)).0;
+    // Beyond its data a curve tells only that the risk rises; and since nothing brings no risk and
+    // the curve is convex at first, below them the chord from there bounds it.
+    if value > last {
+        (least.min(curve.band(last).0), 1.0)
+    } else if value < first {
+        (0.0, curve.band(first).1 * value / first)
+    } else {
+        (least, curve.band(value * (1.0 + error)).1)
+    }
+}
+
 /// What every curve that applies says of the measures of a blow.
 pub fn assess(measures: &Measures) -> Vec<Risk> {
     let one = |curve: &'static Curve| {
@@ -221,23 +242,12 @@ pub fn assess(measures: &Measures) -> Vec<Risk> {
         };
         let (first, last) = reach(curve);
         let extrapolated = untested || !(first..=last).contains(&value);
-        let least = curve.band(value * (1.0 - error)).0;
-        let most = curve.band(value * (1.0 + error)).1;
-        // Beyond its data a curve tells only that the risk rises; and since nothing brings no risk and
-        // the curve is convex at first, below them the chord from there bounds it.
-        let band = if value > last {
-            (least.min(curve.band(last).0), 1.0)
-        } else if value < first {
-            (0.0, curve.band(first).1 * value / first)
-        } else {
-            (least, most)
-        };
         Some(Risk {
             curve,
             value,
             error,
             risk: curve.risk(value),
-            band,
+            band: band(curve, value, error),
             extrapolated,
             caution,
         })

@@ -10,16 +10,20 @@
 //!    what tears: stress of the wall before pressure, which is a mean over the globe.
 //! 3. The first is believed, and with it those of the same rank whose risk is within a factor of
 //!    [`FACTOR`] of its own. The range spans all that are believed: slope, point and error of the measure.
-//! 4. What is farther off is named with the reason why it counts less. Nothing is averaged.
-//!
-//! Two risks that are both below [`UNLIKELY`] agree: a factor means nothing there.
+//! 4. What is farther off, and what counts less and lies outside the range, is named with the reason why
+//!    it counts less. Nothing is averaged. Two risks that are both below [`UNLIKELY`] agree.
+//! 5. Energy knows neither angle nor place. Where it is believed because what the eye felt cannot be used,
+//!    or beyond the trusted angle, it counts as known within a factor of [`FACTOR`] only: with less known
+//!    an answer must not look surer.
 //!
 //! Left out: weights, and any guess where no measure is left; the verdict then says so.
 
-use super::curve::{Eyes, Injury, Measure, Standing};
+use super::curve::{Curve, Eyes, Injury, Measure, Standing};
+use super::published::CURVES;
 use super::risk::{Caution, Risk};
 
-/// Two risks that differ by more than this factor disagree.
+/// Two risks that differ by more than this factor disagree. So do the measures of a BB at 62.5 m/s: its
+/// pressure says what a third of its energy would.
 pub const FACTOR: f64 = 3.0;
 /// Below this risk an injury is unlikely.
 const UNLIKELY: f64 = 0.05;
@@ -40,6 +44,8 @@ pub struct Validity {
     pub next: &'static str,
     /// Whether the run ended before they had to reach their peaks: they are then at least so large.
     pub cut: bool,
+    /// Whether the blow comes at an angle that no curve was measured at.
+    pub aslant: bool,
     /// Whether the eye is a pig's.
     pub pig: bool,
     /// Said in place of a verdict where no curve speaks at all: why, and what to do.
@@ -53,7 +59,7 @@ pub enum Part {
     Believed,
     /// It counts less, and agrees.
     Agrees,
-    /// It disagrees, and counts less for this reason.
+    /// It disagrees or lies outside the range, and counts less for this reason.
     Disagrees(&'static str),
     /// It is not used, for this reason.
     NotValid(String),
@@ -70,6 +76,8 @@ pub struct Verdict {
     pub range: Option<(f64, f64)>,
     /// Whether a measure ends with the run while it may still grow.
     pub at_least: bool,
+    /// Whether it rests on energy that knows too little here, so that the range was widened.
+    pub alone: bool,
     /// Why there is no range, and what to do; empty where there is one.
     silence: String,
 }
@@ -119,22 +127,36 @@ fn rank(risk: &Risk, validity: &Validity) -> (bool, bool, u8) {
 }
 
 fn reservation(risk: &Risk, validity: &Validity) -> Option<&'static str> {
-    match (risk.curve.species, validity.pig) {
-        (Eyes::Pig, false) => return Some("measured on pigs' eyes"),
-        (Eyes::Human, true) => return Some("measured on human eyes"),
-        _ => {}
-    }
     let larger = risk.caution == Some(Caution::LargerThanEye);
-    larger.then_some("object larger than the eye")
+    of_others(risk.curve.species, validity).or(larger.then_some("object larger than the eye"))
+}
+
+/// What is said of a curve of eyes of another species.
+fn of_others(eyes: Eyes, validity: &Validity) -> Option<&'static str> {
+    match (eyes, validity.pig) {
+        (Eyes::Pig, false) => Some("measured on pigs' eyes"),
+        (Eyes::Human, true) => Some("measured on human eyes"),
+        _ => None,
+    }
 }
 
 /// Why `risk` counts less than what is believed.
 fn why_less(risk: &Risk, validity: &Validity) -> &'static str {
     reservation(risk, validity).unwrap_or(if is_computed(risk.curve.measure) {
-        "a mean over the globe, which tears where stress is largest"
+        "a mean over the globe"
     } else {
         "it knows the object only"
     })
+}
+
+/// Whether a risk by energy is asked for where what the eye felt would come first, or at an angle that no
+/// energy knows.
+fn knows_too_little(risk: &Risk, validity: &Validity) -> bool {
+    let felt = |curve: &Curve| {
+        let own = curve.injury == risk.curve.injury && is_computed(curve.measure);
+        own && of_others(curve.species, validity).is_none()
+    };
+    !is_computed(risk.curve.measure) && (validity.aslant || CURVES.iter().any(felt))
 }
 
 fn disagree(a: &Risk, b: &Risk) -> bool {
@@ -196,13 +218,20 @@ impl Verdict {
             parts,
             range: None,
             at_least: false,
+            alone: first.is_some_and(|first| knows_too_little(&first, validity)),
             silence: String::new(),
         };
         let ends = verdict.believed().fold((1.0, 0.0), |(low, high), risk| {
-            (risk.band.0.min(low), risk.band.1.max(high))
+            let band = if verdict.alone {
+                risk.band_within(FACTOR)
+            } else {
+                risk.band
+            };
+            (band.0.min(low), band.1.max(high))
         });
         verdict.at_least = validity.cut && verdict.rests_on_the_run();
         verdict.range = first.map(|_| (ends.0, if verdict.at_least { 1.0 } else { ends.1 }));
+        verdict.name_what_lies_outside(validity);
         verdict.parts.sort_by_key(|(_, part)| match part {
             Part::Believed => 0,
             Part::Agrees => 1,
@@ -213,6 +242,20 @@ impl Verdict {
             verdict.silence = verdict.why_silent(validity);
         }
         verdict
+    }
+
+    /// What agrees and yet lies outside the range, as it is printed, is to be named.
+    fn name_what_lies_outside(&mut self, validity: &Validity) {
+        let Some((low, high)) = self.range else {
+            return;
+        };
+        let percent = |risk: f64| (100.0 * risk).round();
+        for (risk, part) in &mut self.parts {
+            let outside = percent(risk.risk) < percent(low) || percent(risk.risk) > percent(high);
+            if *part == Part::Agrees && outside && risk.risk.max(high) > UNLIKELY {
+                *part = Part::Disagrees(why_less(risk, validity));
+            }
+        }
     }
 
     fn why_silent(&self, validity: &Validity) -> String {
@@ -273,7 +316,12 @@ impl Verdict {
     pub fn forms(&self) -> Vec<String> {
         let mut forms = vec![self.words()];
         if let (Some(word), Some(percent)) = (self.word(), self.percent()) {
-            forms.push(format!("{word} ({percent}), by {}", self.rests_on()));
+            let believed = format!("{word} ({percent}), by {}", self.rests_on());
+            let others: Vec<String> = self.others().map(|(said, _)| said).collect();
+            if !others.is_empty() {
+                forms.push(format!("{believed}; {}", others.join(", ")));
+            }
+            forms.push(believed);
             forms.push(format!("{word} ({percent})"));
             forms.push(percent);
         } else {
@@ -283,8 +331,22 @@ impl Verdict {
         forms
     }
 
+    /// What the measures that are named though they count less say, and why they count less.
+    fn others(&self) -> impl Iterator<Item = (String, &'static str)> {
+        self.parts.iter().filter_map(|(risk, part)| match part {
+            Part::Disagrees(why) => {
+                let name = risk.curve.measure.short();
+                Some((format!("by {name} {}", whole(risk.risk)), *why))
+            }
+            _ => None,
+        })
+    }
+
     /// The believed measures in words.
     fn rests_on(&self) -> String {
+        if self.alone {
+            return "energy alone".to_owned();
+        }
         let mut names: Vec<&str> = Vec::new();
         for risk in self.believed() {
             let name = risk.curve.measure.short();
@@ -331,12 +393,11 @@ impl Verdict {
         if let Some(why) = self.doubt() {
             text.extend([" ", why]);
         }
-        for (risk, part) in &self.parts {
-            if let Part::Disagrees(why) = part {
-                let name = risk.curve.measure.short();
-                let percent = whole(risk.risk);
-                text.extend([format!("; {name} says {percent}, {why}")]);
-            }
+        if self.alone {
+            text.push_str(", which knows neither angle nor place");
+        }
+        for (said, why) in self.others() {
+            text.extend(["; ", &said, ": ", why]);
         }
         for reason in self.not_valid() {
             text.extend(["; ", &reason]);

@@ -45,6 +45,7 @@ pub fn json(verdicts: &[Verdict]) -> Value {
             "word": verdict.word(),
             "risk_percent": range,
             "at_least": verdict.at_least,
+            "energy_alone": verdict.alone,
             "text": verdict.words(),
             "measures": verdict.parts.iter().map(part).collect::<Vec<_>>(),
         })

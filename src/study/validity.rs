@@ -61,6 +61,7 @@ pub(super) fn validity(flags: &[Flag], late: Option<bool>, pig: bool) -> Validit
         spoiled: why,
         next,
         cut: late == Some(true) || has(FlagKind::PulseCut) || has(FlagKind::ContactCut),
+        aslant: has(FlagKind::AngleBeyondTrust),
         pig,
         silence: if has(FlagKind::EyeMissed) {
             MISSED
@@ -93,7 +94,8 @@ mod tests {
             true,
         );
         assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
-        assert!(!folded.cut);
+        assert!(!folded.cut && !folded.aslant);
+        assert!(validity(&[flag(FlagKind::AngleBeyondTrust)], Some(false), false).aslant);
         let cut = validity(&[flag(FlagKind::ContactCut)], Some(false), false);
         assert!(cut.cut && cut.spoiled.is_none());
         assert!(validity(&[], Some(true), false).cut);

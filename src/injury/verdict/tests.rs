@@ -63,10 +63,40 @@ fn a_measure_off_by_more_than_the_factor_is_named_with_its_reason_and_changes_no
     assert!(
         verdict
             .words()
-            .contains("; pressure says 12 %, a mean over the globe")
+            .contains("; by pressure 12 %: a mean over the globe")
     );
-    // Energy says 88 %, which is within the factor.
-    assert!(!verdict.words().contains("energy"));
+    // Energy says 88 %, which is neither off by the factor nor outside the range.
+    let (low, high) = verdict.range.unwrap();
+    assert!(low < 0.8 && high < 0.9, "{low} {high}");
+    assert!(verdict.words().contains("by energy 88 %"));
+}
+
+#[test]
+fn what_counts_less_and_lies_outside_the_range_is_named_even_within_the_factor() {
+    let fast = Blow { speed: 62.5, ..BB };
+    let verdict = rupture(Some(fast), 0.93e6, 17.9e6);
+    let (_, high) = verdict.range.unwrap();
+    let energy = |part: &(Risk, Part)| part.0.curve.measure == Measure::NormalizedEnergy;
+    let (risk, part) = verdict.parts.iter().find(|p| energy(p)).unwrap();
+    assert!(risk.risk > high && risk.risk < FACTOR * verdict.parts[0].0.risk);
+    assert_eq!(*part, Part::Disagrees("it knows the object only"));
+    let forms = verdict.forms();
+    assert!(forms[0].ends_with("; by energy 97 %: it knows the object only"));
+    assert!(forms[1].ends_with("; by energy 97 %"), "{forms:?}");
+    assert!(!forms[2].contains("energy"));
+    // Inside the range it is not named, nor where both are unlikely.
+    let slower = Blow { speed: 50.0, ..BB };
+    assert!(
+        !rupture(Some(slower), 0.93e6, 17.9e6)
+            .words()
+            .contains("energy")
+    );
+    let slow = Blow { speed: 4.0, ..BB };
+    assert!(
+        !rupture(Some(slow), 0.05e6, 0.5e6)
+            .words()
+            .contains("energy")
+    );
 }
 
 #[test]
@@ -77,7 +107,7 @@ fn eyes_of_another_species_count_after_what_knows_the_object_only() {
     assert!(
         hyphema
             .words()
-            .contains("pressure says 8 %, measured on pigs' eyes")
+            .contains("; by pressure 8 %: measured on pigs' eyes")
     );
     let all = of(Some(SQUASH), 0.59e6, 16.8e6, &Validity::default());
     let hyphema = all.iter().find(|v| v.injury == Injury::Hyphema).unwrap();
@@ -104,6 +134,35 @@ fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
     };
     let paper = of(Some(SQUASH), 0.0, 0.0, &of_paper).swap_remove(0);
     assert!(paper.words().ends_with("take the model Physiological"));
+}
+
+#[test]
+fn energy_in_place_of_what_the_eye_felt_never_looks_surer_than_that() {
+    let spoiled = |aslant| Validity {
+        spoiled: Some("a test".to_owned()),
+        aslant,
+        ..Validity::default()
+    };
+    let felt = rupture(Some(BB), 0.59e6, 16.8e6);
+    let width = |verdict: &Verdict| verdict.range.map(|(low, high)| high - low).unwrap();
+    for validity in [spoiled(false), spoiled(true)] {
+        let all = of(Some(BB), 0.59e6, 16.8e6, &validity);
+        assert!(all[0].alone && width(&all[0]) > width(&felt));
+        let words = all[0].words();
+        assert!(
+            words.contains("by energy alone, which knows neither angle nor place; scleral stress"),
+            "{words}"
+        );
+        let (risk, _) = &all[0].parts[0];
+        assert_eq!(all[0].range, Some(risk.band_within(FACTOR)));
+        assert!(all[0].range.unwrap().0 < risk.band.0);
+        // Of a lens nothing is felt: there only the angle counts.
+        let lens = all.iter().find(|v| v.injury == Injury::LensDislocation);
+        assert_eq!(lens.unwrap().alone, validity.aslant);
+    }
+    // In the Paper model nothing is felt either.
+    assert!(rupture(Some(BB), 0.0, 0.0).alone);
+    assert!(!felt.alone);
 }
 
 #[test]
@@ -138,6 +197,7 @@ fn a_word_covers_the_range_as_it_is_printed() {
         parts: Vec::new(),
         range: Some((low, high)),
         at_least: false,
+        alone: false,
         silence: String::new(),
     };
     for (low, high, word, percent) in [
