@@ -191,6 +191,19 @@ pub fn gravity(risk: f64) -> usize {
     place.unwrap_or(SCALE.len() - 1)
 }
 
+/// What is named though it counts less.
+struct Other {
+    measure: &'static str,
+    risk: f64,
+    why: &'static str,
+}
+
+impl Other {
+    fn said(&self) -> String {
+        format!("by {} {}", self.measure, whole(self.risk))
+    }
+}
+
 impl Verdict {
     fn of(injury: Injury, mut risks: Vec<Risk>, validity: &Validity) -> Self {
         risks.sort_by_key(|risk| rank(risk, validity));
@@ -317,7 +330,13 @@ impl Verdict {
         let mut forms = vec![self.words()];
         if let (Some(word), Some(percent)) = (self.word(), self.percent()) {
             let believed = format!("{word} ({percent}), by {}", self.rests_on());
-            let others: Vec<String> = self.others().map(|(said, _)| said).collect();
+            // Without its reason, another figure by energy would only confuse beside one that is believed.
+            let believes = |name| self.believed().any(|r| r.curve.measure.short() == name);
+            let others: Vec<String> = self
+                .others()
+                .filter(|other| !believes(other.measure))
+                .map(|other| other.said())
+                .collect();
             if !others.is_empty() {
                 forms.push(format!("{believed}; {}", others.join(", ")));
             }
@@ -331,13 +350,14 @@ impl Verdict {
         forms
     }
 
-    /// What the measures that are named though they count less say, and why they count less.
-    fn others(&self) -> impl Iterator<Item = (String, &'static str)> {
+    /// What is named though it counts less.
+    fn others(&self) -> impl Iterator<Item = Other> {
         self.parts.iter().filter_map(|(risk, part)| match part {
-            Part::Disagrees(why) => {
-                let name = risk.curve.measure.short();
-                Some((format!("by {name} {}", whole(risk.risk)), *why))
-            }
+            Part::Disagrees(why) => Some(Other {
+                measure: risk.curve.measure.short(),
+                risk: risk.risk,
+                why,
+            }),
             _ => None,
         })
     }
@@ -396,8 +416,8 @@ impl Verdict {
         if self.alone {
             text.push_str(", which knows neither angle nor place");
         }
-        for (said, why) in self.others() {
-            text.extend(["; ", &said, ": ", why]);
+        for other in self.others() {
+            text.extend(["; ", &other.said(), ": ", other.why]);
         }
         for reason in self.not_valid() {
             text.extend(["; ", &reason]);

@@ -1,6 +1,6 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use super::text::{percent, significant};
+use super::text::{paragraph, percent, significant};
 use crate::injury::{Blow, Caution};
 use crate::plain_text::printable;
 use crate::scenario::Scenario;
@@ -100,8 +100,12 @@ pub fn text(
             nominal.map_or_else(String::new, significant)
         )?;
     }
+    for remark in outside(ensemble) {
+        paragraph(&remark, out)?;
+    }
     if let Some(caution) = caution(scenario) {
-        writeln!(out, "! rupture and retina, energy: {}", caution.text())?;
+        let text = caution.text();
+        paragraph(&format!("! rupture and retina, energy: {text}"), out)?;
     }
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
@@ -131,6 +135,29 @@ pub fn text(
     counts(ensemble, out)?;
     cost(ensemble, out)?;
     writeln!(out, "\nResearch and education, not diagnosis.")
+}
+
+/// Which results lie outside their bands as they stand, one line for each input that may be why.
+fn outside(ensemble: &Ensemble) -> Vec<String> {
+    let mut found: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
+    for of in ensemble.results() {
+        let Some(input) = ensemble.outside(of) else {
+            continue;
+        };
+        let (why, label) = (input.map(|input| input.field.label), of.label());
+        match found.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, labels)) => labels.push(label),
+            None => found.push((why, vec![label])),
+        }
+    }
+    let said = |(why, labels): &(Option<&str>, Vec<&str>)| {
+        let labels = labels.join(", ");
+        let why = why.map_or_else(String::new, |input| {
+            format!(", as {input} stands at an end of its spread")
+        });
+        format!("! as it stands outside its band: {labels}{why}")
+    };
+    found.iter().map(said).collect()
 }
 
 fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
@@ -204,6 +231,7 @@ fn band(ensemble: &Ensemble, of: Quantity) -> Value {
             "median": band.median,
             "p95": band.high,
             "as_it_stands": nominal,
+            "as_it_stands_is_outside": ensemble.outside(of).is_some(),
             "rank_correlation": drivers,
         })
     })

@@ -8,7 +8,13 @@
 use super::ensemble::{Ensemble, PILOT, Sample};
 use super::point::Point;
 use super::quantity::Quantity;
+use super::spreads::Input;
 use super::statistics::{quantile, rank_correlation};
+
+/// A result that leaves its band by less than this share of it has not left it.
+const WIDTH_OF_NOTHING: f64 = 1e-3;
+/// A weaker rank correlation explains nothing.
+const SMALLEST_DRIVER: f64 = 0.1;
 
 /// Median and the band that holds nine in ten.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,6 +103,20 @@ impl Ensemble {
             median: of(0.5)?,
             high: of(0.95)?,
         })
+    }
+
+    /// Whether a result of the scenario as it stands lies outside its band, and the input that may be why:
+    /// of those that stand at an end of what they are drawn from, the one that drives the result most.
+    pub fn outside(&self, of: Quantity) -> Option<Option<&Input>> {
+        let (band, nominal) = (self.band(of)?, self.nominal.as_ref()?[of]?);
+        // What is not drawn has a band of no width, and rounding is no news.
+        let slack = WIDTH_OF_NOTHING * band.median.abs();
+        let inside = (band.low - slack..=band.high + slack).contains(&nominal);
+        let at_an_end = |(input, r): (usize, f64)| {
+            let input = &self.inputs[input];
+            (input.stands_at_an_end() && r.abs() >= SMALLEST_DRIVER).then_some(input)
+        };
+        (!inside).then(|| self.drivers(of).into_iter().find_map(at_an_end))
     }
 
     /// The results that have a band.

@@ -384,6 +384,39 @@ mod tests {
     }
 
     #[test]
+    fn a_result_outside_its_band_is_found_with_the_input_at_an_end_of_its_spread() {
+        let mut fat = quick();
+        fat.doubt.clear();
+        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
+            assert_eq!(
+                input.stands_at_an_end(),
+                ["eye.fat_kpa", "eye.lens_kpa"].contains(&input.field.path)
+            );
+            if input.field.path != "eye.fat_kpa" {
+                fat.doubt.insert(input.field.path.to_owned(), 0.0);
+            }
+        }
+        // Soft fat lets the eye go farther than the paper's own, which stands at the stiff end.
+        let soft = ensemble(&fat, 32, 1);
+        let apart = |of| {
+            soft.outside(of)
+                .map(|why| why.map(|input| input.field.path))
+        };
+        assert_eq!(apart(Quantity::Energy), Some(Some("eye.fat_kpa")));
+        let mut sure = fat;
+        sure.doubt.insert("eye.fat_kpa".to_owned(), 0.0);
+        sure.doubt.insert("impact.force_n".to_owned(), 20.0);
+        let mut forced = ensemble(&sure, 32, 1);
+        assert!(forced.outside(Quantity::Energy).is_none());
+        forced.nominal.as_mut().unwrap()[Quantity::Energy] = Some(1e3);
+        let why = forced.outside(Quantity::Energy);
+        assert!(
+            why.is_some_and(|why| why.is_none()),
+            "no input stands at an end"
+        );
+    }
+
+    #[test]
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
         let sample = |first, tried, good_step| Sample {
             drawn: Vec::new(),

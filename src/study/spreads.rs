@@ -148,6 +148,8 @@ pub static SPREADS: &[Spread] = &[
 pub struct Input {
     /// Where it goes.
     pub field: &'static Field,
+    /// What the scenario holds.
+    pub nominal: f64,
     /// What it is drawn from.
     pub shape: Shape,
     /// The bounds of the field.
@@ -168,6 +170,11 @@ impl Input {
         value.clamp(min, max)
     }
 
+    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either side.
+    pub fn stands_at_an_end(&self) -> bool {
+        self.nominal < self.value(0.05) || self.nominal > self.value(0.95)
+    }
+
     /// Puts a value into a scenario.
     pub fn put(&self, scenario: &mut Scenario, value: f64) {
         set::put_number(scenario, self.field, value);
@@ -182,6 +189,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
         let sd = *scenario.doubt.get(field.path)?;
         (sd > 0.0).then_some(Input {
             field,
+            nominal: value,
             shape: Shape::Normal(value, sd),
             bounds: (bounds.min, bounds.max),
             source: None,
@@ -193,6 +201,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
         let own = value != spread.nominal || scenario.doubt.contains_key(spread.path);
         (!own).then_some(Input {
             field,
+            nominal: value,
             shape: spread.shape,
             bounds: (bounds.min, bounds.max),
             source: Some(spread.source),
@@ -200,6 +209,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
     });
     let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(Input {
         field: &SLOPE,
+        nominal: ASSUMED_SLOPE.usual,
         shape: Shape::Uniform(ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),
         bounds: (ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),
         source: Some("none is published: 3 to 7 assumed, in units of the point of 50 %"),
