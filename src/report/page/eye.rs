@@ -2,15 +2,17 @@
 //!
 //! Places are whole hundredths of a millimetre, x from the cornea to the back and y down, as SVG has it.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
+use super::{FRAMES, spacing};
 use crate::eye::Region;
 use crate::injury::lines;
 use crate::plain_text::printable;
-use crate::recording::Frame;
+use crate::recording::{Frame, nearest};
 use crate::study::comparison::Entry;
 use crate::study::drawing::Drawing;
 use crate::study::{Answer, Quantity};
@@ -34,9 +36,13 @@ pub const STYLE: &str = ".eye path{fill:none;stroke-linecap:round}\
     .eye .object{fill:#77777755;stroke:#555;stroke-width:16}\
     .eye text{font:150px sans-serif;fill:#555}";
 
+/// Coordinates in all frames at most, some 1 MB: a finer mesh has fewer frames, but not fewer than this.
+const MOST: f64 = 4e5;
+const FEWEST: f64 = 20.0;
+
 /// The picture of an answer with its frames.
 pub struct Picture<'a> {
-    frames: &'a [Frame],
+    frames: Vec<&'a Frame>,
     drawing: Drawing,
     /// Nodes that lines end at.
     nodes: Vec<usize>,
@@ -49,11 +55,8 @@ pub struct Picture<'a> {
 impl<'a> Picture<'a> {
     /// Of an answer that has frames.
     pub fn of(answer: &'a Answer) -> Option<Self> {
-        let frames = &answer.frames[..];
-        let time = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
-        let apart = |frame: &Frame| (frame.time - time).abs();
-        let by = |a: &usize, b: &usize| apart(&frames[*a]).total_cmp(&apart(&frames[*b]));
-        let peak = (0..frames.len()).min_by(by)?;
+        let kept = &answer.frames[..];
+        kept.first()?;
         let drawing = Drawing::of(&answer.case);
         let mut places = vec![None; drawing.nodes.len()];
         let mut nodes = Vec::new();
@@ -69,6 +72,14 @@ impl<'a> Picture<'a> {
                 parts[part].push((place(line.ends.0), place(line.ends.1)));
             }
         }
+        let time = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
+        let deepest = nearest(kept, time);
+        let count = (MOST / (2.0 * nodes.len() as f64)).clamp(FEWEST, FRAMES);
+        let due = spacing(answer.window(), count);
+        let moments = (0..=count as usize).map(|number| nearest(kept, due.due(number)));
+        let places: BTreeSet<usize> = moments.chain([deepest]).collect();
+        let peak = places.range(..deepest).count();
+        let frames = places.into_iter().map(|place| &kept[place]).collect();
         Some(Self {
             frames,
             drawing,
@@ -95,7 +106,7 @@ impl<'a> Picture<'a> {
 
     /// Left, top, width and height: the eye at rest, and room for the object before it.
     fn view(&self) -> [i64; 4] {
-        let places = self.places(&self.frames[0]);
+        let places = self.places(self.frames[0]);
         let ends = |from: usize| {
             let along = || places.iter().skip(from).step_by(2).copied();
             (along().min().unwrap_or(-1), along().max().unwrap_or(1))
@@ -113,7 +124,7 @@ impl<'a> Picture<'a> {
 
     /// What stands within the picture.
     fn content(&self) -> Markup {
-        let frame = &self.frames[self.peak];
+        let frame = self.frames[self.peak];
         let places = self.places(frame);
         let at = |i: usize| (places[2 * i], places[2 * i + 1]);
         let [left, top, wide, _] = self.view();
@@ -138,20 +149,29 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Everything that the script moves the paths by.
+    /// Everything that the script moves the paths by: of the first frame the places, of each other one how far
+    /// they have moved since, which takes fewer digits.
     pub fn motion(&self) -> Value {
         let flat = |lines: &Vec<(usize, usize)>| -> Vec<usize> {
             lines.iter().flat_map(|(a, b)| [*a, *b]).collect()
         };
-        let frames = self.frames.iter();
+        let frames = self.frames.iter().copied();
+        let objects: Option<Vec<_>> = frames.clone().map(|f| self.object(f)).collect();
         json!({
             "peak": self.peak,
             "ms": frames.clone().map(|f| (f.time * 1e6).round() / 1e3).collect::<Vec<_>>(),
-            "places": frames.clone().map(|f| self.places(f)).collect::<Vec<_>>(),
-            "objects": frames.map(|f| self.object(f)).collect::<Vec<_>>(),
+            "places": moves(&frames.map(|f| self.places(f)).collect::<Vec<_>>()),
+            "objects": objects.as_deref().map(moves),
             "parts": self.parts.iter().map(flat).collect::<Vec<_>>(),
         })
     }
+}
+
+/// The first of several lists of numbers, and of each other one by how much it differs from the one before.
+fn moves(lists: &[Vec<i64>]) -> Vec<Vec<i64>> {
+    let by = |pair: &[Vec<i64>]| pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect();
+    let first = lists.first().cloned().into_iter();
+    first.chain(lists.windows(2).map(by)).collect()
 }
 
 fn whole(at: nalgebra::Point2<f64>) -> [i64; 2] {
@@ -213,4 +233,55 @@ pub fn pictures(entries: &[Entry]) -> String {
         }
     };
     drawn.into_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::find;
+    use crate::study::{solve, unwatched};
+
+    #[test]
+    fn a_replay_has_few_frames_and_moves_as_the_eye_does() {
+        let scenario = find("squash-ball").unwrap().scenario().unwrap();
+        let keep = crate::tui::simulation::keep(&scenario);
+        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let picture = Picture::of(&answer).unwrap();
+        assert!(answer.frames.len() > 400 && picture.frames.len() <= 82);
+        let apart = |frame: &Frame| (frame.time - picture.time()).abs();
+        let deepest = answer.peak(Quantity::Apex).unwrap().time;
+        assert!(
+            answer
+                .frames
+                .iter()
+                .all(|f| (f.time - deepest).abs() >= (picture.time() - deepest).abs())
+        );
+        assert_eq!(apart(picture.frames[picture.peak]), 0.0);
+        let motion = picture.motion();
+        let numbers = |list: &Value| -> Vec<i64> {
+            let list = list.as_array().unwrap().iter();
+            list.map(|number| number.as_i64().unwrap()).collect()
+        };
+        for (key, last) in [
+            (
+                "places",
+                picture.places(picture.frames[picture.frames.len() - 1]),
+            ),
+            (
+                "objects",
+                picture
+                    .object(picture.frames[picture.frames.len() - 1])
+                    .unwrap(),
+            ),
+        ] {
+            let mut now = vec![0; last.len()];
+            for list in motion[key].as_array().unwrap() {
+                for (place, by) in now.iter_mut().zip(numbers(list)) {
+                    *place += by;
+                }
+            }
+            assert_eq!(now, last, "{key}");
+        }
+        assert!(motion.to_string().len() < 400_000);
+    }
 }

@@ -28,7 +28,7 @@ use crate::study::{Answer, Quantity, unwatched};
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
     Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
 const DISCLAIMER: &str = "Research and education, not diagnosis.";
-/// Frames of the replay, half of them in the time in which most happens, in s.
+/// Frames of the replay at most, half of them in the time in which most happens, in s.
 const FRAMES: f64 = 80.0;
 const LIVELY: f64 = 0.6e-3;
 
@@ -58,16 +58,20 @@ impl Form {
 
 /// What a page needs of a run.
 pub fn keep(scenario: &Scenario) -> Keep {
-    let window = scenario.window_ms * 1e-3;
-    let early = LIVELY.min(0.5 * window);
-    let half = 0.5 * FRAMES;
     Keep {
         traces: true,
-        frames: Some(Spacing {
-            early: half as u32,
-            early_every: early / half,
-            every: (window - early) / half,
-        }),
+        frames: Some(spacing(scenario.window_ms * 1e-3, FRAMES)),
+    }
+}
+
+/// When the frames of a replay are, of a window in s.
+fn spacing(window: f64, frames: f64) -> Spacing {
+    let early = LIVELY.min(0.5 * window);
+    let half = (0.5 * frames).round();
+    Spacing {
+        early: half as u32,
+        early_every: early / half,
+        every: (window - early) / half,
     }
 }
 

@@ -1,13 +1,19 @@
 "use strict";
 for (const box of document.querySelectorAll(".replay")) {
   const motion = JSON.parse(box.querySelector("script").textContent);
+  const summed = (lists) => {
+    let now = null;
+    return lists.map((list) => (now = now ? list.map((by, i) => now[i] + by) : list));
+  };
+  const places = summed(motion.places);
+  const objects = motion.objects && summed(motion.objects);
   const [object, ...parts] = box.querySelectorAll("path");
   const [button, slider, time] = ["button", "input", "output"].map((name) => box.querySelector(name));
   const last = motion.ms.length - 1;
   slider.max = last;
 
   const show = (frame) => {
-    const at = motion.places[frame];
+    const at = places[frame];
     parts.forEach((path, part) => {
       const ends = motion.parts[part];
       let lines = "";
@@ -17,8 +23,7 @@ for (const box of document.querySelectorAll(".replay")) {
       }
       path.setAttribute("d", lines);
     });
-    const outline = motion.objects[frame];
-    object.setAttribute("d", outline ? `M${outline.join(" ")}Z` : "");
+    object.setAttribute("d", objects ? `M${objects[frame].join(" ")}Z` : "");
     slider.value = frame;
     time.textContent = `${motion.ms[frame].toFixed(3)} ms`;
     box.dataset.frame = frame;
