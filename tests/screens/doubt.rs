@@ -2,6 +2,7 @@
 
 use super::drawn::{SIZES, line_from, model, open_sampled, picture, press, ticket};
 use super::made_up;
+use std::sync::Arc;
 use std::time::Duration;
 
 use contrecoup::study::Quantity;
@@ -62,7 +63,7 @@ fn what_the_bands_hold_is_said_beside_many_results() {
             assert!(text.contains("* Bands of 1000 of 1000 samples, those that ran."));
             let words: Vec<&str> = text.split_whitespace().collect();
             assert!(words.join(" ").contains("Flags: 834 mesh folded"), "{text}");
-            let named = |line: &&str| line.contains(['├', '┤']);
+            let named = |line: &&str| line.contains(['├', '┤']) || line.contains("not valid");
             let shown = text.lines().filter(named).count();
             let marked = text.contains(&format!(" of {} ", results.len()));
             assert_eq!(marked, shown < results.len(), "{text}");
@@ -77,6 +78,26 @@ fn what_the_bands_hold_is_said_beside_many_results() {
             let drivers = line_from(&text, "What drives");
             assert_eq!(drivers.contains(" of "), size != (120, 40), "{text}");
         }
+    }
+}
+
+#[test]
+fn a_risk_that_means_nothing_here_is_said_to_and_comes_last() {
+    for (preset, void) in [("squash-ball", true), ("bb-62", false)] {
+        let mut model = model(&[preset], Depth::Mono);
+        let shown = model.shown.as_mut().unwrap();
+        let mut answer = (*shown.answer).clone();
+        // After a mesh that folded no risk means anything.
+        answer.flags.clear();
+        shown.answer = Arc::new(answer);
+        open_sampled(&mut model);
+        let text = picture(&model, (80, 40));
+        let row = |name: &str| text.lines().position(|line| line.contains(name)).unwrap();
+        let line = line_from(&text, "rupture, energy");
+        assert_eq!(line.contains("not valid here"), void, "{text}");
+        assert_eq!(row("rupture, energy") > row("peak force, top"), void);
+        assert!(row("rupture, stress") < row("peak force, top"), "{text}");
+        assert!(!line_from(&text, "rupture, stress").contains("not valid"));
     }
 }
 

@@ -4,9 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
-use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
+use crate::injury::{Caution, Curve, Injury, MARKS, Part, Risk, Verdict, curve_of, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::study::Quantity;
+use crate::study::quantity::Read;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
@@ -114,25 +115,53 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         ..area
     };
     let chosen = model.screens.injury % risks.len();
+    let part = part_of(&verdicts, risks[chosen].curve);
+    let all = u16::try_from(risks.len()).unwrap_or(u16::MAX);
+    let most = area.height.saturating_sub(ABOVE + all.min(LISTED) + 1);
+    let said = explained(&risks[chosen], part, room, most.into());
+    let below = said.len() as u16 + 1;
     let list = Rect {
-        height: area.height.saturating_sub(below(area)),
+        height: area.height.saturating_sub(below),
         ..area
     };
     curves((&risks, &verdicts), Some(chosen), theme, list, buffer);
     let foot = Rect {
-        y: area.y + area.height - below(area),
-        height: below(area),
+        y: area.y + list.height,
+        height: below,
         ..area
     };
-    let part = part_of(&verdicts, &risks[chosen]);
-    explain(&risks[chosen], part, theme, foot, buffer);
+    for x in 0..foot.width {
+        put(buffer, foot, (x, 0), "─", theme.line());
+    }
+    for (y, line) in (1..).zip(&said) {
+        put(buffer, foot, (1, y), line, theme.text());
+    }
 }
 
+/// Rows above the first curve, and the curves that are seen at least, whatever there is to explain.
+const ABOVE: u16 = 2;
+const LISTED: u16 = 3;
+
 /// The part that a curve has in the verdicts.
-fn part_of<'a>(verdicts: &'a [Verdict], risk: &Risk) -> Option<&'a Part> {
+fn part_of<'a>(verdicts: &'a [Verdict], curve: &Curve) -> Option<&'a Part> {
     let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
-    let part = parts.find(|(of, _)| of.curve == risk.curve)?;
+    let part = parts.find(|(of, _)| of.curve == curve)?;
     Some(&part.1)
+}
+
+/// Whether a result is a risk that means nothing here.
+pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
+    let Read::Risk(injury, measure) = of.row().read else {
+        return false;
+    };
+    let part = curve_of(injury, measure).and_then(|curve| part_of(verdicts, curve));
+    matches!(part, Some(Part::NotValid(_)))
+}
+
+/// What stands in place of such a risk, in so many columns.
+pub fn void(room: u16) -> &'static str {
+    let mut texts = ["not valid here", "not valid", "-"].into_iter();
+    texts.find(|text| width(text) <= room).unwrap_or("")
 }
 
 /// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if one is.
@@ -173,7 +202,7 @@ pub fn curves(
         let new = before != Some(risk.curve.injury);
         before = Some(risk.curve.injury);
         let name = if new { risk.curve.injury.name() } else { "" };
-        let valid = !matches!(part_of(verdicts, risk), Some(Part::NotValid(_)));
+        let valid = !matches!(part_of(verdicts, risk.curve), Some(Part::NotValid(_)));
         line(
             risk,
             (name, chosen == Some(i), valid),
@@ -237,18 +266,6 @@ fn flags(shown: &Shown, room: usize) -> Vec<String> {
     lines
 }
 
-/// Rows that the explanation takes.
-fn below(area: Rect) -> u16 {
-    (area.height / 3).clamp(4, 9)
-}
-
-fn paragraph(text: &str, top: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let lines = wrapped(text, usize::from(area.width.saturating_sub(2)));
-    for (i, line) in lines.iter().enumerate() {
-        put(buffer, area, (1, top + i as u16), line, theme.text());
-    }
-}
-
 fn line(
     risk: &Risk,
     (name, chosen, valid): (&str, bool, bool),
@@ -278,10 +295,7 @@ fn line(
         put(buffer, bar, (x, y), mark, style);
     }
     if !valid {
-        let texts = ["not valid here", "not valid", "-"];
-        let fits = |text: &&&str| width(text) <= bar.width;
-        let text = texts.iter().find(fits).unwrap_or(&"");
-        put(buffer, bar, (0, y), text, theme.quiet());
+        put(buffer, bar, (0, y), void(bar.width), theme.quiet());
     }
     let style = if valid { theme.strong() } else { theme.quiet() };
     let end = NAME + bar.width + RANGE;
@@ -298,11 +312,9 @@ fn line(
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
-/// What stands behind one curve, and its part in the verdict.
-fn explain(risk: &Risk, part: Option<&Part>, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    for x in 0..area.width {
-        put(buffer, area, (x, 0), "─", theme.line());
-    }
+/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences as so many
+/// rows hold, the most needed first.
+fn explained(risk: &Risk, part: Option<&Part>, room: usize, rows: usize) -> Vec<String> {
     let curve = risk.curve;
     let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);
     let best = format!(": {}", span((risk.risk, risk.risk)));
@@ -311,31 +323,33 @@ fn explain(risk: &Risk, part: Option<&Part>, theme: Theme, area: Rect, buffer: &
     } else {
         format!("{best}, {low:.0} to {high:.0} % over the range of curve and measure")
     };
-    let mut words = format!(
-        "{} by {}{}. {}; {}; {}; {}.",
-        curve.injury.name(),
-        curve.measure.name(),
-        range,
+    let (injury, measure) = (curve.injury.name(), curve.measure.name());
+    let mut sentences = vec![format!("{injury} by {measure}{range}.")];
+    sentences.extend(match part {
+        Some(Part::Believed) => Some("Believed.".to_owned()),
+        Some(Part::Agrees) => Some("Agrees with what is believed.".to_owned()),
+        Some(Part::Disagrees(why)) => Some(format!("Counts less: {why}.")),
+        Some(Part::NotValid(why)) => Some(format!("NOT VALID HERE: {why}.")),
+        None => None,
+    });
+    if risk.extrapolated {
+        sentences.push("EXTRAPOLATED beyond its data.".to_owned());
+    }
+    if risk.caution == Some(Caution::LargerThanEye) {
+        sentences.push(format!("CAUTION: {}.", Caution::LargerThanEye.text()));
+    }
+    sentences.push(format!(
+        "{}; {}; {}; {}.",
         curve.source,
         curve.species.name(),
         curve.data,
         curve.standing.name(),
-    );
-    match part {
-        Some(Part::Believed) => words += " Believed.",
-        Some(Part::Agrees) => words += " Agrees with what is believed.",
-        Some(Part::Disagrees(why)) => words.extend([" Counts less: ", why, "."]),
-        Some(Part::NotValid(why)) => words.extend([" NOT VALID HERE: ", why, "."]),
-        None => {}
-    }
-    if risk.extrapolated {
-        words += " EXTRAPOLATED beyond its data.";
-    }
-    if risk.caution == Some(Caution::LargerThanEye) {
-        words.extend([" CAUTION: ", Caution::LargerThanEye.text(), "."]);
-    }
+    ));
     if !curve.remark.is_empty() {
-        words.extend([" (", curve.remark, ".)"]);
+        sentences.push(format!("({}.)", curve.remark));
     }
-    paragraph(&words, 1, theme, area, buffer);
+    let some = |count: usize| wrapped(&sentences[..count].join(" "), room);
+    let fits = |lines: &Vec<String>| lines.len() <= rows;
+    let mut fitting = (1..=sentences.len()).rev().map(some).filter(fits);
+    fitting.next().unwrap_or_else(|| some(1))
 }

@@ -2,7 +2,9 @@
 
 mod view;
 
+use super::injury::is_void;
 use super::{Pane, Screen};
+use crate::injury::Verdict;
 use crate::study::Quantity;
 use crate::study::ensemble::Ensemble;
 use crate::study::quantity::Read;
@@ -19,7 +21,7 @@ pub(crate) const SCREEN: Screen = Screen {
         "what the doubt in the inputs does",
         &[Pane {
             name: "outputs",
-            keys: &[KEYS],
+            keys: &[KEYS, STOPPED_KEYS],
             time: TimeKeys::Absent,
         }],
         view::draw,
@@ -30,13 +32,25 @@ pub(crate) const SCREEN: Screen = Screen {
 const KEYS: KeyTable = KeyTable::new("Doubt", &[
     bind(&[UP, c('k')], |m| go(m, -1), "result", "the result above"),
     bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the result below"),
-    bind(&[c('m')], |m| m.ensemble.task.complaint = None, "go on", "go on after Esc"),
 ]);
 
-/// The results that have bands, the risks first: they are the answer.
-fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
+/// Once Esc has stopped it.
+const STOPPED_KEYS: KeyTable = KeyTable {
+    title: "Doubt: stopped",
+    bindings: &[bind(
+        &[c('m')],
+        |m| m.ensemble.task.complaint = None,
+        "go on",
+        "go on where Esc stopped it",
+    )],
+    counts: |model| model.ensemble.complaint(&model.work.scenario).is_some(),
+};
+
+/// The results that have bands, the risks first, which are the answer, and those last that mean nothing here.
+fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    results.sort_by_key(|of| !matches!(of.row().read, Read::Risk(..)));
+    let is_risk = |of: Quantity| matches!(of.row().read, Read::Risk(..));
+    results.sort_by_key(|of| (is_void(verdicts, *of), !is_risk(*of)));
     results
 }
 
@@ -56,6 +70,7 @@ mod tests {
     use crate::scenario::Scenario;
     use crate::study::{Refusal, unwatched};
     use crate::tui::ensemble::{FEW, RunSamples};
+    use crate::tui::keys::live;
     use crate::tui::simulation::{EstimateMesh, Simulate};
     use crate::tui::task::{Question, Report};
     use crate::tui::update::driven::{asked, key, letter, opened};
@@ -153,8 +168,11 @@ mod tests {
         let report = Report::progress(asked.0, 0.3, Duration::ZERO);
         update(&mut model, Message::News(report));
         assert_eq!(model.ensemble.pace().unwrap(), "300 of 1000");
+        let offered = |model: &Model| live(model).iter().any(|(_, word)| *word == "go on");
+        assert!(!offered(&model), "it runs");
         assert_eq!(key(&mut model, KeyCode::Esc), [Effect::Stop(asked.0)]);
         tell(&mut model, &asked, 32, true);
+        assert!(offered(&model));
         let kept = model.ensemble.of(&model.work.scenario).unwrap();
         assert!(kept.stopped() && kept.samples.len() == 32 && kept.asked == MANY);
         assert!(model.ensemble.task.complaint.is_some());

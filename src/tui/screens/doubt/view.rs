@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::listed;
+use super::{is_void, listed};
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
 use crate::report::text::{digits, percent};
@@ -16,6 +16,7 @@ use crate::study::bands::Band;
 use crate::study::ensemble::Ensemble;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::Model;
+use crate::tui::screens::injury::void;
 use crate::tui::task::Job;
 use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
@@ -59,7 +60,11 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
         return;
     };
-    let results = listed(ensemble);
+    let verdicts = model
+        .shown
+        .as_ref()
+        .map_or_else(Vec::new, |s| s.answer.verdicts());
+    let results = listed(ensemble, &verdicts);
     let chosen = model.screens.doubt.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
     let notes = Notes::of(ensemble, usize::from(area.width - 2));
@@ -73,7 +78,8 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let first = (chosen + 1).saturating_sub(shown);
     for (row, of) in results.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        result(ensemble, *of, first + row == chosen, theme, line, buffer);
+        let states = (first + row == chosen, is_void(&verdicts, *of));
+        result(ensemble, *of, states, theme, line, buffer);
     }
     let text = seen(first, shown, results.len());
     put(buffer, area, (1, 1), &text, theme.quiet());
@@ -145,7 +151,7 @@ fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
 fn result(
     ensemble: &Ensemble,
     of: Quantity,
-    chosen: bool,
+    (chosen, void_here): (bool, bool),
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
@@ -153,7 +159,11 @@ fn result(
     let Some(band) = ensemble.band(of) else {
         return;
     };
-    let style = if chosen { theme.strong() } else { theme.text() };
+    let style = match (void_here, chosen) {
+        (true, _) => theme.quiet(),
+        (false, true) => theme.strong(),
+        (false, false) => theme.text(),
+    };
     put(
         buffer,
         area,
@@ -182,8 +192,12 @@ fn result(
     let left = LABEL + 4 + 3 * NUMBER;
     if left + 8 < area.width {
         let field = Rect::new(area.x + left, area.y, area.width - left - 1, 1);
-        let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
-        strip(band, nominal, theme, field, buffer);
+        if void_here {
+            put(buffer, field, (0, 0), void(field.width), theme.quiet());
+        } else {
+            let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
+            strip(band, nominal, theme, field, buffer);
+        }
     }
 }
 
