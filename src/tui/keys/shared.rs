@@ -49,7 +49,7 @@ pub(crate) static EVERYWHERE: KeyTable = KeyTable::new("Everywhere", &[
     named("undo", bind(&[c('u')], |m| update::travel(m, true), "undo", "undo")),
     named("redo", bind(&[c('r'), ctrl('r')], |m| update::travel(m, false), "", "redo")),
     named("presets", bind(&[c('p')], presets::open_picker, "presets", "open a preset")),
-    named("page", bind(&[c('w')], take_away::page, "page", "write a page of this for a browser")),
+    named("page", bind(&[c('w')], take_away::page, "page", "write a page of this for a browser, as a new file")),
     named("more_exact", bind(&[c('>')], |m| accuracy::propose(m, true), "exact", "more exact: says what it costs, and asks")),
     named("quicker", bind(&[c('<')], |m| accuracy::propose(m, false), "&", "faster: says what it costs, and asks")),
     named("copy", bind(&[c('y')], take_away::copy, "", "copy a summary and its command")),

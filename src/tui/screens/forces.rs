@@ -6,7 +6,6 @@ use ratatui::layout::Rect;
 use super::{Pane, Screen};
 use crate::recording::Traces;
 use crate::report::figure::at_a_moment;
-use crate::study::Quantity;
 use crate::study::course::{COURSES, Course, Group};
 use crate::tui::clock::peak_said;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
@@ -236,7 +235,7 @@ fn chart(
     let (title, now) = if let [only] = courses {
         let unit = only.row().unit;
         let now = reading(only).unwrap_or_default();
-        (format!("{}, {unit}", called(*only, traces)), now)
+        (format!("{}, {unit}", only.label(traces)), now)
     } else {
         (String::new(), String::new())
     };
@@ -280,15 +279,6 @@ fn chart(
             let y = (i / each) as u16;
             x = put(buffer, area, (x, y), text, theme.curve(i)) + 2;
         }
-    }
-}
-
-/// What a course is called, and where the node of the section is that has the name of its side.
-pub fn called(course: Course, traces: &Traces) -> String {
-    let label = course.label(traces);
-    match course {
-        Course::Of(Quantity::ForceRight) => format!("{label} (back)"),
-        _ => label.to_owned(),
     }
 }
 

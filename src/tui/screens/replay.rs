@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::forces::called;
 use super::{Pane, Screen};
 use crate::eye::Region;
 use crate::report::figure::at_a_moment;
@@ -129,13 +128,10 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let first = std::iter::once(Course::Beside(Beside::Drive));
     for course in first.chain(forces).chain([Course::Of(Quantity::Apex)]) {
         let row = course.row();
-        let short = traces.map_or(row.label, |traces| course.label(traces));
-        let long = traces.map_or(row.label.to_owned(), |traces| called(course, traces));
+        let label = traces.map_or(row.label, |traces| course.label(traces));
         let now = traces.and_then(|t| value_at(&t.time, course.values(t), time));
         let reading = |value: f64| at_a_moment(&shown.answer, course, value * row.factor);
         let text = now.map_or("-".to_owned(), reading);
-        let fits = width(&long) + 2 + width(&text) < area.width;
-        let label = if fits { &long } else { short };
         put(buffer, area, (0, y), label, theme.text());
         put_right(buffer, area, (area.width - 1, y), &text, theme.strong());
         y += 1;

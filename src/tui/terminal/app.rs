@@ -368,7 +368,8 @@ impl App {
                     let said = match page(Path::new("."), &stem, &text) {
                         Ok(path) => {
                             let name = path.file_name().unwrap_or_default().to_string_lossy();
-                            format!("written here: {name}")
+                            let folder = std::env::current_dir().unwrap_or_default();
+                            format!("written: {name} in {}", folder.display())
                         }
                         Err(error) => error.to_string(),
                     };

@@ -301,12 +301,8 @@ fn belief(answer: &Answer, room: usize) -> String {
     let Some((name, _)) = lines(&verdicts).into_iter().next() else {
         return String::new();
     };
-    let first = &verdicts[0];
-    let short = first.range.map_or(name, |_| first.injury.word());
-    let forms = first.forms().into_iter();
-    let texts: Vec<String> = forms
-        .flat_map(|words| [format!("{name}: {words}"), format!("{short}: {words}")])
-        .collect();
+    let forms = verdicts[0].forms().into_iter();
+    let texts: Vec<String> = forms.map(|words| format!("{name}: {words}")).collect();
     let fits = |text: &&String| usize::from(width(text)) <= room;
     let fitting = texts.iter().find(fits).or(texts.last());
     fitted(fitting.map_or("", String::as_str), room)

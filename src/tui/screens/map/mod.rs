@@ -29,7 +29,7 @@ pub(crate) const SCREEN: Screen = Screen {
         "a result over two inputs",
         &[Pane {
             name: "map",
-            keys: &[KEYS],
+            keys: &[KEYS, STOPPED_KEYS],
             time: TimeKeys::Absent,
         }],
         view::draw,
@@ -52,8 +52,19 @@ const KEYS: KeyTable = KeyTable::new("Map", &[
     bind(&[c('+'), c('=')], |m| m.screens.map.zoom(&m.work.scenario, true), "range", "wider ranges"),
     bind(&[c('-')], |m| m.screens.map.zoom(&m.work.scenario, false), "&", "narrower ranges"),
     bind(&[c('v')], |m| m.screens.map.next_result(&m.work.scenario), "result", "the next result that the scene has"),
-    bind(&[c('m')], |m| m.screens.map.task.complaint = None, "", "go on after Esc"),
 ]);
+
+/// Once Esc has stopped it.
+const STOPPED_KEYS: KeyTable = KeyTable {
+    title: "Map: stopped",
+    bindings: &[bind(
+        &[c('m')],
+        |m| m.screens.map.task.complaint = None,
+        "go on",
+        "go on where Esc stopped it",
+    )],
+    counts: |model| model.screens.map.task.complaint.is_some(),
+};
 
 /// While the screen is on show, computes what is missing; stops what is not wanted.
 fn attend(model: &mut Model, on_show: bool) {

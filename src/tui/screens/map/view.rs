@@ -4,6 +4,8 @@
 //! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
 //! folded its mesh the map is hatched, as no number holds there.
 
+use std::collections::BTreeSet;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -23,6 +25,9 @@ use crate::tui::view::theme::Theme;
 const LABELS: u16 = 8;
 /// Shares of the scale with a line and the sign of the line.
 const LINES: [(f64, &str); 2] = [(0.5, "+"), (1.0, "#")];
+/// Signs of a value above the whole scale, and of a place where no number holds.
+const ABOVE: &str = "*";
+const FOLDED: &str = "▒";
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
@@ -67,11 +72,13 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     }
     axes((x, y), area, field, theme, buffer);
+    let mut drawn = BTreeSet::new();
     if let Some(grid) = grid {
         for row in 0..field.height {
             for column in 0..field.width {
                 let (sign, style) = cell((grid, quantity, whole), (column, row), field, theme);
                 put(buffer, field, (column, row), sign, style);
+                drawn.insert(sign);
             }
         }
         own(model, (x, y), field, theme, buffer);
@@ -100,8 +107,16 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     } else {
         format!("steps of {}", with_unit(&part(0.1), unit))
     };
-    let lines = format!("+# {}, {}", part(0.5), with_unit(&part(1.0), unit));
-    let legend = format!("0-9: {steps}  {lines}  * above  ▒ folded  o yours");
+    let mut legend = format!("0-9: {steps}");
+    for (share, sign) in LINES {
+        legend.extend(["  ", sign, " ", &with_unit(&part(share), unit)]);
+    }
+    for (sign, words) in [(ABOVE, "above that"), (FOLDED, "folded")] {
+        if drawn.contains(&sign) {
+            legend.extend(["  ", sign, " ", words]);
+        }
+    }
+    legend += "  o yours";
     put(
         buffer,
         area,
@@ -189,10 +204,13 @@ fn cell(
         return (sign, theme.strong());
     }
     if reading.folded {
-        return ("▒", heat);
+        return (FOLDED, heat);
+    }
+    if value > 1.0 {
+        return (ABOVE, heat);
     }
     let tenths = (value * 10.0).max(0.0) as usize;
-    (DIGITS.get(tenths).copied().unwrap_or("*"), heat)
+    (DIGITS[tenths.min(9)], heat)
 }
 
 /// Marks where the scenario itself lies, if it is on the map.
