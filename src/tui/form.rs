@@ -3,8 +3,7 @@
 //! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
 //! among the first rows if it belongs to the blow, folded away if it does not.
 
-use tui_input::Input;
-
+use super::line::Line;
 use super::step::Step;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
@@ -49,7 +48,7 @@ pub struct Typing {
     /// The field.
     pub field: &'static Field,
     /// The text so far.
-    pub input: Input,
+    pub input: Line,
     /// What Esc restores.
     pub before: Scenario,
     /// What is wrong with the text so far.

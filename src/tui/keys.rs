@@ -313,7 +313,7 @@ mod tests {
         for overlay in [
             Overlay::Help(0),
             Overlay::Picker(Picker::default()),
-            Overlay::Name(Naming::Save, tui_input::Input::default(), None),
+            Overlay::Name(Naming::Save, crate::tui::line::Line::default(), None),
             Overlay::Question(Question::Quit { kept: false }),
         ] {
             let mut model = opened();

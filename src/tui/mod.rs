@@ -16,6 +16,7 @@ pub mod guest;
 mod idle;
 pub mod keys;
 mod last;
+pub mod line;
 pub mod model;
 pub mod picker;
 pub mod save;

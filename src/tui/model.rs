@@ -3,13 +3,12 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use tui_input::Input;
-
 use super::clock::{Clock, Moment};
 use super::ensemble::Samples;
 use super::form::Form;
 use super::guest;
 use super::keys::chosen::Keys;
+use super::line::Line;
 use super::picker::Picker;
 use super::screens::{Pane, SCREENS, Screen, Screens};
 use super::simulation::{EstimateMesh, Simulate};
@@ -31,8 +30,8 @@ pub struct Work {
     pub scenario: Scenario,
     /// The preset or file that it began as.
     pub source: String,
-    /// What that holds.
-    pub original: Scenario,
+    /// What that holds; nothing where it is there no longer.
+    pub original: Option<Scenario>,
 }
 
 impl Work {
@@ -41,13 +40,22 @@ impl Work {
         Self {
             scenario: scenario.clone(),
             source: source.to_owned(),
-            original: scenario.clone(),
+            original: Some(scenario.clone()),
         }
     }
 
     /// What it is called in short: of a file's path the last part.
     pub fn name(&self) -> &str {
         brief(&self.source)
+    }
+
+    /// Whether its title says what it began as, no longer what was made of that.
+    pub fn is_outgrown(&self) -> bool {
+        let title = &self.scenario.name;
+        match &self.original {
+            Some(original) => original.name == *title && *original != self.scenario,
+            None => self.source == *title,
+        }
     }
 
     /// The same work with another scenario.
@@ -114,7 +122,7 @@ pub enum Overlay {
     /// At which value of a number does a result reach this?
     Threshold(Box<Asking>),
     /// A name is being typed, and what is wrong with it.
-    Name(Naming, Input, Option<String>),
+    Name(Naming, Line, Option<String>),
     /// Something is asked.
     Question(Question),
 }
@@ -296,7 +304,7 @@ impl Model {
 
     /// Whether the scenario differs from what was loaded or saved.
     pub fn is_edited(&self) -> bool {
-        self.work.scenario != self.work.original
+        self.work.original.as_ref() != Some(&self.work.scenario)
     }
 
     /// The preset's name, with a word where it no longer fits.

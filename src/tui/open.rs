@@ -187,15 +187,19 @@ fn resume(look: Look) -> Result<Model, ScenarioError> {
             return Ok(model);
         }
     };
-    let other = |_| {
-        let mut model = prepare(&[], look)?;
+    let opened = prepare(std::slice::from_ref(&left.source), look);
+    let gone = opened.is_err();
+    let mut model = opened.or_else(|_| prepare(&[], look))?;
+    if gone {
         let source = quoted(&left.source);
         model.notice = Some(format!("cannot be opened any more: {source}"));
-        Ok::<_, ScenarioError>(model)
-    };
-    let mut model = prepare(std::slice::from_ref(&left.source), look).or_else(other)?;
+    }
     if let Some(changed) = left.changed {
         model.work.scenario = changed;
+        if gone {
+            model.work.source = left.source;
+            model.work.original = None;
+        }
     }
     update::show(&mut model, left.screen);
     Ok(model)

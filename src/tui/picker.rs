@@ -5,8 +5,8 @@
 //! letter of each word may be wrong.
 
 use frizbee::{CaseMatching, Config, Matcher, Pattern};
-use tui_input::Input;
 
+use super::line::Line;
 use super::model::Choice;
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, Scenario};
@@ -15,7 +15,7 @@ use crate::scenario::{Impact, Scenario};
 #[derive(Default)]
 pub struct Picker {
     /// What is searched for.
-    pub input: Input,
+    pub input: Line,
     /// The row with the cursor.
     pub row: usize,
     /// The places in the list of choices that are shown, the first on top.
@@ -116,7 +116,7 @@ mod tests {
     fn found(text: &str) -> Vec<String> {
         let choices = choices();
         let mut picker = Picker {
-            input: Input::new(text.to_owned()),
+            input: Line::of(text.to_owned()),
             ..Picker::default()
         };
         picker.search(&choices);

@@ -65,19 +65,21 @@ fn is_allowed(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ')
 }
 
-/// A name like `stem` with a number behind it that none of the others has, from 2 on.
+/// `stem`, or a name like it, that none of the others has: with a number behind it, from 2 on.
 pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     // Room for a dash and three digits.
     let letters = stem.chars().take(LONGEST - 4);
-    let stem: String = letters
+    let like: String = letters
         .map(|c| if is_allowed(c) { c } else { '-' })
         .collect();
-    let stem = match stem.trim_start_matches(['.', '-', ' ']).trim_end() {
+    let like = match like.trim_start_matches(['.', '-', ' ']).trim_end() {
         "" => "blow",
-        stem => stem,
+        like => like,
     };
-    let mut names = (2..1000).map(|i| format!("{stem}-{i}"));
-    names.find(|name| !is_taken(name)).unwrap_or_default()
+    let numbered = (2..1000).map(|i| format!("{like}-{i}"));
+    let mut names = [stem, like].into_iter().map(str::to_owned).chain(numbered);
+    let free = |name: &String| check_name(name).is_ok() && !is_taken(name);
+    names.find(free).unwrap_or_default()
 }
 
 /// Writes `text` as the preset `name` into `folder`, which is made if need be.
@@ -137,18 +139,11 @@ pub fn remove(folder: &Path, name: &str) -> Result<(), SaveError> {
 /// Says what went wrong; then there is no such file.
 pub fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
     let failed = |error: io::Error| SaveError::Failed(error.to_string());
-    let mut name = stem.to_owned();
+    let file = |name: &str| folder.join(format!("{name}.html"));
     loop {
-        let taken = |name: &str| {
-            folder
-                .join(format!("{name}.html"))
-                .symlink_metadata()
-                .is_ok()
-        };
-        if check_name(&name).is_err() || taken(&name) {
-            name = free_name(stem, taken);
-        }
-        let path = folder.join(format!("{name}.html"));
+        let name = free_name(stem, |name| file(name).symlink_metadata().is_ok());
+        check_name(&name)?;
+        let path = file(&name);
         let mut file = whole_file::beside(&path).map_err(failed)?;
         file.write_all(text).map_err(failed)?;
         match whole_file::put(file, &path, false) {
@@ -209,7 +204,7 @@ mod tests {
             assert_eq!(fs::read(path).unwrap(), b"page");
         }
         let odd = page(folder.path(), "my/blow", b"page").unwrap();
-        assert_eq!(odd, folder.path().join("my-blow-2.html"));
+        assert_eq!(odd, folder.path().join("my-blow.html"));
         assert!(page(&folder.path().join("none"), "x", b"").is_err());
         assert_eq!(names(folder.path()).len(), 4);
     }
@@ -299,8 +294,9 @@ mod tests {
 
     #[test]
     fn the_name_that_is_offered_is_free_and_allowed() {
-        let taken = |name: &str| name == "paper-300n-2";
+        let taken = |name: &str| ["paper-300n", "paper-300n-2"].contains(&name);
         assert_eq!(free_name("paper-300n", taken), "paper-300n-3");
+        assert_eq!(free_name("my blow", taken), "my blow");
         for stem in ["", "..", "-rf", "a b/c", "x.ron", &"é".repeat(60)] {
             assert_eq!(check_name(&free_name(stem, |_| false)), Ok(()), "{stem}");
         }

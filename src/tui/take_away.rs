@@ -30,7 +30,7 @@ fn repeating(model: &Model, answers: &[(String, &Shown)]) -> Option<Vec<String>>
         && only.scenario == model.work.scenario
     {
         let work = &model.work;
-        return arguments(&work.source, &work.original, &work.scenario);
+        return arguments(&work.source, work.original.as_ref()?, &work.scenario);
     }
     // Several are repeated by their names, where nothing was changed in them.
     let plain = |(name, shown): &(String, &Shown)| {

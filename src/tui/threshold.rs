@@ -6,9 +6,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use tui_input::Input;
-
 use super::form::{Row, with_text};
+use super::line::Line;
 use super::model::{Model, Overlay, Shown};
 use super::task::{self, Report, Task};
 use super::update::change;
@@ -55,7 +54,7 @@ pub struct Asking {
     pub quantity: Quantity,
     results: Vec<(Quantity, f64)>,
     /// The value that it is to reach, as typed.
-    pub input: Input,
+    pub input: Line,
     /// What is being looked for.
     pub task: Task<FindThreshold>,
     /// What was found for what is asked.
@@ -98,7 +97,7 @@ impl Asking {
             field,
             quantity,
             results,
-            input: Input::default(),
+            input: Line::default(),
             task: Task::default(),
             found: None,
             row: 0,
@@ -119,7 +118,7 @@ impl Asking {
             Some((_, value)) if !risk => *value,
             _ => HALF,
         };
-        self.input = Input::new(brief(target));
+        self.input = Line::of(brief(target));
         self.forget();
     }
 
@@ -189,7 +188,7 @@ pub(crate) fn next_crossing(model: &mut Model) {
 }
 
 /// Changes the value that is asked for.
-pub(crate) fn retype(model: &mut Model, change: impl FnOnce(&mut Input)) {
+pub(crate) fn retype(model: &mut Model, change: impl FnOnce(&mut Line)) {
     let Some(asking) = idle(model) else { return };
     let before = asking.input.value().to_owned();
     change(&mut asking.input);

@@ -6,10 +6,10 @@
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
-use tui_input::Input;
 
 use super::ensemble;
 use super::keys::{self, Act};
+use super::line::Line;
 use super::model::{Choice, Model, Naming, Overlay, Question, Work};
 use super::save::SaveError;
 use super::screens::{SCREENS, accuracy, compare};
@@ -346,7 +346,7 @@ pub(crate) fn reply(model: &mut Model, yes: bool) {
             if yes {
                 presets::save(model, name, true);
             } else {
-                model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), None));
+                model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), None));
             }
         }
         Some(Overlay::Question(Question::Remove(name))) => {

@@ -8,7 +8,7 @@ use super::drawn::{
 };
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
 use contrecoup::scenario::fields;
-use contrecoup::study::Refusal;
+use contrecoup::study::{Quantity, Refusal};
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::Model;
 use contrecoup::tui::simulation::Simulate;
@@ -239,7 +239,7 @@ fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
     let model = model(&["bb-56"], Depth::Mono);
     for size in [(80, 24), (60, 20)] {
         let text = picture(&model, size);
-        for name in ["centre", "front", "right", "top ", "press.", "contact"] {
+        for name in ["centre", "front", "right", "top ", "press", "contact"] {
             let line = line_from(&text, name);
             assert!(line.contains('±'), "{line}");
         }
@@ -333,7 +333,9 @@ fn nothing_is_cut_where_a_terminal_is_small() {
     let presets = [
         "paper-300n",
         "off-axis-triangle",
-        "bb-56",
+        "bb-62",
+        "squash-ball",
+        "soccer-ball",
         "fist",
         "tests/scenarios/round-eye.ron",
     ];
@@ -356,6 +358,67 @@ fn nothing_is_cut_where_a_terminal_is_small() {
                     );
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn what_stands_behind_a_curve_ends_with_a_whole_sentence_however_small_the_terminal() {
+    for preset in ["squash-ball", "bb-62", "soccer-ball", "golf-ball"] {
+        let mut model = model(&[preset], Depth::Mono);
+        press(&mut model, "\x1b8");
+        let curves = model.shown.as_ref().unwrap().answer.risks().len();
+        for _ in 0..curves {
+            for size in [(60, 20), (80, 24), (100, 30), (160, 50)] {
+                let text = picture(&model, size);
+                let after = text.split("────").last().unwrap();
+                let said = after.split(" ± step").next().unwrap().trim_end();
+                assert!(said.ends_with(['.', ')']), "{preset} {size:?}\n{text}");
+                let words: Vec<&str> = said.split_whitespace().collect();
+                let words = words.join(" ");
+                let judged = ["elieved.", "Counts less: ", "NOT VALID HERE: "];
+                assert!(judged.iter().any(|part| words.contains(part)), "{text}");
+                if size.0 >= 80 {
+                    assert!(words.contains("J Trauma") || words.contains(';'), "{text}");
+                }
+            }
+            press(&mut model, "j");
+        }
+    }
+}
+
+#[test]
+fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
+    for preset in ["squash-ball", "bb-62", "paintball", "soccer-ball"] {
+        let text = picture(&model(&[preset], Depth::Mono), (80, 24));
+        for word in ["globe rupture: ", "retina", "lens", "hyphema", "abrasion"] {
+            assert!(text.contains(word), "{word}\n{text}");
+        }
+    }
+}
+
+#[test]
+fn every_node_has_one_name_and_its_peak_is_visited() {
+    for screen in ["1\t", "2", "3"] {
+        let mut model = model(&["bb-62"], Depth::Mono);
+        press(&mut model, &format!("\x1b{screen}"));
+        let mut visited = std::collections::BTreeSet::new();
+        let shown = model.shown.as_ref().unwrap();
+        let peaks = [
+            Quantity::ForceCentre,
+            Quantity::ForceFront,
+            Quantity::ForceRight,
+            Quantity::ForceTop,
+        ];
+        let peaks = peaks.map(|of| shown.answer.peak(of).unwrap().time);
+        for _ in 0..30 {
+            press(&mut model, "g");
+            visited.insert(model.time().to_bits());
+        }
+        for (time, name) in peaks.into_iter().zip(["centre", "front", "right", "top"]) {
+            assert!(visited.contains(&time.to_bits()), "{screen} {name}");
+            let text = picture(&model, (120, 40));
+            assert!(text.contains(&format!("{name} ")) || text.contains(&format!("{name}, N ")));
         }
     }
 }

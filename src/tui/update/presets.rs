@@ -1,12 +1,10 @@
 //! Opening a preset, and saving, renaming and removing one of the person's own.
 
-use tui_input::Input;
-
 use super::{Effect, change};
-use crate::scenario::Scenario;
 use crate::scenario::load::to_ron;
+use crate::tui::line::Line;
 use crate::tui::model::{Choice, Model, Naming, Overlay, Question, Work};
-use crate::tui::open::{FIRST, MAX_OWN};
+use crate::tui::open::MAX_OWN;
 use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
 
@@ -88,7 +86,7 @@ pub(crate) fn ask_to_remove(model: &mut Model) {
 
 pub(crate) fn ask_to_rename(model: &mut Model) {
     if let Some(name) = own_chosen(model) {
-        let input = Input::new(name.clone());
+        let input = Line::of(name.clone());
         model.overlay = Some(Overlay::Name(Naming::Rename(name), input, None));
     }
 }
@@ -107,7 +105,7 @@ pub(crate) fn rename(model: &mut Model, from: String, to: String) {
     };
     match error {
         Some(_) => {
-            let input = Input::new(to);
+            let input = Line::of(to);
             model.overlay = Some(Overlay::Name(Naming::Rename(from), input, error));
         }
         None => model.out.effects.push(Effect::Rename(from, to)),
@@ -117,17 +115,13 @@ pub(crate) fn rename(model: &mut Model, from: String, to: String) {
 pub(crate) fn renamed(model: &mut Model, from: &str, to: String, outcome: Result<(), SaveError>) {
     if let Err(error) = outcome {
         let naming = Naming::Rename(from.to_owned());
-        model.overlay = Some(Overlay::Name(
-            naming,
-            Input::new(to),
-            Some(error.to_string()),
-        ));
+        model.overlay = Some(Overlay::Name(naming, Line::of(to), Some(error.to_string())));
         return;
     }
     let follow = |work: &mut Work| {
         if work.source == from {
             work.source.clone_from(&to);
-            for scenario in [&mut work.scenario, &mut work.original] {
+            for scenario in std::iter::once(&mut work.scenario).chain(&mut work.original) {
                 if scenario.name == from {
                     scenario.name.clone_from(&to);
                 }
@@ -153,12 +147,10 @@ pub(crate) fn renamed(model: &mut Model, from: &str, to: String, outcome: Result
 pub(crate) fn removed(model: &mut Model, name: &str, outcome: Result<(), SaveError>) {
     match outcome {
         Ok(()) => {
-            // What is worked on counts from now on as changes to what is always there.
-            let base = Scenario::default();
+            // What is worked on keeps its name, and is saved nowhere.
             let leave = |work: &mut Work| {
                 if work.source == name {
-                    FIRST.clone_into(&mut work.source);
-                    work.original.clone_from(&base);
+                    work.original = None;
                 }
             };
             leave(&mut model.work);
@@ -177,19 +169,12 @@ pub(crate) fn ask_for_name(model: &mut Model) {
         model.notice = Some("a guest saves nothing".to_owned());
         return;
     }
-    let own = |choice: &&Choice| choice.name == model.work.source;
-    let is_own = model
-        .choices
-        .iter()
-        .find(own)
-        .is_some_and(|choice| choice.origin == "own");
-    let name = if is_own {
-        model.work.source.clone()
-    } else {
-        let stem = model.work.name().trim_end_matches(".ron");
-        free_name(stem, |name| model.choices.iter().any(|c| c.name == name))
-    };
-    model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), None));
+    // What is one's own already is offered in its own place.
+    let is_other = |c: &Choice| c.origin != "own" || c.name != model.work.source;
+    let others = model.choices.iter().filter(|choice| is_other(choice));
+    let stem = model.work.name().trim_end_matches(".ron");
+    let name = free_name(stem, |name| others.clone().any(|c| c.name == name));
+    model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), None));
 }
 
 pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
@@ -211,12 +196,11 @@ pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
     let own = model.choices.iter().filter(|choice| choice.origin == "own");
     if !replace && own.count() >= MAX_OWN {
         let full = format!("{MAX_OWN} presets of your own are there: remove one first");
-        model.overlay = Some(Overlay::Name(Naming::Save, Input::new(name), Some(full)));
+        model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), Some(full)));
         return;
     }
     let mut scenario = model.work.scenario.clone();
-    // A title that a preset brought along says what the preset was.
-    if scenario.name == model.work.original.name && model.is_edited() {
+    if model.work.is_outgrown() {
         scenario.name.clone_from(&name);
     }
     model
@@ -230,7 +214,7 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
         Ok(()) => {
             model.overlay = None;
             model.notice = Some(format!("saved as {name}; p lists, renames and removes it"));
-            if model.work.scenario.name == model.work.original.name && model.is_edited() {
+            if model.work.is_outgrown() {
                 model.work.scenario.name.clone_from(&name);
                 if let Some(shown) = &mut model.shown {
                     shown.scenario.name.clone_from(&name);
@@ -241,7 +225,7 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
             let saved = model.work.original.clone();
             model.history.amend(|work| {
                 if work.source == name {
-                    work.original = saved.clone();
+                    work.original.clone_from(&saved);
                 }
             });
         }
@@ -249,7 +233,7 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
             model.overlay = Some(Overlay::Question(Question::Replace(name)));
         }
         Err(error) => {
-            let input = Input::new(name);
+            let input = Line::of(name);
             model.overlay = Some(Overlay::Name(Naming::Save, input, Some(error.to_string())));
         }
     }

@@ -42,6 +42,14 @@ fn force(model: &Model) -> f64 {
     pulse.force_n
 }
 
+/// The name that is offered to save under.
+fn offered(model: &Model) -> String {
+    match &model.overlay {
+        Some(Overlay::Name(Naming::Save, input, _)) => input.value().to_owned(),
+        _ => String::new(),
+    }
+}
+
 /// The ticket of the simulation under way.
 fn running(model: &Model) -> Ticket {
     model.run.job.as_ref().unwrap().ticket
@@ -218,10 +226,6 @@ fn quitting_asks_only_when_work_would_be_lost() {
 #[test]
 fn saving_asks_for_a_name_and_before_it_replaces() {
     let mut model = model();
-    let offered = |model: &Model| match &model.overlay {
-        Some(Overlay::Name(Naming::Save, input, _)) => input.value().to_owned(),
-        _ => String::new(),
-    };
     press(&mut model, "ls");
     assert_eq!(offered(&model), "paper-300n-2");
     // That of the built-in one would hide it.
@@ -452,8 +456,12 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     assert_eq!(effects, [Effect::Remove(hers.clone())]);
     update(&mut model, Message::Removed(hers.clone(), Ok(())));
     assert!(model.choices.iter().all(|choice| choice.name != hers));
-    // What it held is still worked on, and is not lost without a question.
+    // What it held is still worked on under its name, and is not lost without a question.
     assert!(model.is_edited() && force(&model) == 310.0);
+    assert_eq!(model.work.name(), "hers");
+    press(&mut model, "\x1b");
+    press(&mut model, "s");
+    assert_eq!(offered(&model), "hers");
     press(&mut model, "\x1b");
     press(&mut model, "q");
     assert!(matches!(

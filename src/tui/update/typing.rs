@@ -1,8 +1,6 @@
 //! What is typed or pasted into a field of the form or into a name.
 
-use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
-use tui_input::backend::crossterm::EventHandler;
-use tui_input::{Input, InputRequest};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::put;
 use crate::scenario::doubt::begun;
@@ -10,6 +8,7 @@ use crate::scenario::fields::Kind;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
 use crate::tui::guest::allowed;
 use crate::tui::keys::begins_value;
+use crate::tui::line::Line;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
 use crate::tui::threshold;
@@ -23,7 +22,7 @@ pub(crate) fn begin(model: &mut Model, empty: bool) {
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
     model.form.typing = Some(Typing {
         field,
-        input: Input::new(if empty { String::new() } else { text }),
+        input: Line::of(if empty { String::new() } else { text }),
         before: model.work.scenario.clone(),
         error: None,
     });
@@ -37,23 +36,25 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
         (None, Some(typing)) => Some(typing.field),
         _ => None,
     };
-    let request = match (event.code, field) {
+    let typed = match (event.code, field) {
         (KeyCode::Char(c), Some(field)) if !event.modifiers.intersects(held) => {
             let Some(c) = admitted(field, c) else {
                 model.notice =
                     Some("A number is being typed: Enter accepts, Esc cancels".to_owned());
                 return;
             };
-            Some(InputRequest::InsertChar(c))
+            // A doubt goes behind the number that is there.
+            let doubt = matches!(field.kind, Kind::Number(..)) && matches!(c, ' ' | '+' | '±');
+            Some((c, doubt))
         }
         _ => None,
     };
-    type_into(model, |input| {
-        if let Some(request) = request {
-            input.handle(request);
-        } else {
-            input.handle_event(&Event::Key(event));
+    type_into(model, |line| match typed {
+        Some((c, doubt)) => {
+            line.selected &= !doubt;
+            line.put(c);
         }
+        None => line.key(event),
     });
 }
 
@@ -61,16 +62,16 @@ pub(crate) fn paste(model: &mut Model, text: &str) {
     if begins_value(model) {
         begin(model, true);
     }
-    type_into(model, |input| {
+    type_into(model, |line| {
         for c in text.chars().filter(|c| !c.is_control()).take(200) {
-            input.handle(InputRequest::InsertChar(c));
+            line.put(c);
         }
     });
 }
 
 /// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
 /// makes none leaves the value from before, not a part of what was typed. A value stands while its doubt is typed.
-pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Input)) {
+pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Line)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {
             change(input);

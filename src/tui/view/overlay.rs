@@ -3,12 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use tui_input::Input;
 
 use super::text::{fitted, put, width, wrapped};
 use super::theme::Theme;
 use crate::guide;
 use crate::tui::keys::{KeyTable, tables};
+use crate::tui::line::Line;
 use crate::tui::model::{Model, Naming, Overlay, Question};
 
 /// Draws what is in front, if anything is.
@@ -69,8 +69,10 @@ pub(super) fn frame(
     Rect::new(place.x + 2, place.y + 1, wide - MARGIN, high - 2)
 }
 
-/// Text that is being typed, with its cursor, scrolled so that the cursor is seen.
-pub fn input(input: &Input, style: Style, cursor: Style, area: Rect, buffer: &mut Buffer) {
+/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is selected looks like that.
+pub fn input(line: &Line, style: Style, cursor: Style, area: Rect, buffer: &mut Buffer) {
+    let input = &line.input;
+    let style = if line.selected { cursor } else { style };
     let room = usize::from(area.width.saturating_sub(1));
     let hidden = input.visual_scroll(room);
     let mut x = 0;
@@ -190,7 +192,7 @@ fn help(model: &Model, line: u16, area: Rect, buffer: &mut Buffer) {
 fn typed_name(
     model: &Model,
     naming: &Naming,
-    (name, error): (&Input, Option<&str>),
+    (name, error): (&Line, Option<&str>),
     area: Rect,
     buffer: &mut Buffer,
 ) {

@@ -121,9 +121,18 @@ fn help(model: &Model) -> String {
     if model.has_focus(DIAL) {
         return "Turn the blow, or widen the arc it acts on".to_owned();
     }
-    if let Some(hint) = model.form.typing.as_ref().and_then(doubtful) {
-        return hint;
+    let typing = model.form.typing.as_ref();
+    let hint = typing
+        .and_then(doubtful)
+        .unwrap_or_else(|| described(model));
+    match typing {
+        Some(typing) if typing.input.selected => format!("Type over it; ← → edit it. {hint}"),
+        _ => hint,
     }
+}
+
+/// What there is to do in the chosen row.
+fn described(model: &Model) -> String {
     match model.form.selected {
         Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
         Row::Fold => "mesh, materials, numerics".to_owned(),

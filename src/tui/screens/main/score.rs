@@ -10,23 +10,24 @@ use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unu
 use crate::report::limit::alone;
 use crate::study::{Flag, Quantity};
 use crate::tui::model::{Model, Shown};
-use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// How many rows it takes of so many; `beside` says whether all verdicts stand beside it.
 pub fn height(of: u16, beside: bool) -> u16 {
     match of {
         28.. if beside => ROOM + 1,
-        ..20 => 8,
-        20..28 => 9,
-        _ => ROOM + ANSWERS,
+        28.. => ROOM + ANSWERS,
+        20.. => LEAST + 2,
+        _ => LEAST,
     }
 }
 
-/// Rows without verdicts where there is room, and how many of those there are then; else there is one,
-/// of the gravest injury.
+/// Rows without verdicts where there is room, and how many of those there are then.
 const ROOM: u16 = 10;
 const ANSWERS: u16 = Injury::ALL.len() as u16;
+/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take what is more.
+const LEAST: u16 = 8;
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
@@ -58,12 +59,16 @@ const BELOW: u16 = 5;
 pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
-    let rows = if area.height >= ROOM + ANSWERS {
-        ANSWERS
-    } else {
-        1
+    let most = match area.height {
+        _ if beside => 1,
+        height if height >= ROOM + ANSWERS => ANSWERS,
+        height => 1 + height.saturating_sub(LEAST),
     };
-    answers(shown, rows, theme, area, buffer);
+    let said = answers(shown, most, area.width);
+    for (y, text) in (1..).zip(&said) {
+        put(buffer, area, (0, y), text, theme.strong());
+    }
+    let rows = said.len() as u16;
     let area = Rect {
         y: area.y + rows,
         height: area.height.saturating_sub(rows),
@@ -79,7 +84,7 @@ pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut
         None => index(shown, theme, block, buffer),
     }
     below(model, shown, theme, area, buffer);
-    flags(shown, rows == 1 && !beside, theme, area, buffer);
+    flags(shown, theme, area, buffer);
 }
 
 /// The line above: whether the score is out of date, and what its errors come from.
@@ -163,26 +168,34 @@ fn times(shown: &Shown, of: Quantity, value: f64, term: Term) -> Option<String> 
     Some(text.split(' ').next()?.to_owned())
 }
 
-/// What to believe of each injury, the gravest first, in so many rows from the second on.
-fn answers(shown: &Shown, rows: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
+/// What to believe of each injury, the gravest first, in so many rows at most.
+fn answers(shown: &Shown, rows: u16, wide: u16) -> Vec<String> {
     let verdicts = shown.answer.verdicts();
-    let room = usize::from(area.width);
-    let texts: Vec<String> = if let [(name, words)] = &lines(&verdicts)[..] {
-        let whole = wrapped(&format!("{name}: {words}"), room);
-        if whole.len() <= usize::from(rows) {
-            whole
-        } else {
-            let mut forms = verdicts.first().map_or_else(Vec::new, Verdict::forms);
-            forms.insert(1, format!("{} (8 says why)", forms[1]));
-            vec![longest(name, &forms, room)]
-        }
-    } else {
-        let one = |verdict: &Verdict| longest(verdict.injury.name(), &verdict.forms(), room);
-        verdicts.iter().map(one).collect()
-    };
-    for (y, text) in (1..=rows).zip(&texts) {
-        put(buffer, area, (0, y), text, theme.strong());
+    let room = usize::from(wide);
+    if let [(name, words)] = &lines(&verdicts)[..] {
+        // Where the reasons find no room the next step to take does, which comes last.
+        let parts = (words.split(':').next(), words.rsplit("; ").next());
+        let (said, next) = (parts.0.unwrap_or(words), parts.1.unwrap_or(words));
+        let forms = [
+            words.clone(),
+            format!("{said} (8 says why); {next}"),
+            format!("{said} (8 says why)"),
+        ];
+        let texts = forms.map(|form| wrapped(&format!("{name}: {form}"), room));
+        let mut fitting = texts
+            .into_iter()
+            .filter(|text| text.len() <= usize::from(rows));
+        return fitting
+            .next()
+            .unwrap_or_else(|| vec![fitted(&format!("{name}: {said}"), room)]);
     }
+    let one = |verdict: &Verdict| longest(verdict.injury.name(), &verdict.forms(), room);
+    if rows >= ANSWERS {
+        return verdicts.iter().map(one).collect();
+    }
+    let mut texts: Vec<String> = verdicts.iter().take(1).map(one).collect();
+    texts.extend(others(&verdicts[1..], usize::from(rows - 1), wide));
+    texts
 }
 
 /// A name with the longest of some words that fits.
@@ -326,29 +339,31 @@ fn sentence(flag: &Flag) -> String {
     }
 }
 
-/// The risks of the injuries but the gravest, as many as there is room for, and where all are.
-fn others(verdicts: &[Verdict], room: u16) -> String {
+/// The risks of other injuries in so many rows, as many as there is room for, and where all are.
+fn others(verdicts: &[Verdict], rows: usize, room: u16) -> Vec<String> {
     let one = |verdict: &Verdict| Some(format!("{} {}", verdict.injury.word(), verdict.percent()?));
-    let all: Vec<String> = verdicts.iter().skip(1).filter_map(one).collect();
+    let mut all: Vec<String> = verdicts.iter().filter_map(one).collect();
+    let silent = verdicts.iter().filter(|verdict| verdict.range.is_none());
+    let silent: Vec<&str> = silent.map(|verdict| verdict.injury.word()).collect();
+    if !silent.is_empty() {
+        all.push(format!("{}: no measure", silent.join(", ")));
+    }
     let some = |count: usize| {
-        let more = if count < all.len() { " (8: all)" } else { "" };
-        all[..count].join(", ").replace(" %,", ",") + more
+        let more = (count < all.len()).then(|| "8: all".to_owned());
+        let parts: Vec<String> = all[..count].iter().cloned().chain(more).collect();
+        flowed(&parts, room)
     };
     let mut texts = (1..=all.len()).rev().map(some);
-    texts.find(|text| width(text) <= room).unwrap_or_default()
+    texts.find(|lines| lines.len() <= rows).unwrap_or_default()
 }
 
-/// Every flag by name; the sentence where there is room. Where none is raised, what has found no room above.
-fn flags(shown: &Shown, answers_left: bool, theme: Theme, area: Rect, buffer: &mut Buffer) {
+/// Every flag by name; the sentence where there is room.
+fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height.saturating_sub(6));
     let flags = &shown.answer.flags;
     if flags.is_empty() {
         let end = put(buffer, area, (0, 6), "No flags raised", theme.quiet());
         tends(shown, end, theme, area, buffer);
-        if rows > 1 && answers_left {
-            let text = others(&shown.answer.verdicts(), area.width);
-            put(buffer, area, (0, 7), &text, theme.text());
-        }
         return;
     }
     let room = usize::from(area.width);

@@ -18,6 +18,23 @@ fn typing_simulates_what_makes_sense_and_escape_restores() {
 }
 
 #[test]
+fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
+    let mut model = model();
+    press(&mut model, "\r45\r");
+    assert_eq!(force(&model), 45.0);
+    press(&mut model, "\r\x1b[D6\r");
+    assert_eq!(force(&model), 465.0);
+    press(&mut model, "\r +- 5\r");
+    assert_eq!(force(&model), 465.0);
+    assert_eq!(model.work.scenario.doubt["impact.force_n"], 5.0);
+    press(&mut model, "\r\x1b[200~75\x1b[201~\r");
+    assert_eq!(force(&model), 75.0);
+    // A name that is offered is typed over as well.
+    press(&mut model, "sm");
+    assert_eq!(offered(&model), "m");
+}
+
+#[test]
 fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
     let mut model = model();
     answer(&mut model, 1);

@@ -1,0 +1,78 @@
+//! A line of text that is typed into. What stands in it at first is selected: a character takes its place, any
+//! other key begins to change it.
+
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use tui_input::backend::crossterm::EventHandler;
+use tui_input::{Input, InputRequest};
+
+/// The text with its cursor.
+#[derive(Debug, Default)]
+pub struct Line {
+    /// The text.
+    pub input: Input,
+    /// Whether all of it is selected.
+    pub selected: bool,
+}
+
+impl Line {
+    /// A line with a text to keep, to change or to type over.
+    pub fn of(text: String) -> Self {
+        Self {
+            selected: !text.is_empty(),
+            input: Input::new(text),
+        }
+    }
+
+    /// The text.
+    pub fn value(&self) -> &str {
+        self.input.value()
+    }
+
+    /// Puts a character where the cursor is, or in the place of what is selected.
+    pub fn put(&mut self, c: char) {
+        if self.selected {
+            *self = Self::default();
+        }
+        self.input.handle(InputRequest::InsertChar(c));
+    }
+
+    /// Takes a key in.
+    pub fn key(&mut self, event: KeyEvent) {
+        let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
+        match event.code {
+            KeyCode::Char(c) if !event.modifiers.intersects(held) => self.put(c),
+            _ => {
+                self.selected = false;
+                self.input.handle_event(&Event::Key(event));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(codes: &[KeyCode]) -> String {
+        let mut line = Line::of("300".to_owned());
+        for code in codes {
+            line.key(KeyEvent::from(*code));
+        }
+        line.value().to_owned()
+    }
+
+    #[test]
+    fn a_character_replaces_what_is_selected_and_other_keys_begin_to_change_it() {
+        let (four, five) = (KeyCode::Char('4'), KeyCode::Char('5'));
+        assert_eq!(after(&[four, five]), "45");
+        for (first, text) in [
+            (KeyCode::End, "3004"),
+            (KeyCode::Home, "4300"),
+            (KeyCode::Left, "3040"),
+            (KeyCode::Right, "3004"),
+            (KeyCode::Backspace, "304"),
+        ] {
+            assert_eq!(after(&[first, four]), text, "{first:?}");
+        }
+    }
+}
