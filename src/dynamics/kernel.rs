@@ -6,8 +6,8 @@
 //!
 //! Two forms of 1/l are compiled. The portable one is square root and division without fused
 //! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
-//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a series;
-//! it is as accurate, but its last bits depend on the machine.
+//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a series,
+//! on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the machine.
 
 #![allow(
     clippy::inline_always,
@@ -18,7 +18,7 @@ use super::lanes::{self, Pair, Sums, V, fused, load, load_pair, splat, store, to
 use super::ring::{ring_forces, shell_length};
 use super::state::State;
 use super::sweep::{Nodes, Update, sweep};
-use super::system::{LANES, SHIFT, System};
+use super::system::{DIRECTIONS, LANES, SHIFT, System};
 use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
 /// One kick and one drift of a composition: v += kick a; x += r(v); v *= keep.
@@ -53,9 +53,10 @@ fn fill_ghosts(system: &System, state: &mut State) {
     if let Some(source) = system.mirror_row {
         let stride = system.stride;
         let (ghost, source) = (system.first_row * stride + SHIFT, source * stride + SHIFT);
-        for i in 0..stride {
-            state.x[ghost + i] = state.x[source + i];
-            state.y[ghost + i] = -state.y[source + i];
+        state.x.copy_within(source..source + stride, ghost);
+        let (below, above) = state.y.split_at_mut(source);
+        for (image, y) in below[ghost..].iter_mut().zip(&above[..stride]) {
+            *image = -y;
         }
     }
 }
@@ -88,8 +89,8 @@ fn drift<S: Simd, const QUICK: bool>(
     let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
     let lost = fused::<S, QUICK>(-keep, keep, splat(simd, 1.0)) * half_mass;
     *loss = fused::<S, QUICK>(speed_squared, lost, *loss);
-    store::<S>(nodes.vx, nodes.slot, vx * keep);
-    store::<S>(nodes.vy, nodes.slot, vy * keep);
+    store::<S>(nodes.vx, 0, vx * keep);
+    store::<S>(nodes.vy, 0, vy * keep);
     (
         fused::<S, QUICK>(reach, vx, nodes.position.0),
         fused::<S, QUICK>(reach, vy, nodes.position.1),
@@ -107,7 +108,7 @@ impl<S: Simd, const QUICK: bool> Update<S> for KickDrift<S, QUICK> {
         let simd = nodes.simd;
         let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
         let w = inverse_mass * self.stage.kick;
-        let before = load_pair(simd, nodes.vx, nodes.vy, nodes.slot);
+        let before = load_pair(simd, nodes.vx, nodes.vy, 0);
         let velocity = (
             fused::<S, QUICK>(force.0, w, before.0),
             fused::<S, QUICK>(force.1, w, before.1),
@@ -129,15 +130,15 @@ impl<S: Simd, const QUICK: bool> Update<S> for Keep<S, QUICK> {
         let half_mass = load(simd, &nodes.group.half_mass, nodes.lane);
         let kick = splat(simd, self.kick);
         let (ax, ay) = (force.0 * inverse_mass, force.1 * inverse_mass);
-        let before = load_pair(simd, nodes.vx, nodes.vy, nodes.slot);
+        let before = load_pair(simd, nodes.vx, nodes.vy, 0);
         let vx = fused::<S, QUICK>(ax, kick, before.0);
         let vy = fused::<S, QUICK>(ay, kick, before.1);
         let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
         self.kinetic = fused::<S, QUICK>(speed_squared, half_mass, self.kinetic);
-        store::<S>(nodes.ax, nodes.slot, ax);
-        store::<S>(nodes.ay, nodes.slot, ay);
-        store::<S>(nodes.vx, nodes.slot, vx);
-        store::<S>(nodes.vy, nodes.slot, vy);
+        store::<S>(nodes.ax, 0, ax);
+        store::<S>(nodes.ay, 0, ay);
+        store::<S>(nodes.vx, 0, vx);
+        store::<S>(nodes.vy, 0, vy);
         nodes.position
     }
 }
@@ -192,16 +193,16 @@ fn start_as<S: Simd, const QUICK: bool>(
         // An explicit drag acts with the kick: its power goes with the mean of the two speeds.
         let along = before.0 * (before.0 + after.0) + before.1 * (before.1 + after.1);
         loss += (splat(simd, 1.0) - keep) * half_mass * along;
+        let here = slot..slot + V::<S>::LEN;
         let nodes = Nodes {
             simd,
-            slot,
             lane,
             group,
             position: load_pair(simd, x, y, slot),
-            vx,
-            vy,
-            ax,
-            ay,
+            vx: &mut vx[here.clone()],
+            vy: &mut vy[here.clone()],
+            ax: &mut ax[here.clone()],
+            ay: &mut ay[here],
         };
         let moved = drift::<S, QUICK>(stage, nodes, after, &mut loss);
         store::<S>(x, slot, moved.0);
@@ -276,11 +277,12 @@ pub(super) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
 /// Name of the kernel that this machine runs.
 pub fn name(portable: bool) -> String {
     let level = Level::new();
-    let seeds = dispatch!(level, simd => lanes::has_seeds(simd));
-    let form = match (portable, seeds) {
+    let by_seeds = dispatch!(level, simd => lanes::by_seeds(simd));
+    let form = match (portable, by_seeds) {
         (true, _) => "sqrt and division",
-        (false, false) => "fused, sqrt and division",
-        (false, true) => "fused, 14-bit seed and series",
+        (false, 0) => "fused, sqrt and division",
+        (false, DIRECTIONS) => "fused, 14-bit seed and series",
+        (false, _) => "fused, half by 11-bit seed and series",
     };
     format!("{}, {form}", vectors_name(level))
 }

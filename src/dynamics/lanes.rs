@@ -1,18 +1,21 @@
 //! Vectors of the machine's width, and what is computed of some springs at once.
 //!
 //! The vectors are `fearless_simd`'s, so the code is safe, and AVX-512, AVX2, SSE2 or NEON is
-//! picked at run time. Of AVX-512 one instruction that has no name there is used too.
+//! picked at run time. Of AVX-512 and AVX2 an instruction that has no name there is used too.
 
 #![allow(
     clippy::inline_always,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
+use super::system::{DIRECTIONS, LANES};
 #[cfg(target_arch = "x86_64")]
-use fearless_simd::{Level, SimdInto, f64x8};
+use fearless_simd::{Level, SimdInto, f64x4, f64x8};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 #[cfg(target_arch = "x86_64")]
-use std::arch::x86_64::{__m512d, _mm512_rsqrt14_pd};
+use std::arch::x86_64::{
+    __m256d, __m512d, _mm_rsqrt_ps, _mm256_cvtpd_ps, _mm256_cvtps_pd, _mm512_rsqrt14_pd,
+};
 
 /// As many f64 as the machine handles at once.
 pub(super) type V<S> = <S as Simd>::f64s;
@@ -91,24 +94,40 @@ impl<S: Simd> Springs<S> {
 #[cfg(target_arch = "x86_64")]
 fearless_simd::kernel!(
     #[inline]
-    fn rough_inverse_roots(avx512: Avx512, of: __m512d) -> __m512d {
+    fn seeds_of_eight(avx512: Avx512, of: __m512d) -> __m512d {
         _mm512_rsqrt14_pd(of)
     }
 );
 
-/// 14 right bits of 1/sqrt, where the machine has an instruction for them.
+#[cfg(target_arch = "x86_64")]
+fearless_simd::kernel!(
+    #[inline]
+    fn seeds_of_four(avx2: Avx2, of: __m256d) -> __m256d {
+        _mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(of)))
+    }
+);
+
+/// The first bits of 1/sqrt, where the machine has an instruction for them: 14 of AVX-512; else 11.4 in
+/// single precision, whose range holds every length squared.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn seed<S: Simd>(simd: S, square: V<S>) -> Option<V<S>> {
-    let Level::Avx512(avx512) = simd.level() else {
-        return None;
-    };
-    let wide = f64x8::from_slice(avx512, square.as_slice());
-    let rough: f64x8<_> = rough_inverse_roots(avx512, wide.into()).simd_into(avx512);
-    Some(V::<S>::from_slice(simd, rough.as_slice()))
+    match simd.level() {
+        Level::Avx512(avx512) => {
+            let wide = f64x8::from_slice(avx512, square.as_slice());
+            let rough: f64x8<_> = seeds_of_eight(avx512, wide.into()).simd_into(avx512);
+            Some(V::<S>::from_slice(simd, rough.as_slice()))
+        }
+        Level::Avx2(avx2) => {
+            let wide = f64x4::from_slice(avx2, square.as_slice());
+            let rough: f64x4<_> = seeds_of_four(avx2, wide.into()).simd_into(avx2);
+            Some(V::<S>::from_slice(simd, rough.as_slice()))
+        }
+        _ => None,
+    }
 }
 
-/// 14 right bits of 1/sqrt, where the machine has an instruction for them.
+/// The first bits of 1/sqrt, where the machine has an instruction for them.
 #[cfg(not(target_arch = "x86_64"))]
 #[inline(always)]
 fn seed<S: Simd>(_: S, _: V<S>) -> Option<V<S>> {
@@ -124,17 +143,44 @@ pub(super) fn inverse_root<S: Simd, const QUICK: bool>(simd: S, square: V<S>) ->
     }
 }
 
-/// Whether roots start from seeds.
-pub(super) fn has_seeds<S: Simd>(simd: S) -> bool {
-    seed(simd, splat(simd, 1.0)).is_some()
+/// How many of the four springs of a node take their roots from seeds in the quick form. Of AVX2 the
+/// series takes the multipliers as long as square root and division take the divider, so that half
+/// by each keeps both busy.
+#[inline(always)]
+pub(super) fn by_seeds<S: Simd>(simd: S) -> usize {
+    match seed(simd, splat(simd, 1.0)) {
+        Some(_) if V::<S>::LEN == LANES => DIRECTIONS,
+        Some(_) => DIRECTIONS / 2,
+        None => 0,
+    }
 }
 
-/// From 14 right bits of y = 1/sqrt(square) to all 53: with e = square y^2 - 1, below 2^-13, the
-/// series of y/sqrt(1 + e) up to its cube leaves 0.27 e^4.
+/// 1/sqrt of the squares of one of the [`DIRECTIONS`].
+#[inline(always)]
+pub(super) fn inverse_root_of<S: Simd, const QUICK: bool>(
+    simd: S,
+    direction: usize,
+    square: V<S>,
+) -> V<S> {
+    if direction < by_seeds(simd) {
+        inverse_root::<S, QUICK>(simd, square)
+    } else {
+        inverse_root::<S, false>(simd, square)
+    }
+}
+
+/// From the first bits of y = 1/sqrt(square) to all 53: with e = square y^2 - 1, the series of
+/// y/sqrt(1 + e). Of AVX-512, where e is below 2^-13, the cube is its last term, which leaves
+/// 0.27 e^4; of AVX2, where e is below 2^-10, the fourth power, which leaves 0.25 e^5.
 #[inline(always)]
 fn polished<S: Simd>(simd: S, square: V<S>, seed: V<S>) -> V<S> {
     let excess = (square * seed).mul_sub(seed, splat(simd, 1.0));
-    let bend = excess.mul_add(splat(simd, -0.3125), splat(simd, 0.375));
+    let cubic = splat(simd, -0.3125);
+    let turn = match V::<S>::LEN {
+        LANES => cubic,
+        _ => excess.mul_add(splat(simd, 35.0 / 128.0), cubic),
+    };
+    let bend = excess.mul_add(turn, splat(simd, 0.375));
     let slope = excess.mul_add(bend, splat(simd, -0.5));
     (seed * excess).mul_add(slope, seed)
 }

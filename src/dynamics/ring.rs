@@ -12,50 +12,25 @@ use super::lanes::{
     Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store, total, zeros,
 };
 use super::state::{Scratch, State};
-use super::system::{LANES, Rows, System};
+use super::system::{LANES, Lane, Rows, System};
 use crate::eye::{Eye, SpringKind};
 use fearless_simd::{Simd, SimdBase};
 use std::collections::HashMap;
 
-/// Eight filaments of one hop count whose first ends lie side by side.
-#[derive(Debug, Clone, Copy)]
+/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has stiffness 0.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(64))]
 pub(super) struct Strip {
+    stiffness: Lane,
+    tension: Lane,
+    half_compliance: Lane,
+    inverse_tension: Lane,
     /// Gathered place of the first end of the first one.
     first: usize,
     /// Distance along the ring between the two ends.
     hop: usize,
     /// Where the forces on the first ends go.
     into: usize,
-}
-
-/// All filaments, strip by strip; what fills up a strip has stiffness 0.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Filaments {
-    strips: Vec<Strip>,
-    stiffness: Vec<f64>,
-    tension: Vec<f64>,
-    half_compliance: Vec<f64>,
-    inverse_tension: Vec<f64>,
-}
-
-impl Filaments {
-    fn add(&mut self, strip: Strip) {
-        self.strips.push(strip);
-        let len = self.strips.len() * LANES;
-        for run in [
-            &mut self.stiffness,
-            &mut self.tension,
-            &mut self.half_compliance,
-            &mut self.inverse_tension,
-        ] {
-            run.resize(len, 0.0);
-        }
-    }
-
-    /// Springs that are computed.
-    pub fn count(&self) -> usize {
-        self.stiffness.iter().filter(|&&k| k > 0.0).count()
-    }
 }
 
 /// The ring of shell nodes, unrolled, with ghosts at both ends.
@@ -72,13 +47,20 @@ pub(super) struct Ring {
     pub neighbours: Vec<f64>,
     /// The hop counts.
     pub hops: Vec<usize>,
-    pub filaments: Filaments,
+    /// All filaments.
+    strips: Vec<Strip>,
 }
 
 impl Ring {
     /// Length of a run that every eight-lane access of the ring fits in.
     pub fn padded_len(&self) -> usize {
         (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
+    }
+
+    /// Filaments that are computed.
+    pub fn filaments(&self) -> usize {
+        let stiffness = self.strips.iter().flat_map(|strip| strip.stiffness);
+        stiffness.filter(|&k| k > 0.0).count()
     }
 
     /// Length of the runs of all hop counts.
@@ -138,31 +120,32 @@ pub(super) fn compile(eye: &Eye, rows: &Rows) -> Ring {
         owned,
         neighbours: Vec::new(),
         hops: by_hop.iter().map(|(hop, _)| *hop).collect(),
-        filaments: Filaments::default(),
+        strips: Vec::new(),
     };
     let run = ring.padded_len();
     for (n, (hop, starts)) in by_hop.iter().enumerate() {
         let first = ghosts - hop;
-        let place = ring.filaments.stiffness.len();
+        let earlier = ring.strips.len();
         for o in (0..owned + hop).step_by(LANES) {
-            ring.filaments.add(Strip {
+            ring.strips.push(Strip {
                 first: first + o,
                 hop: *hop,
                 into: n * run + first + o,
+                ..Strip::default()
             });
         }
-        let f = &mut ring.filaments;
         for o in 0..owned + hop {
             let spring = &eye.springs[starts[&at(first + o)]];
             // In the whole ring the ghosts repeat springs that the other end owns, at weight 1/2.
             let share = 0.5 * (weight(first + o) + weight(first + o + hop));
             let (k, l) = (spring.stiffness, spring.rest_length);
-            f.stiffness[place + o] = k;
-            f.tension[place + o] = k * l;
+            let (strip, lane) = (&mut ring.strips[earlier + o / LANES], o % LANES);
+            strip.stiffness[lane] = k;
+            strip.tension[lane] = k * l;
             // Filaments may be switched off by a factor of 0; then they have neither energy nor strain.
             if k > 0.0 {
-                f.half_compliance[place + o] = 0.5 * share / k;
-                f.inverse_tension[place + o] = 1.0 / (k * l);
+                strip.half_compliance[lane] = 0.5 * share / k;
+                strip.inverse_tension[lane] = 1.0 / (k * l);
             }
         }
     }
@@ -257,31 +240,33 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
     s: &mut Scratch,
     sums: &mut Sums<S>,
 ) {
-    let f = &system.ring.filaments;
     let shortest = splat(simd, system.shortest_squared);
-    let width = V::<S>::LEN;
     let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
     let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
-    for o in (0..f.stiffness.len()).step_by(width) {
-        let strip = &f.strips[o / LANES];
-        let a = strip.first + o % LANES;
-        let springs = Springs::<S>::new::<QUICK>(
-            load_pair(simd, ring_x, ring_y, a),
-            load_pair(simd, ring_x, ring_y, a + strip.hop),
-            shortest,
-        );
-        let inverse = inverse_root::<S, QUICK>(simd, springs.square);
-        let (stiffness, tension) = (load(simd, &f.stiffness, o), load(simd, &f.tension, o));
-        let (pull, (fx, fy)) = springs.force::<QUICK>(inverse, stiffness, tension);
-        if SURVEY {
-            sums.add::<QUICK>(
-                pull * (springs.square * inverse),
-                load(simd, &f.half_compliance, o),
-                load(simd, &f.inverse_tension, o),
+    let hop_fy = &mut hop_fy[..hop_fx.len()];
+    let ring_y = &ring_y[..ring_x.len()];
+    for strip in &system.ring.strips {
+        for lane in (0..LANES).step_by(V::<S>::LEN) {
+            let a = strip.first + lane;
+            let springs = Springs::<S>::new::<QUICK>(
+                load_pair(simd, ring_x, ring_y, a),
+                load_pair(simd, ring_x, ring_y, a + strip.hop),
+                shortest,
             );
+            let inverse = inverse_root::<S, QUICK>(simd, springs.square);
+            let stiffness = load(simd, &strip.stiffness, lane);
+            let tension = load(simd, &strip.tension, lane);
+            let (pull, (fx, fy)) = springs.force::<QUICK>(inverse, stiffness, tension);
+            if SURVEY {
+                sums.add::<QUICK>(
+                    pull * (springs.square * inverse),
+                    load(simd, &strip.half_compliance, lane),
+                    load(simd, &strip.inverse_tension, lane),
+                );
+            }
+            let into = strip.into + lane;
+            store::<S>(hop_fx, into, fx);
+            store::<S>(hop_fy, into, fy);
         }
-        let into = strip.into + o % LANES;
-        store::<S>(hop_fx, into, fx);
-        store::<S>(hop_fy, into, fy);
     }
 }

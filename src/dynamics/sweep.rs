@@ -8,18 +8,41 @@
     clippy::inline_always,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
+#![allow(
+    unsafe_code,
+    reason = "bounds are checked once a sweep: checked at every vector they took a tenth of the time"
+)]
 
 use super::lanes::{
-    Pair, Springs, Sums, V, fused, inverse_root, load, load_pair, shifted, splat, store, zeros,
+    Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
 use super::state::State;
 use super::system::{DIRECTIONS, Group, LANES, SurveyGroup, System};
 use fearless_simd::{Simd, SimdBase};
 
-/// What an update may read and write of the nodes that start at `slot`.
+/// First slots of the vectors that a sweep goes through.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Active {
+    /// From below; the last one twice, because the sweep looks one ahead.
+    slots: Vec<u32>,
+    last: usize,
+}
+
+impl Active {
+    /// The vectors that start at `slots`.
+    pub fn new(slots: impl Iterator<Item = usize>) -> Self {
+        let mut slots: Vec<u32> = slots.map(|slot| slot as u32).collect();
+        let last = slots.iter().copied().max().unwrap_or(0);
+        slots.extend(slots.last().copied());
+        let last = last as usize;
+        Self { slots, last }
+    }
+}
+
+/// What an update may read and write of some neighbouring nodes: of each run as many values as a vector
+/// holds.
 pub(super) struct Nodes<'a, S: Simd> {
     pub simd: S,
-    pub slot: usize,
     /// Place of the first node in its group.
     pub lane: usize,
     pub group: &'a Group,
@@ -38,6 +61,43 @@ pub(super) trait Update<S: Simd> {
 /// A cache line.
 #[repr(align(64))]
 struct Line(#[expect(dead_code, reason = "only its place matters")] [u8; 64]);
+
+/// A part of `run`, of which it is known that it is there.
+///
+/// # Safety
+/// `at + len` is no more than the length of `run`.
+#[inline(always)]
+unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
+    debug_assert!(at + len <= run.len());
+    // SAFETY: as asked of the caller.
+    unsafe { run.get_unchecked(at..at + len) }
+}
+
+/// The same to write.
+///
+/// # Safety
+/// As [`part`].
+#[inline(always)]
+unsafe fn part_mut(run: &mut [f64], at: usize, len: usize) -> &mut [f64] {
+    debug_assert!(at + len <= run.len());
+    // SAFETY: as asked of the caller.
+    unsafe { run.get_unchecked_mut(at..at + len) }
+}
+
+/// What a [`Quartet`] reads.
+///
+/// # Safety
+/// As [`part`], for either.
+#[inline(always)]
+unsafe fn around<'a>(
+    x: &'a [f64],
+    y: &'a [f64],
+    slot: u32,
+    reach: usize,
+) -> (&'a [f64], &'a [f64]) {
+    // SAFETY: as asked of the caller.
+    unsafe { (part(x, slot as usize, reach), part(y, slot as usize, reach)) }
+}
 
 /// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`, what
 /// `update` returns becomes their position.
@@ -72,26 +132,38 @@ pub(super) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     let (ax, ay): (&mut [f64], &mut [f64]) = (&mut ax[..len], &mut ay[..len]);
     let (extra_x, extra_y) = (&scratch.extra_x[..len], &scratch.extra_y[..len]);
     let (up_x, up_y) = (&mut scratch.up_x[..len], &mut scratch.up_y[..len]);
+    let groups = &system.groups[..=system.active.last / LANES];
+    let reach = stride + 1 + width;
+    assert!(
+        system.active.last + reach <= len,
+        "a vector beyond the mesh"
+    );
     // Forces on their way to the next vector.
     let mut across = zeros(simd);
     let mut rising = zeros(simd);
     let mut after_last = 0;
-    let [first, others @ ..] = system.active.as_slice() else {
+    let [first, others @ ..] = system.active.slots.as_slice() else {
         return;
     };
     // One vector ahead, so that its roots are under way while the forces of this one are summed.
-    let mut next = Quartet::<S>::new::<QUICK>(simd, (x, y), *first as usize, stride, shortest);
-    for (&o, &following) in system.active.iter().zip(others) {
+    // SAFETY: no slot is beyond `active.last`, of which `reach` values have been found to be there.
+    let ahead = unsafe { around(x, y, *first, reach) };
+    let mut next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
+    for (&o, &following) in system.active.slots.iter().zip(others) {
         let o = o as usize;
         let now = next;
-        next = Quartet::<S>::new::<QUICK>(simd, (x, y), following as usize, stride, shortest);
+        // SAFETY: as above.
+        let ahead = unsafe { around(x, y, following, reach) };
+        next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
         if o != after_last {
             // Between the two lies nothing that moves.
             across = zeros(simd);
             rising = zeros(simd);
         }
         after_last = o + width;
-        let (group, lane) = (&system.groups[o / LANES], o & (LANES - width));
+        let lane = o & (LANES - width);
+        // SAFETY: no slot is beyond `active.last`, whose group is the last one.
+        let group = unsafe { groups.get_unchecked(o / LANES) };
         let mut forces = [zeros(simd); DIRECTIONS];
         let mut pulls = [shortest; DIRECTIONS];
         #[allow(clippy::needless_range_loop, reason = "five arrays share the index")]
@@ -117,39 +189,36 @@ pub(super) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         );
         (across, rising) = (onto_right, to_corner);
 
-        let below = load_pair(simd, up_x, up_y, o);
-        let extra = load_pair(simd, extra_x, extra_y, o);
+        // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are fewer.
+        let (above, extra, nodes) = unsafe {
+            let reach = stride + width;
+            let above = (part_mut(up_x, o, reach), part_mut(up_y, o, reach));
+            let extra = (part(extra_x, o, width), part(extra_y, o, width));
+            let nodes = Nodes {
+                simd,
+                lane,
+                group,
+                position: load_pair(simd, part(x, o, width), part(y, o, width), 0),
+                vx: part_mut(vx, o, width),
+                vy: part_mut(vy, o, width),
+                ax: part_mut(ax, o, width),
+                ay: part_mut(ay, o, width),
+            };
+            (above, load_pair(simd, extra.0, extra.1, 0), nodes)
+        };
+        let below = load_pair(simd, above.0, above.1, 0);
         let force = (
             ((to_right.0 + to_above.0) + (to_corner.0 - from_left.0)) + (below.0 + extra.0),
             ((to_right.1 + to_above.1) + (to_corner.1 - from_left.1)) + (below.1 + extra.1),
         );
-        store::<S>(
-            up_x,
-            o + stride,
-            (from_above.0 - to_above.0) - from_corner.0,
-        );
-        store::<S>(
-            up_y,
-            o + stride,
-            (from_above.1 - to_above.1) - from_corner.1,
-        );
-
-        let position = load_pair(simd, x, y, o);
-        let nodes = Nodes {
-            simd,
-            slot: o,
-            lane,
-            group,
-            position,
-            vx,
-            vy,
-            ax,
-            ay,
-        };
+        store::<S>(above.0, stride, (from_above.0 - to_above.0) - from_corner.0);
+        store::<S>(above.1, stride, (from_above.1 - to_above.1) - from_corner.1);
         let moved = update.nodes(nodes, force);
         if MOVE {
-            store::<S>(x, o, moved.0);
-            store::<S>(y, o, moved.1);
+            // SAFETY: as above.
+            let (x, y) = unsafe { (part_mut(x, o, width), part_mut(y, o, width)) };
+            store::<S>(x, 0, moved.0);
+            store::<S>(y, 0, moved.1);
         }
     }
 }
@@ -165,12 +234,11 @@ impl<S: Simd> Quartet<S> {
     fn new<const QUICK: bool>(
         simd: S,
         (x, y): (&[f64], &[f64]),
-        slot: usize,
         stride: usize,
         shortest_squared: V<S>,
     ) -> Self {
         let reach = stride + 1 + V::<S>::LEN;
-        let (x, y) = (&x[slot..][..reach], &y[slot..][..reach]);
+        let (x, y) = (&x[..reach], &y[..reach]);
         let here = load_pair(simd, x, y, 0);
         let right = load_pair(simd, x, y, 1);
         let above = load_pair(simd, x, y, stride);
@@ -182,10 +250,10 @@ impl<S: Simd> Quartet<S> {
             Springs::<S>::new::<QUICK>(above, right, shortest_squared),
         ];
         let inverse = [
-            inverse_root::<S, QUICK>(simd, springs[0].square),
-            inverse_root::<S, QUICK>(simd, springs[1].square),
-            inverse_root::<S, QUICK>(simd, springs[2].square),
-            inverse_root::<S, QUICK>(simd, springs[3].square),
+            inverse_root_of::<S, QUICK>(simd, 0, springs[0].square),
+            inverse_root_of::<S, QUICK>(simd, 1, springs[1].square),
+            inverse_root_of::<S, QUICK>(simd, 2, springs[2].square),
+            inverse_root_of::<S, QUICK>(simd, 3, springs[3].square),
         ];
         Self { springs, inverse }
     }

@@ -19,6 +19,7 @@ use super::load::{ArcLoad, Pulse};
 use super::ring::{self, Ring};
 use super::scene::SceneKind;
 use super::stability;
+use super::sweep::Active;
 use crate::eye::{Eye, SpringKind};
 use fearless_simd::{Level, dispatch};
 
@@ -114,9 +115,8 @@ pub struct System {
     pub(super) portable: bool,
     /// The machine's vectors.
     pub(super) level: Level,
-    /// First slots of the vectors that hold anything that moves, from below; the last one
-    /// twice, because the sweep looks one ahead.
-    pub(super) active: Vec<u32>,
+    /// The vectors that hold anything that moves.
+    pub(super) active: Active,
     places: Vec<Place>,
     load: NodeLoad,
     coupled: Option<Coupled>,
@@ -148,7 +148,7 @@ impl System {
             decay: decay_rates(eye),
             portable,
             level: Level::new(),
-            active: Vec::new(),
+            active: Active::default(),
             places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
             load: NodeLoad {
                 pulse,
@@ -165,7 +165,7 @@ impl System {
         system.set_level(Level::new());
         system.put_quads(eye, &rows);
         system.ring = ring::compile(eye, &rows);
-        system.springs_per_evaluation += system.ring.filaments.count();
+        system.springs_per_evaluation += system.ring.filaments();
         for &(node, share) in &load.shares {
             let place = rows.place(eye.nodes[node].grid);
             if !place.mirrored {
@@ -258,12 +258,9 @@ impl System {
             group.inverse_mass[lane] > 0.0 || group.stiffness.iter().any(|k| k[lane] > 0.0)
         };
         let (first, last) = (self.first_row * self.stride, self.side * self.stride);
-        self.active = (first..last)
-            .step_by(width)
-            .filter(|&slot| (slot..slot + width).any(busy))
-            .map(|slot| slot as u32)
-            .collect();
-        self.active.extend(self.active.last().copied());
+        let slots = (first..last).step_by(width);
+        let busy = slots.filter(|&slot| (slot..slot + width).any(busy));
+        self.active = Active::new(busy);
     }
 
     /// Where node `node` of the eye is found.
