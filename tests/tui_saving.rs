@@ -187,7 +187,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     let folder = home.path().join("contrecoup/presets");
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", home.path());
-    let term = Term::start(command);
+    let mut term = Term::start(command);
     term.wait_for("Index 26");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
@@ -215,6 +215,20 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     term.keys("y");
     term.wait_for("removed mine");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+    // The scene keeps its name, and is there again next time.
+    term.keys("\x1b");
+    term.wait_without("F2 rename");
+    assert!(term.text().contains("mine *"));
+    term.keys("q");
+    term.wait_for("again next time");
+    term.keys("y");
+    assert_eq!(term.exit_code(), 0);
+    let mut command = app(&[]);
+    command.env("XDG_CONFIG_HOME", home.path());
+    let term = Term::start(command);
+    term.wait_for("what you made of mine is here");
+    term.wait_for("310 N");
+    term.wait_for("mine *");
 }
 
 #[test]

@@ -1,10 +1,31 @@
 //! The answer first: one line an injury, in text and as JSON.
 
-use crate::injury::{Part, Risk, Verdict, lines};
+use crate::injury::{Curve, Part, Risk, Verdict, curve_of, lines};
+use crate::study::Quantity;
+use crate::study::quantity::Read;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 use super::text::paragraph;
+
+/// What is said of a risk that means nothing here.
+pub const VOID: &str = "not valid here";
+
+/// The part that a curve has in the verdicts.
+pub fn part_of<'a>(verdicts: &'a [Verdict], curve: &Curve) -> Option<&'a Part> {
+    let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
+    let part = parts.find(|(of, _)| of.curve == curve)?;
+    Some(&part.1)
+}
+
+/// Whether a result is a risk that means nothing here.
+pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
+    let Read::Risk(injury, measure) = of.row().read else {
+        return false;
+    };
+    let part = curve_of(injury, measure).and_then(|curve| part_of(verdicts, curve));
+    matches!(part, Some(Part::NotValid(_)))
+}
 
 /// Prints a line for each injury. Before the mesh error is known, `mesh` is false and a line says that it
 /// is not in the ranges, if what was computed is believed at all.

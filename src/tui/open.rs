@@ -190,13 +190,14 @@ fn resume(look: Look) -> Result<Model, ScenarioError> {
     let opened = prepare(std::slice::from_ref(&left.source), look);
     let gone = opened.is_err();
     let mut model = opened.or_else(|_| prepare(&[], look))?;
+    let source = quoted(&left.source);
     if gone {
-        let source = quoted(&left.source);
         model.notice = Some(format!("cannot be opened any more: {source}"));
     }
     if let Some(changed) = left.changed {
         model.work.scenario = changed;
         if gone {
+            model.notice = Some(format!("what you made of {source} is here: s saves it"));
             model.work.source = left.source;
             model.work.original = None;
         }

@@ -19,6 +19,7 @@ use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing};
 use crate::report::figure::Figure;
 use crate::report::text::{capital, percent};
+use crate::report::verdict::{VOID, is_void};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
 use crate::study::comparison::Entry;
@@ -134,7 +135,8 @@ fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// A result as a row: name, value with as many digits as its errors allow, when, and both errors.
+/// A result as a row: name, value with as many digits as its errors allow, when or whether it means nothing here, and
+/// both errors.
 struct Row {
     name: String,
     value: String,
@@ -145,7 +147,7 @@ struct Row {
 }
 
 fn rows(answer: &Answer) -> Vec<Row> {
-    let errors = &answer.errors;
+    let (errors, verdicts) = (&answer.errors, answer.verdicts());
     let row = |(of, _): (Quantity, f64)| {
         let mesh = errors.mesh.as_ref();
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
@@ -153,9 +155,11 @@ fn rows(answer: &Answer) -> Vec<Row> {
             name: capital(of.row().label),
             value: Figure::of(answer, of).map_or_else(String::new, |figure| figure.number),
             unit: of.row().unit,
-            at: answer
-                .peak(of)
-                .map_or_else(String::new, |p| format!("{:.3} ms", p.time * 1e3)),
+            at: match answer.peak(of) {
+                _ if is_void(&verdicts, of) => VOID.to_owned(),
+                Some(peak) => format!("{:.3} ms", peak.time * 1e3),
+                None => String::new(),
+            },
             step: known(errors.time_step[of]),
             mesh: known(mesh.and_then(|errors| errors[of])),
         }

@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, Screen};
-use crate::injury::{Caution, Curve, Injury, MARKS, Part, Risk, Verdict, curve_of, lines, span};
+use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
+use crate::report::verdict::{VOID, part_of};
 use crate::study::Quantity;
-use crate::study::quantity::Read;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
@@ -142,25 +142,9 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 const ABOVE: u16 = 2;
 const LISTED: u16 = 3;
 
-/// The part that a curve has in the verdicts.
-fn part_of<'a>(verdicts: &'a [Verdict], curve: &Curve) -> Option<&'a Part> {
-    let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
-    let part = parts.find(|(of, _)| of.curve == curve)?;
-    Some(&part.1)
-}
-
-/// Whether a result is a risk that means nothing here.
-pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
-    let Read::Risk(injury, measure) = of.row().read else {
-        return false;
-    };
-    let part = curve_of(injury, measure).and_then(|curve| part_of(verdicts, curve));
-    matches!(part, Some(Part::NotValid(_)))
-}
-
-/// What stands in place of such a risk, in so many columns.
+/// What stands in place of a risk that means nothing here, in so many columns.
 pub fn void(room: u16) -> &'static str {
-    let mut texts = ["not valid here", "not valid", "-"].into_iter();
+    let mut texts = [VOID, "not valid", "-"].into_iter();
     texts.find(|text| width(text) <= room).unwrap_or("")
 }
 

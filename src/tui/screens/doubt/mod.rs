@@ -2,9 +2,9 @@
 
 mod view;
 
-use super::injury::is_void;
 use super::{Pane, Screen};
 use crate::injury::Verdict;
+use crate::report::verdict::is_void;
 use crate::study::Quantity;
 use crate::study::ensemble::Ensemble;
 use crate::study::quantity::Read;

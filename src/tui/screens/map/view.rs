@@ -52,8 +52,16 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let whole_name = format!("What if? {}: {over}", capital(result.label));
     let axes_named = format!("{name}: {over}");
     let full = format!("What if? {axes_named}");
-    let brief = format!("What if? {name}");
-    let titles = [&*whole_name, &*full, &*axes_named, &*brief, "What if?"];
+    let brief = format!("What if? {}", capital(result.label));
+    let briefer = format!("What if? {name}");
+    let titles = [
+        &*whole_name,
+        &full,
+        &axes_named,
+        &brief,
+        &briefer,
+        "What if?",
+    ];
     put_both(buffer, area, (&titles, theme.heading()), (&said, style));
     let field = Rect::new(
         area.x + LABELS + 1,
