@@ -217,7 +217,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
     // The scene keeps its name, and is there again next time.
     term.keys("\x1b");
-    term.wait_without("F2 rename");
+    term.wait_without("─ Open ─");
     assert!(term.text().contains("mine *"));
     term.keys("q");
     term.wait_for("again next time");
