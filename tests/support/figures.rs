@@ -87,6 +87,12 @@ pub static FIGURES: &[Figures] = &[
         excerpt: str::to_owned,
     },
     Figures {
+        name: "object-coverage",
+        command: "contrecoup coverage --objects",
+        form: Form::Rows(|| vec!["result ", "damage index ", "rebound speed ", "scene "]),
+        excerpt: str::to_owned,
+    },
+    Figures {
         name: "tolerance",
         command: "contrecoup coverage --tolerance",
         form: Form::Rows(|| vec!["asked for ", "50 % ", "20 % ", "10 % ", "5.0 % ", "2.0 % "]),
@@ -269,10 +275,10 @@ fn wire(text: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Whether a line says more of the one above it.
+/// Whether a line says more of those above it, or remarks on their figures.
 fn is_note(line: &str) -> bool {
-    line.strip_prefix("    ")
-        .is_some_and(|rest| rest.starts_with(char::is_alphabetic))
+    let more = line.strip_prefix("    ");
+    more.is_some_and(|rest| rest.starts_with(char::is_alphabetic)) || line.starts_with("! ")
 }
 
 /// The lines of a table, in any order, since some are ordered by their figures: words and units as they are, `#` for
