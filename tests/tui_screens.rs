@@ -259,6 +259,7 @@ fn the_question_at_which_value_a_result_is_reached() {
             mesh: Some(18.0),
             jump: None,
             flags: Vec::new(),
+            believed: None,
             caution: None,
         };
         let found = Threshold {

@@ -320,7 +320,8 @@ pub struct ThresholdArgs {
     /// The field to vary, over all that it may be or from one value to another
     #[arg(long, value_name = "FIELD|FIELD=FROM:TO")]
     pub vary: String,
-    /// The result and the value that it is to reach, as in `damage_percent = 50`
+    /// The result and the value that it is to reach, as in `damage_percent = 50`; `globe_rupture_percent = 50` is
+    /// of the risk by the curve that is believed first
     #[arg(long, value_name = "RESULT = VALUE")]
     pub until: String,
     /// Print JSON instead of text

@@ -1,4 +1,4 @@
-//! Progress of long work: one line on standard error, if that is a terminal.
+//! Progress of long work: one line on standard error that is written anew, if that is a terminal.
 
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -26,6 +26,14 @@ impl Progress {
             pace: Pace::default(),
             shown: None,
             visible: io::stderr().is_terminal(),
+        }
+    }
+
+    /// Says once what is begun, where no line of progress can follow it: in a log or a pipe.
+    pub fn announce(&self, what: &str) {
+        if !self.visible {
+            // Nobody is hurt if it is lost.
+            let _ = writeln!(io::stderr(), "{what}");
         }
     }
 

@@ -26,7 +26,11 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let question = Question::read((*scenario).clone(), &args.vary, until);
     let question = question.map_err(refused("--vary"))?;
     let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
+    let progress = Progress::new();
+    let (of, path) = (question.quantity.key(), question.field.path);
+    let (from, to) = question.range;
+    progress.announce(&format!("looking for {of} over {path} = {from}:{to} ..."));
+    let progress = Mutex::new(progress);
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
     let found = question.answer(&stop, |share| lock().show("looking", share));
     lock().clear();

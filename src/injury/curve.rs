@@ -36,7 +36,7 @@ impl Injury {
     ];
 
     /// Its name for people.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::CornealAbrasion => "corneal abrasion",
             Self::LensDislocation => "lens dislocation",

@@ -15,5 +15,5 @@ pub use index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use published::CURVES;
 pub use risk::{Blow, Caution, Computed, MARKS, Measures, Risk};
 pub(crate) use risk::{assess, curve_of};
-pub(crate) use verdict::verdicts;
-pub use verdict::{Part, Validity, Verdict, gravity, lines, span};
+pub use verdict::{AT_LEAST, Part, Validity, Verdict, gravity, lines, span};
+pub(crate) use verdict::{verdict, verdicts};

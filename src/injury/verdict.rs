@@ -22,6 +22,9 @@ use super::curve::{Curve, Eyes, Injury, Measure, Standing};
 use super::published::CURVES;
 use super::risk::{Caution, Risk};
 
+/// Said of what the end of the run cut off while it may still grow.
+pub const AT_LEAST: &str = "at least";
+
 /// Two risks that differ by more than this factor disagree. So do the measures of a BB at 62.5 m/s: its
 /// pressure says what a third of its energy would.
 pub const FACTOR: f64 = 3.0;
@@ -84,19 +87,18 @@ pub struct Verdict {
 
 /// Verdicts on every injury from what the curves say of one blow, the gravest first.
 pub fn verdicts(risks: &[Risk], validity: &Validity) -> Vec<Verdict> {
-    let one = |injury| {
-        let of: Vec<Risk> = risks
-            .iter()
-            .filter(|r| r.curve.injury == injury)
-            .copied()
-            .collect();
-        let mut verdict = Verdict::of(injury, of, validity);
-        if risks.is_empty() {
-            validity.silence.clone_into(&mut verdict.silence);
-        }
-        verdict
-    };
-    Injury::ALL.into_iter().map(one).collect()
+    let all = Injury::ALL.into_iter();
+    all.map(|injury| verdict(injury, risks, validity)).collect()
+}
+
+/// The verdict on one injury.
+pub fn verdict(injury: Injury, risks: &[Risk], validity: &Validity) -> Verdict {
+    let of = risks.iter().filter(|r| r.curve.injury == injury);
+    let mut verdict = Verdict::of(injury, of.copied().collect(), validity);
+    if risks.is_empty() {
+        validity.silence.clone_into(&mut verdict.silence);
+    }
+    verdict
 }
 
 fn is_computed(measure: Measure) -> bool {
@@ -234,14 +236,7 @@ impl Verdict {
             alone: first.is_some_and(|first| knows_too_little(&first, validity)),
             silence: String::new(),
         };
-        let ends = verdict.believed().fold((1.0, 0.0), |(low, high), risk| {
-            let band = if verdict.alone {
-                risk.band_within(FACTOR)
-            } else {
-                risk.band
-            };
-            (band.0.min(low), band.1.max(high))
-        });
+        let ends = verdict.range_with(|risk| risk.value);
         verdict.at_least = validity.cut && verdict.rests_on_the_run();
         verdict.range = first.map(|_| (ends.0, if verdict.at_least { 1.0 } else { ends.1 }));
         verdict.name_what_lies_outside(validity);
@@ -255,6 +250,16 @@ impl Verdict {
             verdict.silence = verdict.why_silent(validity);
         }
         verdict
+    }
+
+    /// The range of what is believed if its measures had other values.
+    pub fn range_with(&self, value: impl Fn(&Risk) -> f64) -> (f64, f64) {
+        let factor = if self.alone { FACTOR } else { 1.0 };
+        self.believed().fold((1.0, 0.0), |(low, high), risk| {
+            let value = value(risk);
+            let band = Risk { value, ..*risk }.band_within(factor);
+            (band.0.min(low), band.1.max(high))
+        })
     }
 
     /// What agrees and yet lies outside the range, as it is printed, is to be named.
@@ -319,7 +324,7 @@ impl Verdict {
     pub fn percent(&self) -> Option<String> {
         let range = self.range?;
         Some(if self.at_least {
-            format!("at least {} %", (100.0 * range.0).round())
+            format!("{AT_LEAST} {} %", (100.0 * range.0).round())
         } else {
             span(range)
         })

@@ -7,7 +7,8 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::figure::Figure;
+use super::figure::{CUT, Figure};
+use super::json::at_least;
 use super::text::{WIDTH, paragraph, percent};
 use crate::injury::{Blow, Caution, lines};
 use crate::plain_text::printable;
@@ -33,7 +34,7 @@ pub struct Table {
 
 /// A result with as many digits as its errors allow.
 fn cell(answer: &Answer, of: Quantity) -> String {
-    Figure::of(answer, of).map_or_else(|| "-".to_owned(), |figure| figure.number)
+    Figure::of(answer, of).map_or_else(|| "-".to_owned(), |figure| figure.cell())
 }
 
 /// What speaks against the risks by energy of a blow.
@@ -84,9 +85,18 @@ impl Table {
                 .into_iter()
                 .map(move |remark| format!("{name}: {remark}"))
         };
+        let mut remarks: Vec<String> = entries.iter().flat_map(remark).collect();
+        let answers = || {
+            entries
+                .iter()
+                .filter_map(|entry| entry.outcome.as_ref().ok())
+        };
+        if answers().any(|answer| columns.iter().any(|of| answer.at_least(*of))) {
+            remarks.insert(0, CUT.to_owned());
+        }
         Self {
             rows: entries.iter().map(row).collect(),
-            remarks: entries.iter().flat_map(remark).collect(),
+            remarks,
             units,
             heads,
         }
@@ -162,7 +172,8 @@ impl Table {
     }
 }
 
-/// Prints it as CSV: every result with its errors in %, then flags, caution and refusal.
+/// Prints it as CSV: every result with its errors in %, then those that are at least so large, flags, caution and
+/// refusal.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -177,7 +188,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             format!("{key}_mesh_error_percent"),
         ]);
     }
-    head.extend(["flags", "caution", "refused"].map(str::to_owned));
+    head.extend(["at_least", "flags", "caution", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
     for entry in entries {
         // CSV has no escapes: a file name that a terminal would obey is written out.
@@ -191,6 +202,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             record.push(plain(errors.and_then(|errors| errors.time_step[of])));
             record.push(plain(errors.and_then(|errors| errors.mesh.as_ref()?[of])));
         }
+        record.push(answer.map_or_else(String::new, |answer| at_least(answer).join(" ")));
         let flags = answer.map_or(&[][..], |answer| &answer.flags);
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));

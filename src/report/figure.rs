@@ -8,7 +8,7 @@ use std::fmt;
 
 use super::injury::share;
 use super::text::{digits, percent, significant};
-use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
+use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::study::course::{Beside, Course, Group};
 use crate::study::quantity::Read;
 use crate::study::{Answer, Errors, Quantity};
@@ -85,7 +85,13 @@ pub struct Figure {
     pub unit: &'static str,
     /// How far it may be off.
     pub off: Off,
+    /// Whether the run ended while it may still grow.
+    pub at_least: bool,
 }
+
+/// What the sign of [`Figure::cell`] means.
+pub const CUT: &str =
+    "≥: at least; the run ended while it may still grow (a longer window_ms tells)";
 
 impl Figure {
     /// A result of an answer, if the scene has it.
@@ -93,12 +99,29 @@ impl Figure {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
         let number = match of.row().read {
-            Read::Risk(..) => share(value / 100.0).trim_end_matches(" %").to_owned(),
+            Read::Risk(..) | Read::Believed(_) => {
+                share(value / 100.0).trim_end_matches(" %").to_owned()
+            }
             _ if value.abs() < of.row().rounding => "0".to_owned(),
             _ => number(value, off),
         };
-        let unit = of.row().unit;
-        Some(Self { number, unit, off })
+        let at_least = answer.at_least(of);
+        Some(Self {
+            // Of a risk that is less than so much, and may grow, nothing is known.
+            number: if at_least && number.starts_with('<') {
+                "0".to_owned()
+            } else {
+                number
+            },
+            unit: of.row().unit,
+            off,
+            at_least,
+        })
+    }
+
+    /// The number as a table shows it: a sign says that it is at least so large, see [`CUT`].
+    pub fn cell(&self) -> String {
+        format!("{}{}", if self.at_least { "≥" } else { "" }, self.number)
     }
 
     /// The same with so many digits at most, for narrow places.
@@ -122,6 +145,9 @@ impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let error = self.off.to_string();
         let between = if error.is_empty() { "" } else { " " };
+        if self.at_least {
+            write!(f, "{AT_LEAST} ")?;
+        }
         write!(f, "{}{between}{error}", self.bare())
     }
 }
@@ -309,8 +335,15 @@ mod tests {
         let off = Off::of(&errors, front);
         let number = within(72.93, off.percent());
         let unit = "N";
-        let figure = Figure { number, unit, off };
-        assert_eq!(figure.to_string(), "73 N ±119 %");
+        let figure = |at_least| Figure {
+            number: number.clone(),
+            unit,
+            off,
+            at_least,
+        };
+        assert_eq!(figure(false).to_string(), "73 N ±119 %");
+        assert_eq!(figure(true).to_string(), "at least 73 N ±119 %");
+        assert_eq!(figure(true).cell(), "≥73");
         assert_eq!(causes(&errors), "step and mesh");
     }
 }

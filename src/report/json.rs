@@ -102,12 +102,20 @@ pub(super) fn evaluations(element: Element) -> String {
     format!("{}_evaluations", element.singular())
 }
 
+/// The keys of the results that are at least so large, since the run ended while they may still grow.
+pub(super) fn at_least(answer: &Answer) -> Vec<&'static str> {
+    let present = answer.results();
+    let present = present.present().filter(|(of, _)| answer.at_least(*of));
+    present.map(|(of, _)| of.key()).collect()
+}
+
 /// An answer as one object; `reasons` say how its numerics were chosen.
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let (element, count) = answer.case.elements();
     let mut object = json!({
         "scenario": scenario,
         "results": by_result(&answer.results()),
+        "at_least": at_least(answer),
         "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.level(),

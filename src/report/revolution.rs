@@ -52,6 +52,8 @@ pub(super) fn beside(
         let way = match rebound.number.strip_prefix('-') {
             Some(on) => {
                 rebound.number = on.to_owned();
+                // What still goes on slows down.
+                rebound.at_least = false;
                 "Goes on at"
             }
             None => "Rebound speed",

@@ -57,7 +57,13 @@ mod tests {
             lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "),
             "{text}"
         );
-        assert!(lines[1].starts_with("damage index ") && lines[1].contains("peak pressure"));
+        assert!(lines[1].starts_with("damage index at least "), "{text}");
+        // The window ends while the ball presses on: each figure may still grow.
+        assert_eq!(
+            lines[1].matches("; ").count() + 1,
+            lines[1].matches(" at least ").count()
+        );
+        assert!(lines[1].contains("; peak pressure at least "));
         assert!(lines[1].contains("±") && lines[1].contains("mesh not estimated"));
         assert!(
             lines[2].starts_with("flags: ") && lines[2].contains("window_short"),

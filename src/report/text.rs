@@ -1,7 +1,7 @@
 //! Results as text for a terminal of 80 columns.
 
 use super::errors;
-use super::figure::{Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit};
+use super::figure::{CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit};
 use super::limit;
 use super::revolution;
 use unicode_width::UnicodeWidthStr;
@@ -141,10 +141,11 @@ fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::
 
 /// A row of a result: its name, the figure, and what else is to be said.
 pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
-    let Figure { number, unit, off } = figure;
     let line = format!(
-        "{name:<19}{number:>9} {unit:<3} {:<8} {more}",
-        off.to_string()
+        "{name:<19}{:>9} {:<3} {:<8} {more}",
+        figure.cell(),
+        figure.unit,
+        figure.off.to_string()
     );
     writeln!(out, "{}", line.trim_end())
 }
@@ -179,7 +180,11 @@ fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         Some(_) => "; ±?: finer meshes show no limit",
         None => "",
     };
-    writeln!(out, "±: {}{unknown}", causes(&answer.errors))
+    writeln!(out, "±: {}{unknown}", causes(&answer.errors))?;
+    if Quantity::ALL.iter().any(|of| answer.at_least(*of)) {
+        writeln!(out, "{CUT}")?;
+    }
+    Ok(())
 }
 
 /// `label` with a capital letter.

@@ -19,7 +19,9 @@ fn with_unit(question: &Question, text: &str) -> String {
 
 /// Where the result passes the value, no finer than it is known.
 fn at(question: &Question, crossing: &Crossing) -> String {
-    let largest = [crossing.step, crossing.mesh];
+    let curves = crossing.believed.as_ref().map(|believed| believed.range);
+    let width = curves.and_then(|(from, to)| Some(0.5 * (to? - from?)));
+    let largest = [crossing.step, crossing.mesh, width];
     let largest = largest.into_iter().flatten().fold(0.0, f64::max);
     with_unit(question, &allowing(crossing.at, Some(largest)))
 }
@@ -92,6 +94,12 @@ pub fn text(
         for line in lines(crossing, whole, row.unit, &with_unit) {
             writeln!(out, "  {line}")?;
         }
+        if let Some(believed) = &crossing.believed {
+            let range = range(believed.range, &with_unit);
+            let holds = format!("range {range}: the verdict's range holds {target} there");
+            indented(&holds, "  ", out)?;
+            indented(&format!("believed there: {}", believed.verdict), "  ", out)?;
+        }
         for flag in &crossing.flags {
             let line = format!("FLAG {}: {}", flag.kind.name(), flag.whole());
             indented(&line, "  ", out)?;
@@ -124,6 +132,19 @@ pub fn text(
         indented(&printable(&text), "", out)?;
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
+}
+
+/// Over which values what is believed may be the target: by slopes and points of curves, and the errors above.
+fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> String {
+    match of {
+        (Some(from), Some(to)) => {
+            let [from, to] = [from, to].map(|end| allowing(end, Some(0.5 * (to - from))));
+            format!("{from} to {}", with_unit(to))
+        }
+        (Some(from), None) => format!("from {} on, without end", with_unit(digits(from, 2))),
+        (None, Some(to)) => format!("up to {}", with_unit(digits(to, 2))),
+        (None, None) => "not known".to_owned(),
+    }
 }
 
 /// What each error does to the value, or that there is none to give.
@@ -181,6 +202,11 @@ pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> 
             "jump": c.jump.map(|(from, to)| json!({ "from": from, "to": to })),
             "flags": flags(&c.flags),
             "caution": c.caution.map(Caution::key),
+            "believed": c.believed.as_ref().map(|believed| json!({
+                "verdict": believed.verdict,
+                "from": believed.range.0,
+                "to": believed.range.1,
+            })),
         })
     };
     let seen = |(at, result): &(f64, Result<f64, String>)| match result {

@@ -1,5 +1,6 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
+use super::believed::Scene;
 use super::left::Left;
 use super::results::Results;
 use super::rules::{Automatic, Rules};
@@ -8,7 +9,6 @@ use crate::dynamics::{
     SceneKind, State, Survey, System, march, revolution, stability,
 };
 use crate::eye::Eye;
-use crate::injury::Blow;
 use crate::recording::{Extremes, Keep, Recorder, Recording};
 use crate::scenario::problem::{ScenarioError, plain};
 use crate::scenario::{CheckedScenario, Impact, Scenario};
@@ -165,8 +165,8 @@ impl Observer for Watched<'_> {
 pub struct Case {
     /// The eye.
     pub eye: Eye,
-    /// The object that hits it, if there is one.
-    pub blow: Option<Blow>,
+    /// What risks rest on beside what a run leaves.
+    pub scene: Scene,
     /// The loaded arc.
     #[doc(hidden)]
     pub load: ArcLoad,
@@ -253,7 +253,7 @@ impl Case {
         let system = system.with(coupled);
         Self {
             start: State::at_rest(&system),
-            blow: Blow::of(scenario),
+            scene: Scene::of(scenario),
             eye,
             load,
             system,
@@ -263,7 +263,7 @@ impl Case {
 
     /// Every result of a march of it.
     pub fn results(&self, extremes: &Extremes) -> Results {
-        Results::of(&Left::Section(*extremes), self.blow)
+        Results::of(&Left::Section(*extremes), &self.scene)
     }
 
     /// Largest stable step of `integrator`, in s.

@@ -85,7 +85,8 @@ pub fn sort(entries: &mut [Entry], by: Quantity) {
     });
 }
 
-/// The results worth a column: those that lead in one of the entries, the risks, and the one that sorts.
+/// The results worth a column: those that lead in one of the entries, the risks that are believed first, and the one
+/// that sorts.
 pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let answers = || {
         entries
@@ -93,11 +94,11 @@ pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
             .filter_map(|entry| entry.outcome.as_ref().ok())
     };
     let worth = |of: Quantity| {
-        let is_risk = matches!(of.row().read, super::quantity::Read::Risk(..));
+        let is_believed = matches!(of.row().read, super::quantity::Read::Believed(_));
         answers().any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);
-            leads || is_risk && results[of].is_some()
+            leads || is_believed && results[of].is_some()
         })
     };
     let all = Quantity::ALL.iter().copied();

@@ -3,6 +3,7 @@
 //! Everything that is built from many runs goes through here: what is the same for both eyes is asked of
 //! [`Compiled`], and only who draws or measures one of them looks inside.
 
+use super::believed::Scene;
 use super::case::{Case, Moved, Refusal, Solution, Watch, plan_by};
 use super::flags::{self, Evidence, Flag, TwoRuns};
 use super::left::Left;
@@ -141,9 +142,14 @@ impl Compiled {
 
     /// The object that hits it, if there is one.
     pub fn blow(&self) -> Option<Blow> {
+        self.scene().blow
+    }
+
+    /// What risks rest on beside what a run leaves.
+    pub fn scene(&self) -> &Scene {
         match self {
-            Self::Section(case) => case.blow,
-            Self::Revolution(case) => case.blow,
+            Self::Section(case) => &case.scene,
+            Self::Revolution(case) => &case.scene,
         }
     }
 
@@ -254,7 +260,7 @@ impl Compiled {
 
     /// Every result of what a run left.
     pub fn results(&self, left: &Left) -> Results {
-        Results::of(left, self.blow())
+        Results::of(left, self.scene())
     }
 
     /// What a reader must know of a run before trusting it.

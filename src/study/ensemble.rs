@@ -14,6 +14,7 @@
 //!
 //! Left out: the mesh error, which all samples share, and inputs that hang together.
 
+use super::believed::Scene;
 use super::case::Refusal;
 use super::ordered;
 use super::point::{Point, compared, promise_percent, single};
@@ -21,6 +22,7 @@ use super::quantity::Quantity;
 use super::results::Results;
 use super::spreads::{Input, SLOPE, inputs};
 use super::statistics::median;
+use crate::injury::Standing;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -97,15 +99,20 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
     (changed, values)
 }
 
-/// Reads the risks that rest on an assumed slope again, with this one.
-fn put_slope(results: &mut Results, slope: f64) {
+/// Reads the risks of a scene that rest on an assumed slope again, with this one.
+fn put_slope(point: &mut Point, scene: &Scene, slope: f64) {
+    let computed = |of: Quantity| Some(point.values[of]? / of.row().factor);
+    let (pressure, stress) = (Quantity::Pressure, Quantity::ScleralStress);
+    let measures = scene.measures(computed(pressure), computed(stress));
     for &quantity in Quantity::ALL {
+        let curve = quantity.curve(scene, &measures, point.is_spoiled());
         // Of an eye that was missed it is 0 and stays so.
-        if let Some(value) = &mut results[quantity]
+        if let Some(value) = &mut point.values[quantity]
             && *value > 0.0
-            && let Some(risk) = quantity.with_slope(*value, slope)
+            && let Some(curve) = curve.filter(|c| c.standing == Standing::SlopeAssumed)
         {
-            *value = risk;
+            let factor = quantity.row().factor;
+            *value = curve.with_slope(*value / factor, slope) * factor;
         }
     }
 }
@@ -172,7 +179,7 @@ impl Job<'_> {
         let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
         let outcome = outcome.map(|mut point| {
             if let Some(place) = slope {
-                put_slope(&mut point.values, drawn[place]);
+                put_slope(&mut point, &Scene::of(&scenario), drawn[place]);
             }
             point
         });

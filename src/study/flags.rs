@@ -6,7 +6,7 @@
 mod raised;
 mod section;
 
-pub(super) use raised::{Motion, Raised, TwoRuns};
+pub(super) use raised::{ENERGY_ALARM, Motion, Raised, TwoRuns};
 pub(super) use section::{Evidence, raise};
 
 /// Something that limits a result.

@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub(crate) mod bands;
 pub mod batch;
+mod believed;
 #[doc(hidden)]
 pub mod calibrate;
 mod case;
@@ -44,6 +45,7 @@ pub mod validate;
 mod validity;
 
 pub use bands::{Band, Checks};
+pub use believed::Scene;
 #[doc(hidden)]
 pub use case::Solution;
 pub use case::{Case, Refusal, Watch, unwatched};

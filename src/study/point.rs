@@ -57,6 +57,11 @@ impl Point {
     pub fn folded(&self) -> bool {
         self.flags.contains(&FlagKind::MeshFolded)
     }
+
+    /// Whether nothing that was computed may be used for a risk.
+    pub fn is_spoiled(&self) -> bool {
+        self.folded() || self.flags.contains(&FlagKind::EnergyImbalance)
+    }
 }
 
 fn point(case: &Compiled, ran: &Ran) -> Point {

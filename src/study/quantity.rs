@@ -7,11 +7,12 @@
 //! A result that a scene does not have reads as `None`: the pressure where there are no cells, the
 //! force of contact where there is no projectile.
 
+use super::believed::{Scene, is_spoiled};
 use super::course::{Group, Trace, trace};
 use super::left::Left;
 use crate::dynamics::revolution;
 use crate::eye::Monitor;
-use crate::injury::{Blow, Computed, DamageIndex, Injury, Measure, Measures, Standing, curve_of};
+use crate::injury::{Curve, DamageIndex, Injury, Measure, Measures, curve_of};
 use crate::recording::{Extremes, Peak};
 use strum::{EnumCount, VariantArray};
 
@@ -65,6 +66,16 @@ pub enum Quantity {
     RuptureByEnergy,
     /// Risk of damage of the retina by normalized energy, %.
     RetinaByEnergy,
+    /// Risk of rupture of the globe by the curve that is believed first, %.
+    GlobeRupture,
+    /// That of damage of the retina.
+    RetinalDamage,
+    /// That of the lens torn off.
+    LensDislocation,
+    /// That of blood in the anterior chamber.
+    Hyphema,
+    /// That of the loss of the cornea's outermost layer.
+    CornealAbrasion,
 }
 
 /// In which scenes a result belongs to those that the one stated error covers.
@@ -115,6 +126,8 @@ pub enum Read {
     Number(fn(&Extremes) -> Option<f64>),
     /// The risk, from 0 to 1, by the first published curve of this injury against this measure.
     Risk(Injury, Measure),
+    /// The risk, from 0 to 1, of this injury by the curve that is believed first.
+    Believed(Injury),
 }
 
 /// How a result is read from a run of the eye of revolution, SI; the risks are read as anywhere.
@@ -418,6 +431,23 @@ impl Quantity {
                     "E retina",
                 )
             },
+            Self::GlobeRupture => {
+                believed(Injury::GlobeRupture, "globe_rupture_percent", "rupture")
+            }
+            Self::RetinalDamage => {
+                believed(Injury::RetinalDamage, "retinal_damage_percent", "retina")
+            }
+            Self::LensDislocation => believed(
+                Injury::LensDislocation,
+                "lens_dislocation_percent",
+                "lens off",
+            ),
+            Self::Hyphema => believed(Injury::Hyphema, "hyphema_percent", "hyphema"),
+            Self::CornealAbrasion => believed(
+                Injury::CornealAbrasion,
+                "corneal_abrasion_percent",
+                "abrasion",
+            ),
         }
     }
 
@@ -431,17 +461,21 @@ impl Quantity {
         self.row().label
     }
 
-    /// The value that a run left, in its unit; `blow` is the object that hit, if there is one.
-    pub fn of(self, left: &Left, blow: Option<Blow>) -> Option<f64> {
+    /// The value that a run of a scene left, in its unit.
+    pub fn of(self, left: &Left, scene: &Scene) -> Option<f64> {
         let row = self.row();
+        let measures = || scene.measures(left.pressure(), left.stress());
+        let unless_missed = |risk: f64| if left.missed() { 0.0 } else { risk };
         let value = match (row.read, left) {
             (Read::Risk(injury, measure), _) => {
-                let risk = risk_of(injury, measure, blow, (left.pressure(), left.stress()))?;
-                if left.missed() { 0.0 } else { risk }
+                unless_missed(risk_of(injury, measure, &measures())?)
+            }
+            (Read::Believed(injury), _) => {
+                unless_missed(scene.believed(injury, &measures(), is_spoiled(left))?.risk)
             }
             (_, Left::Section(extremes)) => match row.read {
                 Read::Number(number) => number(extremes)?,
-                Read::Peak(_) | Read::Risk(..) => self.peak(left)?.value,
+                Read::Peak(_) | Read::Risk(..) | Read::Believed(_) => self.peak(left)?.value,
             },
             (_, Left::Revolution(extremes)) => match row.revolution {
                 ReadRevolution::Number(number) => number(extremes)?,
@@ -449,6 +483,11 @@ impl Quantity {
             },
         };
         Some(value * row.factor)
+    }
+
+    /// Whether it is a risk.
+    pub fn is_risk(self) -> bool {
+        matches!(self.row().read, Read::Risk(..) | Read::Believed(_))
     }
 
     /// Whether a value, in its unit, is no more than what rounding does.
@@ -462,7 +501,7 @@ impl Quantity {
         match left {
             Left::Section(extremes) => match row.read {
                 Read::Peak(peak) => peak(extremes),
-                Read::Number(_) | Read::Risk(..) => None,
+                Read::Number(_) | Read::Risk(..) | Read::Believed(_) => None,
             },
             Left::Revolution(extremes) => match row.revolution {
                 ReadRevolution::Peak(peak) => peak(extremes),
@@ -471,32 +510,23 @@ impl Quantity {
         }
     }
 
-    /// What a risk of `value`, in its unit, would be with another slope of its curve; none where no slope
-    /// was assumed.
-    pub fn with_slope(self, value: f64, slope: f64) -> Option<f64> {
-        let row = self.row();
-        let Read::Risk(injury, measure) = row.read else {
-            return None;
-        };
-        let curve = curve_of(injury, measure).filter(|c| c.standing == Standing::SlopeAssumed)?;
-        Some(curve.with_slope(value / row.factor, slope) * row.factor)
+    /// The curve that a risk is read from; none of what is no risk.
+    pub(super) fn curve(
+        self,
+        scene: &Scene,
+        measures: &Measures,
+        spoiled: bool,
+    ) -> Option<&'static Curve> {
+        match self.row().read {
+            Read::Risk(injury, measure) => curve_of(injury, measure),
+            Read::Believed(injury) => Some(scene.believed(injury, measures, spoiled)?.curve),
+            Read::Peak(_) | Read::Number(_) => None,
+        }
     }
 }
 
-/// The risk of `injury`, from 0 to 1, by the first curve against `measure`, of a blow that made this peak
-/// pressure and stress, in Pa.
-fn risk_of(
-    injury: Injury,
-    measure: Measure,
-    blow: Option<Blow>,
-    (pressure, stress): (Option<f64>, Option<f64>),
-) -> Option<f64> {
-    let sure = |value| Computed { value, error: 0.0 };
-    let measures = Measures {
-        blow,
-        pressure: pressure.map(sure),
-        stress: stress.map(sure),
-    };
+/// The risk of `injury`, from 0 to 1, by the first curve against `measure`.
+fn risk_of(injury: Injury, measure: Measure, measures: &Measures) -> Option<f64> {
     let value = measures.get(measure)?.value;
     Some(curve_of(injury, measure)?.risk(value))
 }
@@ -570,6 +600,14 @@ const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Ro
         whole: Some(1e2),
         family: Family::Unstated,
         ..number(key, label, short, "%")
+    }
+}
+
+/// The risk of an injury by the curve that is believed first.
+const fn believed(injury: Injury, key: &'static str, short: &'static str) -> Row {
+    Row {
+        read: Read::Believed(injury),
+        ..risk(key, injury.name(), short)
     }
 }
 

@@ -1,8 +1,8 @@
 //! One thing for each result, and what is computed over all of them.
 
+use super::believed::Scene;
 use super::left::Left;
 use super::quantity::{Family, Leads, Quantity};
-use crate::injury::Blow;
 use std::ops::{Index, IndexMut};
 use strum::EnumCount;
 
@@ -45,9 +45,9 @@ impl<T> IndexMut<Quantity> for PerQuantity<T> {
 }
 
 impl Results {
-    /// All results of what a run left; `blow` is the object that hit, if there is one.
-    pub fn of(left: &Left, blow: Option<Blow>) -> Self {
-        Self::from_fn(|quantity| quantity.of(left, blow))
+    /// All results of what a run of a scene left.
+    pub fn of(left: &Left, scene: &Scene) -> Self {
+        Self::from_fn(|quantity| quantity.of(left, scene))
     }
 
     /// The results that there are.

@@ -4,17 +4,17 @@
 
 use super::case::{Refusal, Watch};
 use super::compiled::{Compiled, Ran};
-use super::flags::{Flag, TwoRuns};
+use super::flags::{Flag, FlagKind, TwoRuns};
 use super::left::Left;
 use super::mesh_error::Limits;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, Read};
 use super::results::Results;
 use super::revolution::flags::END;
 use super::rules::share_for;
 use super::step_error::{second_plan, stated};
 use super::validity::{Spoiled, spoiled, validity};
 use crate::dynamics::{Cost, Plan};
-use crate::injury::{Computed, DamageIndex, Measures, Risk, Verdict, assess, verdicts};
+use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
 use crate::recording::{Frame, Keep, Peak, Traces};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -111,7 +111,7 @@ impl Answer {
 
     /// One result in its unit, if the scene has it.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        of.of(&self.left, self.case.blow())
+        of.of(&self.left, self.case.scene())
     }
 
     /// The peak that a result is, SI, with its time; none where it is a number without one.
@@ -130,15 +130,20 @@ impl Answer {
         if self.left.missed() {
             return Vec::new();
         }
+        assess(&self.measures())
+    }
+
+    /// What the curves run against, with the errors of step and mesh.
+    pub fn measures(&self) -> Measures {
         let computed = |value: Option<f64>, of| {
             let error = self.errors.share(of);
             value.map(|value| Computed { value, error })
         };
-        assess(&Measures {
+        Measures {
             blow: self.case.blow(),
             pressure: computed(self.left.pressure(), Quantity::Pressure),
             stress: computed(self.left.stress(), Quantity::ScleralStress),
-        })
+        }
     }
 
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
@@ -149,14 +154,54 @@ impl Answer {
     /// What to believe of them: one verdict an injury.
     pub fn verdicts(&self) -> Vec<Verdict> {
         let computed = [Quantity::Pressure, Quantity::ScleralStress];
-        let times = computed
-            .into_iter()
-            .filter_map(|of| Some(self.peak(of)?.time));
-        let late = times
-            .reduce(f64::max)
-            .map(|last| last > END * self.simulated);
-        let pig = self.case.revolution().is_some_and(|case| case.pig);
-        verdicts(&self.risks(), &validity(&self.flags, late, pig))
+        let revolution = self.case.revolution();
+        let cut = revolution.map(|_| computed.into_iter().any(|of| self.at_least(of)));
+        self.verdicts_of(cut)
+    }
+
+    /// The same where it is known whether pressure or stress may still grow; none if there are none.
+    fn verdicts_of(&self, cut: Option<bool>) -> Vec<Verdict> {
+        let pig = self.case.scene().pig;
+        verdicts(&self.risks(), &validity(&self.flags, cut, pig))
+    }
+
+    /// The result that was computed for one, itself where it is no risk; none where inputs alone decide it.
+    pub fn rests_on(&self, of: Quantity) -> Option<Quantity> {
+        let measure = match of.row().read {
+            Read::Peak(_) | Read::Number(_) => return Some(of),
+            Read::Risk(_, measure) => measure,
+            Read::Believed(injury) => {
+                let verdicts = self.verdicts_of(Some(false));
+                let verdict = verdicts.iter().find(|verdict| verdict.injury == injury)?;
+                verdict.believed().next()?.curve.measure
+            }
+        };
+        match measure {
+            Measure::Pressure => Some(Quantity::Pressure),
+            Measure::Stress => Some(Quantity::ScleralStress),
+            Measure::NormalizedEnergy | Measure::KineticEnergy => None,
+        }
+    }
+
+    /// Whether the run ended while a result may still grow, which is then at least so large.
+    pub fn at_least(&self, of: Quantity) -> bool {
+        let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
+        let Some(of) = self.rests_on(of) else {
+            return false;
+        };
+        if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
+            return true;
+        }
+        let late = |of: Quantity| {
+            let peak = self.peak(of);
+            peak.is_some_and(|peak| peak.value > 0.0 && peak.time > END * self.simulated)
+        };
+        // The index grows with its parts.
+        let grows = match of {
+            Quantity::Damage => late(Quantity::ShellGrowth) || late(Quantity::MeridianGrowth),
+            of => late(of),
+        };
+        grows && has(&[FlagKind::WindowShort])
     }
 }
 
@@ -363,5 +408,35 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         total_time,
         plan,
         case,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::find;
+    use crate::study::unwatched;
+
+    #[test]
+    fn only_what_may_still_grow_at_the_end_of_the_run_is_at_least_so_large() {
+        let of = |window_ms, preset: &str| {
+            let mut scenario = find(preset).unwrap().scenario().unwrap();
+            scenario.window_ms = window_ms;
+            solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
+        };
+        let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));
+        let none = |of: &Quantity| !whole.at_least(*of);
+        assert!(Quantity::ALL.iter().all(none));
+        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::RuptureByStress));
+        assert!(!cut.at_least(Quantity::RuptureByEnergy));
+        assert!(cut.verdicts()[0].at_least && !whole.verdicts()[0].at_least);
+        // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
+        let paper = of(0.21, "paper-300n");
+        assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));
+        assert!(!paper.at_least(Quantity::ForceTop));
+        assert!(
+            of(0.1, "paper-300n").at_least(Quantity::ForceTop),
+            "the pulse is cut"
+        );
     }
 }

@@ -1,10 +1,11 @@
 //! Where a result reaches a value as one number of the scenario goes through a range.
 //!
-//! The range is looked at on a grid, on all cores; wherever two neighbours lie on two sides of the value, the
-//! crossing between them is bracketed to [`WIDTH`] of itself (see [`super::root`]). With e the error of the
+//! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it; wherever two
+//! neighbours lie on two sides of the value, the crossing between them is bracketed to [`WIDTH`] of itself (see [`super::root`]). With e the error of the
 //! result there, as answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off
 //! by e / s: one figure for the step, one for the mesh. A risk has no error of its own; one by pressure has that
-//! of the pressure.
+//! of the pressure. The risk that is believed first carries the verdict there, and the range of the field over
+//! which what is believed may be the value (see [`super::believed`]).
 //!
 //! Left out: two crossings between neighbours of the grid, which leave no change of sign to be seen, and what
 //! the inputs that are not varied may be off by (see [`super::ensemble`]).
@@ -12,16 +13,18 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::believed::{Scene, reaches};
 use super::case::Refusal;
 use super::flags::Flag;
 use super::mesh_error::add_mesh_error;
 use super::ordered;
+use super::point::single;
 use super::quantity::{Quantity, Read};
 use super::results::Results;
 use super::root::{Bracket, narrowed};
 use super::solve::{Answer, solve};
 use super::sweep::spaced;
-use crate::injury::{Blow, Caution, Measure};
+use crate::injury::{Blow, Caution, Measures, Risk};
 use crate::recording::Keep;
 use crate::scenario::Scenario;
 use crate::scenario::fields::{self, Bounds, Field, Kind};
@@ -37,6 +40,12 @@ const INTERVALS: usize = 24;
 const LARGEST_RATIO: f64 = 2.0;
 /// The grid goes down to this share of the present value, and then to the end of the range.
 const LEAST_SHARE: f64 = 1e-3;
+/// Of a range that nobody narrowed one value in so many is looked at first.
+const COARSE: usize = 4;
+/// The share of the work that looking at the grid is told as.
+const LOOKED: f64 = 0.6;
+/// Of a crossing nobody knows how many runs it takes: each is told as this share of what was left before.
+const PATIENCE: f64 = 0.85;
 /// A result that changes within a bracket by more than this share of its range on the grid jumps there.
 const JUMP: f64 = 0.05;
 
@@ -49,6 +58,8 @@ pub struct Question {
     bounds: Bounds,
     /// From where to where.
     pub range: (f64, f64),
+    /// Whether the person said so; else the range is all that the field may be.
+    narrow: bool,
     /// The result.
     pub quantity: Quantity,
     /// The value that it is to reach, in its unit.
@@ -63,6 +74,9 @@ pub struct Threshold {
     /// Every crossing, from below.
     pub crossings: Vec<Crossing>,
 }
+
+/// Values of the field, and the result there if there is one, or why nothing could be computed.
+type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
 
 /// A value of the field at which the result passes the target.
 #[derive(Debug, Clone)]
@@ -81,6 +95,17 @@ pub struct Crossing {
     pub flags: Vec<Flag>,
     /// What speaks against a risk by energy of this object.
     pub caution: Option<Caution>,
+    /// Of a risk that is believed: what is believed there.
+    pub believed: Option<Believed>,
+}
+
+/// What is believed of an injury where its risk passes the target.
+#[derive(Debug, Clone)]
+pub struct Believed {
+    /// In words.
+    pub verdict: String,
+    /// From which to which value of the field what is believed may have the target, where it may at all.
+    pub range: (Option<f64>, Option<f64>),
 }
 
 impl Question {
@@ -107,6 +132,7 @@ impl Question {
             field,
             bounds,
             range,
+            narrow: ends.is_some(),
             quantity,
             target,
         })
@@ -172,21 +198,7 @@ impl Question {
         stop: &AtomicBool,
         mut heard: impl FnMut(f64) + Send,
     ) -> Result<Threshold, Refusal> {
-        let grid = self.grid();
-        let mut seen = Vec::new();
-        let look = |i: usize| match self.solved(grid[i], stop) {
-            Err(Refusal::Cancelled) => None,
-            Err(refusal) => Some(Err(refusal.to_string())),
-            Ok(solved) => Some(Ok(solved.results()[self.quantity])),
-        };
-        ordered::run((0, grid.len()), stop, look, |i, result| {
-            heard(0.6 * (i + 1) as f64 / grid.len() as f64);
-            seen.push((grid[i], result));
-            ControlFlow::Continue(())
-        });
-        if seen.len() < grid.len() {
-            return Err(Refusal::Cancelled);
-        }
+        let seen = self.looked_at(stop, &mut heard)?;
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
             return Err(self.absent());
         }
@@ -201,10 +213,67 @@ impl Question {
         let spread =
             values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
         for (i, bracket) in brackets.iter().enumerate() {
-            crossings.push(self.crossing(*bracket, spread, stop)?);
-            heard(0.6 + 0.4 * (i + 1) as f64 / brackets.len() as f64);
+            let each = (1.0 - LOOKED) / brackets.len() as f64;
+            let mut heard = |share: f64| heard(LOOKED + each * (i as f64 + share));
+            crossings.push(self.crossing(*bracket, spread, stop, &mut heard)?);
         }
         Ok(Threshold { seen, crossings })
+    }
+
+    /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th value is looked at
+    /// first, and others only between two of which one has no result, or where the target may lie. Each is one run:
+    /// its error matters at a crossing, where it is stated.
+    fn looked_at(&self, stop: &AtomicBool, heard: &mut (impl FnMut(f64) + Send)) -> Seen {
+        let grid = self.grid();
+        let last = grid.len() - 1;
+        let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
+        let coarse = if self.narrow { 1 } else { COARSE };
+        let first: Vec<usize> = (0..=last)
+            .filter(|i| i % coarse == 0 || *i == last)
+            .collect();
+        let mut done = 0;
+        let mut look = |at: &[usize], seen: &mut Vec<_>| {
+            let run = |i: usize| match self.once(grid[at[i]], stop) {
+                Err(Refusal::Cancelled) => None,
+                Err(refusal) => Some(Err(refusal.to_string())),
+                Ok(results) => Some(Ok(results[self.quantity])),
+            };
+            let begun = done;
+            ordered::run((0, at.len()), stop, run, |i, result| {
+                seen[at[i]] = Some(result);
+                done += 1;
+                heard(LOOKED * done as f64 / grid.len() as f64);
+                ControlFlow::Continue(())
+            });
+            if done < begun + at.len() {
+                return Err(Refusal::Cancelled);
+            }
+            Ok(())
+        };
+        look(&first, &mut seen)?;
+        let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
+        let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
+            (Some(a), Some(b)) => {
+                let slack = (a - b).abs();
+                (a.min(b) - slack..=a.max(b) + slack).contains(&self.target)
+            }
+            (a, b) => a.is_some() != b.is_some(),
+        };
+        let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
+        let between = pairs
+            .filter(|pair| worth(*pair))
+            .flat_map(|(a, b)| a + 1..b);
+        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        let pairs = grid.into_iter().zip(seen);
+        Ok(pairs
+            .filter_map(|(at, result)| Some((at, result?)))
+            .collect())
+    }
+
+    /// The results of one run at a value of the field.
+    fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        Ok(single(&scenario, None, &mut |_| until(stop))?.values)
     }
 
     /// Neighbours on two sides of the target.
@@ -227,11 +296,18 @@ impl Question {
         bracket: Bracket,
         spread: f64,
         stop: &AtomicBool,
+        heard: &mut dyn FnMut(f64),
     ) -> Result<Crossing, Refusal> {
         let rising = bracket.low.1 < 0.0;
         let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
+        let mut left = 1.0;
+        let mut tell = || {
+            left *= PATIENCE;
+            heard(1.0 - left);
+        };
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
             let result = self.solved(value, stop)?.results()[self.quantity];
+            tell();
             Ok(result.ok_or_else(|| self.absent())? - self.target)
         })?;
         let at = bracket.secant();
@@ -246,19 +322,40 @@ impl Question {
             jump,
             flags: Vec::new(),
             caution: None,
-        };
-        let Some(of) = rests_on(self.quantity) else {
-            // A risk by nothing but the inputs is as exact as they are.
-            (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
-            crossing.caution = Blow::of(&scenario).and_then(|blow| blow.caution());
-            return Ok(crossing);
+            believed: None,
         };
         let mut watch = |_| until(stop);
         let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
+        tell();
+        let Some(of) = answer.rests_on(self.quantity) else {
+            // A risk by nothing but the inputs is as exact as they are.
+            (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
+            crossing.caution = Blow::of(&scenario).and_then(|blow| blow.caution());
+            let aside = self.aside(at).map(|end| self.at(end));
+            let [low, high] = aside.map(|end| Some(Scene::of(&end.ok()?).measures(None, None)));
+            crossing.believed = self.believed(&answer, at, low.zip(high));
+            return Ok(crossing);
+        };
         add_mesh_error(&scenario, &mut answer, &mut watch)?;
+        tell();
         crossing.flags.clone_from(&answer.flags);
         if jump.is_none() {
-            let slope = self.slope(of, at, stop)?;
+            let [low, high] = self.aside(at).map(|end| match self.solved(end, stop) {
+                Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
+                // Beyond there is nothing: the slope is not known.
+                solved => Ok(solved.ok()),
+            });
+            let ends = low?.zip(high?);
+            let measures = |answer: &Answer| answer.measures();
+            let both = ends
+                .as_ref()
+                .map(|(low, high)| (measures(low), measures(high)));
+            crossing.believed = self.believed(&answer, at, both);
+            let [from, to] = self.aside(at);
+            let slope = ends.map_or(f64::NAN, |(low, high)| {
+                let value = |answer: &Answer| answer.results()[of].unwrap_or(f64::NAN);
+                (value(&high) - value(&low)) / (to - from)
+            });
             let value = answer.results()[of];
             let errors = &answer.errors;
             let off =
@@ -271,20 +368,47 @@ impl Question {
         Ok(crossing)
     }
 
-    /// How steep a result is there, in its unit over that of the field.
-    fn slope(&self, of: Quantity, at: f64, stop: &AtomicBool) -> Result<f64, Refusal> {
+    /// Two values on both sides of one, between which slopes are taken.
+    fn aside(&self, at: f64) -> [f64; 2] {
         let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
-        let ends = [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max));
-        let mut values = [f64::NAN; 2];
-        for (value, end) in values.iter_mut().zip(ends) {
-            *value = match self.solved(end, stop) {
-                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                // Beyond there is nothing: the slope is not known.
-                Err(_) => f64::NAN,
-                Ok(solved) => solved.results()[of].unwrap_or(f64::NAN),
-            };
-        }
-        Ok((values[1] - values[0]) / (ends[1] - ends[0]))
+        [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
+    }
+
+    /// What is believed at a crossing, where a believed risk is asked for; `ends` holds what the curves run against
+    /// on both sides.
+    fn believed(
+        &self,
+        answer: &Answer,
+        at: f64,
+        ends: Option<(Measures, Measures)>,
+    ) -> Option<Believed> {
+        let Read::Believed(injury) = self.quantity.row().read else {
+            return None;
+        };
+        let mut verdicts = answer.verdicts().into_iter();
+        let verdict = verdicts.find(|verdict| verdict.injury == injury)?;
+        let [from, to] = self.aside(at);
+        // The power of the field that each measure goes with.
+        let power = |risk: &Risk| {
+            let value = |of: &Measures| Some(of.get(risk.curve.measure)?.value);
+            let (low, high) = ends.as_ref()?;
+            let power = libm::log(value(high)? / value(low)?) / libm::log(to / from);
+            power.is_finite().then_some(power)
+        };
+        let known = from > 0.0 && verdict.believed().all(|risk| power(risk).is_some());
+        let range = known.then(|| {
+            let power = |risk: &Risk| power(risk).unwrap_or_default();
+            reaches(
+                &verdict,
+                at,
+                self.target / self.quantity.row().factor,
+                power,
+            )
+        });
+        Some(Believed {
+            verdict: verdict.words(),
+            range: range.unwrap_or_default(),
+        })
     }
 }
 
@@ -293,16 +417,6 @@ fn until(stop: &AtomicBool) -> ControlFlow<()> {
         ControlFlow::Break(())
     } else {
         ControlFlow::Continue(())
-    }
-}
-
-/// The result whose error is that of `quantity`; none where inputs alone decide it.
-fn rests_on(quantity: Quantity) -> Option<Quantity> {
-    match quantity.row().read {
-        Read::Risk(_, Measure::Pressure) => Some(Quantity::Pressure),
-        Read::Risk(_, Measure::Stress) => Some(Quantity::ScleralStress),
-        Read::Risk(..) => None,
-        _ => Some(quantity),
     }
 }
 
@@ -443,6 +557,34 @@ mod tests {
         assert_eq!((crossing.step, crossing.mesh), (Some(0.0), Some(0.0)));
         // 35.5 kJ/m^2 of a BB of 0.345 g and 4.5 mm; see the published curve.
         assert!((40.0..80.0).contains(&crossing.at), "{}", crossing.at);
+    }
+
+    #[test]
+    fn a_believed_risk_carries_its_verdict_and_the_range_that_the_curves_leave_open() {
+        let preset = crate::scenario::library::find("bb-56").unwrap();
+        let bb = Scenario {
+            window_ms: 0.5,
+            ..preset.scenario().unwrap()
+        };
+        let until = "globe_rupture_percent = 50";
+        let anywhere = found(bb.clone(), "impact.speed_m_s", until);
+        let between = found(bb, "impact.speed_m_s=50:75", until);
+        let [one, other] = [&anywhere, &between].map(|found| &found.crossings[0]);
+        assert!(
+            (one.at / other.at - 1.0).abs() < 2.0 * WIDTH,
+            "{one:?} {other:?}"
+        );
+        let believed = one.believed.as_ref().unwrap();
+        assert!(
+            believed.verdict.contains("by scleral stress"),
+            "{believed:?}"
+        );
+        let (from, to) = (believed.range.0.unwrap(), believed.range.1.unwrap());
+        // Far more than the errors of step and mesh: the slope and the point of the curve are in it.
+        assert!(from < 0.9 * one.at && to > 1.1 * one.at, "{believed:?}");
+        assert!(to - one.at > one.mesh.unwrap());
+        // The coarse look leaves out what is far away.
+        assert!(anywhere.seen.len() < 20 && between.seen.len() > 20);
     }
 
     #[test]

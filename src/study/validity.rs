@@ -47,11 +47,11 @@ fn next(kind: FlagKind, paper: bool) -> Option<&'static str> {
     }
 }
 
-/// Of a run with these flags. `late` says whether pressure or stress were largest as it ended; none if
+/// Of a run with these flags. `cut` says whether it ended while pressure or stress may still grow; none if
 /// the model has neither, as the Paper model.
-pub(super) fn validity(flags: &[Flag], late: Option<bool>, pig: bool) -> Validity {
+pub(super) fn validity(flags: &[Flag], cut: Option<bool>, pig: bool) -> Validity {
     let has = |kind| flags.iter().any(|flag| flag.kind == kind);
-    let paper = late.is_none();
+    let paper = cut.is_none();
     let (why, next) = match spoiled(flags, paper) {
         Some(Spoiled { why, next }) => (Some(why), if paper { OTHER_MODEL } else { next }),
         None if paper => (None, OTHER_MODEL),
@@ -60,7 +60,7 @@ pub(super) fn validity(flags: &[Flag], late: Option<bool>, pig: bool) -> Validit
     Validity {
         spoiled: why,
         next,
-        cut: late == Some(true) || has(FlagKind::PulseCut) || has(FlagKind::ContactCut),
+        cut: cut == Some(true),
         aslant: has(FlagKind::AngleBeyondTrust),
         pig,
         silence: if has(FlagKind::EyeMissed) {
@@ -96,9 +96,8 @@ mod tests {
         assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
         assert!(!folded.cut && !folded.aslant);
         assert!(validity(&[flag(FlagKind::AngleBeyondTrust)], Some(false), false).aslant);
-        let cut = validity(&[flag(FlagKind::ContactCut)], Some(false), false);
+        let cut = validity(&[flag(FlagKind::ContactCut)], Some(true), false);
         assert!(cut.cut && cut.spoiled.is_none());
-        assert!(validity(&[], Some(true), false).cut);
         assert_eq!(
             validity(&[flag(FlagKind::WindowShort)], Some(false), false).spoiled,
             None

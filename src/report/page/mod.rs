@@ -14,7 +14,7 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::injury::{Verdict, lines};
+use crate::injury::{AT_LEAST, Verdict, lines};
 use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing};
 use crate::report::figure::Figure;
@@ -153,7 +153,10 @@ fn rows(answer: &Answer) -> Vec<Row> {
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
         Row {
             name: capital(of.row().label),
-            value: Figure::of(answer, of).map_or_else(String::new, |figure| figure.number),
+            value: Figure::of(answer, of).map_or_else(String::new, |figure| {
+                let least = if figure.at_least { AT_LEAST } else { "" };
+                format!("{least} {}", figure.number).trim_start().to_owned()
+            }),
             unit: of.row().unit,
             at: match answer.peak(of) {
                 _ if is_void(&verdicts, of) => VOID.to_owned(),

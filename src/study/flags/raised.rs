@@ -7,7 +7,7 @@ use crate::study::compiled::Element;
 use crate::study::quantity::Quantity;
 
 /// An energy residual above this share of what came in is an alarm.
-const ENERGY_ALARM: f64 = 0.01;
+pub(in crate::study) const ENERGY_ALARM: f64 = 0.01;
 /// A step error above this many percent is called unconverged.
 const UNCONVERGED_PERCENT: f64 = 10.0;
 /// Two runs of a folded mesh that differ by more than this many percent predict nothing.

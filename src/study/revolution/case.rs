@@ -3,15 +3,15 @@
 use crate::dynamics::revolution::{self as engine, BallSpring, Object};
 use crate::dynamics::{Cost, Integrator, Plan, Pulse};
 use crate::eye::revolution::{Material, Parameters, RevolutionEye, ShellParameters, Surround};
-use crate::injury::Blow;
 use crate::recording::{Frame, Keep, Spacing};
 use crate::scenario::{
     CheckedScenario, Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
-use crate::study::Left;
+use crate::study::believed::Scene;
 use crate::study::case::{Moved, Refusal, Watch};
 use crate::study::compiled::Ran;
+use crate::study::left::Left;
 use crate::study::rules::{REVOLUTION, Rules};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -26,14 +26,12 @@ pub struct RevolutionCase {
     pub eye: RevolutionEye,
     /// What hits it.
     pub load: engine::Blow,
-    /// The object that hits it, if there is one, for the injury curves.
-    pub blow: Option<Blow>,
+    /// What risks rest on beside what a run leaves.
+    pub scene: Scene,
     /// Simulated time, in s.
     pub window: f64,
     /// Front angle of the blow, in degrees.
     pub angle_deg: f64,
-    /// Whether the eye is a pig's.
-    pub pig: bool,
     /// What catches an object that is too wide.
     pub rim: &'static str,
     /// Longest stable step at rest, in s.
@@ -83,10 +81,9 @@ impl RevolutionCase {
             limit: engine::step_limit(&eye, &load),
             eye,
             load,
-            blow: Blow::of(scenario),
+            scene: Scene::of(scenario),
             window: scenario.window_ms * 1e-3,
             angle_deg,
-            pig: model.species == Species::Pig,
             rim: match model.support {
                 Support::Gelatin => "the rim of the gelatin's cup",
                 Support::Orbit | Support::Free => "the orbit's rim",

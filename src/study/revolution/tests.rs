@@ -101,7 +101,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
             &mut unwatched,
         )
         .unwrap();
-        let exact = Results::of(&Left::Revolution(exact.extremes), case.blow);
+        let exact = Results::of(&Left::Revolution(exact.extremes), &case.scene);
         let off = exact.difference_percent(&answer.results());
         for (of, off) in off.leading() {
             let stated = answer.errors.time_step[of].unwrap();

@@ -47,7 +47,7 @@ impl Column {
         match self {
             Self::Name | Self::Verdict(_) => 0,
             Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
-            Self::Result(quantity) if matches!(quantity.row().read, Read::Risk(..)) => 2,
+            Self::Result(quantity) if quantity.is_risk() => 2,
             Self::Result(_) => 3,
         }
     }
@@ -251,7 +251,10 @@ impl Comparison {
         let none = answers().next().is_none();
         let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
         let verdicts = Injury::ALL.into_iter().map(Column::Verdict);
-        let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
+        // The first curve of a verdict says no more than its range.
+        let own = |of: &&Quantity| !matches!(of.row().read, Read::Believed(_));
+        let results = Quantity::ALL.iter().filter(own);
+        let results = results.map(|of| Column::Result(*of));
         let mut columns: Vec<Column> = verdicts.chain(results).filter(there).collect();
         columns.sort_by_key(|column| column.rank());
         columns.insert(0, Column::Name);

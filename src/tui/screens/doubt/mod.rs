@@ -7,7 +7,6 @@ use crate::injury::Verdict;
 use crate::report::verdict::is_void;
 use crate::study::Quantity;
 use crate::study::ensemble::Ensemble;
-use crate::study::quantity::Read;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -49,8 +48,7 @@ const STOPPED_KEYS: KeyTable = KeyTable {
 /// The results that have bands, the risks first, which are the answer, and those last that mean nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    let is_risk = |of: Quantity| matches!(of.row().read, Read::Risk(..));
-    results.sort_by_key(|of| (is_void(verdicts, *of), !is_risk(*of)));
+    results.sort_by_key(|of| (is_void(verdicts, *of), !of.is_risk()));
     results
 }
 

@@ -351,6 +351,7 @@ mod tests {
                     number: number.to_owned(),
                     unit: quantity.row().unit,
                     off: Off::Both(error),
+                    at_least: false,
                 };
                 let peak = Peak {
                     value: 1.0,
