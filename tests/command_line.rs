@@ -329,7 +329,11 @@ fn flags_are_refused_in_the_words_of_the_registry() {
     );
     refused(
         &["--set", "impact.angle_deg=60"],
-        "with these flags: impact.angle_deg: 60 is out of range, since bone",
+        "paper-300n, as the flags change it, cannot be computed: impact.angle_deg: 60 is out of range, since bone",
+    );
+    refused(
+        &["--level", "0"],
+        "--level 0: 0 is out of range: allowed whole numbers 1 to 8",
     );
 }
 

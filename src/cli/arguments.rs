@@ -48,7 +48,7 @@ pub struct Changes {
     /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
     #[arg(long = "set", value_name = "FIELD=VALUE")]
     pub assignments: Vec<Assignment>,
-    /// Mesh level, 1 to 8; short for `--set eye.level=K`
+    /// Mesh level, 1 to 8, of the Physiological model 1 to 5; short for `--set eye.level=K`
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub level: Option<String>,
     /// Integrator, as in velocity-verlet; short for `--set numerics.integrator=NAME`
@@ -140,9 +140,10 @@ impl Changes {
             }
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
+        let changed = format!("{source}, as the flags change it, cannot be computed");
         let scenario = scenario
             .check()
-            .map_err(|error| complaint("with these flags", "", &error))?;
+            .map_err(|error| complaint(&changed, "", &error))?;
         // The name tells of the values as they were, so what was changed stands beside it.
         if changes.iter().any(|(path, _)| *path == "name") {
             return Ok(scenario);

@@ -3,8 +3,8 @@
 //! The rule, which the guide states for readers (`contrecoup guide injury`):
 //!
 //! 1. A measure is not used if it means nothing here: energy where the object is larger than the
-//!    orbit's opening, pressure and stress of a run that left the model's validity, and a curve whose
-//!    figure comes from memory.
+//!    orbit's opening, pressure and stress of a run that left the model's validity, pressure by eyes of
+//!    another species where the eye's own has a curve, and a curve whose figure comes from memory.
 //! 2. The others are ordered: first those without a reservation (eyes of another species, an object
 //!    larger than the eye), then what the eye felt before what the object carried, then the nearer to
 //!    what tears: stress of the wall before pressure, which is a mean over the globe.
@@ -107,8 +107,22 @@ fn is_computed(measure: Measure) -> bool {
 
 /// Why a curve means nothing here.
 fn objection(risk: &Risk, validity: &Validity) -> Option<String> {
-    if is_computed(risk.curve.measure) {
-        return validity.spoiled.clone();
+    let felt = is_computed(risk.curve.measure);
+    if let Some(why) = validity.spoiled.as_ref().filter(|_| felt) {
+        return Some(why.clone());
+    }
+    // Nobody asks another species where the eye's own has a curve.
+    if let Some(why) = of_others(risk.curve.species, validity) {
+        let (injury, measure) = (risk.curve.injury, risk.curve.measure);
+        let own = |c: &&Curve| of_others(c.species, validity).is_none();
+        let own = CURVES.iter().filter(own);
+        if felt
+            && own
+                .into_iter()
+                .any(|c| (c.injury, c.measure) == (injury, measure))
+        {
+            return Some(why.to_owned());
+        }
     }
     if risk.caution == Some(Caution::LargerThanOrbit) {
         return Some("object larger than the orbit's opening".to_owned());

@@ -142,7 +142,7 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
         field.path,
         &value,
         complaint,
-        field.allowed(),
+        field.allowed_in(scenario),
     ))
 }
 

@@ -10,8 +10,9 @@ use std::mem::discriminant;
 
 use super::problem::plain;
 use super::{
-    ForcePulse, Impact, Integrator, Lens, Model, Outline, Physiological, Projectile,
-    ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface, integrator,
+    FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
+    Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support,
+    Surface, integrator,
 };
 
 /// Characters that a name may have.
@@ -497,6 +498,18 @@ impl Field {
             Choice(choices) => choices.get(scenario).map(str::to_owned),
             Integers(_, _, _, place) => (place.get)(scenario).map(|list| format!("{list:?}")),
             Text(_, place) => (place.get)(scenario).cloned(),
+        }
+    }
+
+    /// What the field accepts in a scenario, in words: a mesh of the Physiological model has fewer levels.
+    pub fn allowed_in(&self, scenario: &Scenario) -> String {
+        match (&self.kind, &scenario.model) {
+            (Integer(min, max, _), Model::Physiological(_))
+                if *max > FINEST_PHYSIOLOGICAL_LEVEL =>
+            {
+                format!("whole numbers {min} to {FINEST_PHYSIOLOGICAL_LEVEL}")
+            }
+            _ => self.allowed(),
         }
     }
 

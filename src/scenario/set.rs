@@ -234,7 +234,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
         return Ok(());
     }
     if text.is_empty() {
-        let allowed = field.allowed();
+        let allowed = field.allowed_in(scenario);
         let problem = Problem {
             allowed: Some(allowed.clone()),
             ..Problem::new(field.path, format!("nothing is there: allowed {allowed}"))
@@ -243,7 +243,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     }
     if let Kind::Choice(choices) = &field.kind {
         let names = choices.names().into_iter();
-        return Err(unknown_name(field.path, text, names, field.allowed()).into());
+        return Err(unknown_name(field.path, text, names, field.allowed_in(scenario)).into());
     }
     let is_number = matches!(field.kind, Kind::Number(..) | Kind::OptionalNumber(..));
     let complaint = if is_number && text.contains(',') {
@@ -251,7 +251,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     } else {
         not_a(&field.kind)
     };
-    Err(Problem::refused(field.path, text, complaint, field.allowed()).into())
+    Err(Problem::refused(field.path, text, complaint, field.allowed_in(scenario)).into())
 }
 
 fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {

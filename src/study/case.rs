@@ -81,6 +81,9 @@ pub enum Refusal {
         /// The longest window allowed, in ms.
         longest_ms: f64,
     },
+    /// The object went through the front of the eye of revolution, for what it is.
+    #[error(transparent)]
+    Through(ScenarioError),
     /// The eye of revolution gave no result.
     #[error(transparent)]
     Revolution(#[from] revolution::Refusal),
@@ -105,7 +108,7 @@ impl Refusal {
             | Self::StepAboveLimit { .. }
             | Self::StepTooShort { .. }
             | Self::WindowTooLong { .. }
-            | Self::Revolution(revolution::Refusal::Through(_))
+            | Self::Through(_)
             | Self::IntegratorUnfit { .. } => true,
             Self::Revolution(_)
             | Self::Diverged(_)

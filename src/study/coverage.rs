@@ -12,7 +12,7 @@ use super::quantity::Quantity;
 use super::results::Results;
 use super::solve::solve;
 use super::statistics::median;
-use crate::dynamics::{Plan, revolution};
+use crate::dynamics::Plan;
 use crate::recording::Keep;
 use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use rayon::prelude::*;
@@ -175,7 +175,7 @@ pub fn check(
 fn check_one(drawn: Drawn, index: u32, seed: u32) -> Result<Checked, Refusal> {
     let scene = drawn.scene(index, seed).check()?;
     let answer = match solve(&scene, Keep::default(), &mut unwatched) {
-        Err(Refusal::Revolution(revolution::Refusal::Through(_))) => {
+        Err(Refusal::Through(_)) => {
             return Ok(Checked::nothing(index));
         }
         answer => answer?,

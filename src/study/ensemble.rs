@@ -123,6 +123,7 @@ fn name(refusal: &Refusal) -> String {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
+        Refusal::Through(_) => "went_through",
         Refusal::Revolution(_) => "revolution",
         Refusal::Diverged(_) => "diverged",
         Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",

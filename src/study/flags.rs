@@ -62,6 +62,8 @@ pub enum FlagKind {
     DeepPenetration,
     /// A soft projectile was squeezed further than its spring is linear.
     ObjectFlattened,
+    /// All that gives way of a projectile's surface was used up.
+    SurfaceCrushed,
     /// The projectile went through the wall of the orbit.
     ThroughBone,
     /// The projectile is narrower than the distance between two nodes of the shell.
@@ -95,6 +97,7 @@ impl FlagKind {
             Self::BoneShields => "bone_shields",
             Self::DeepPenetration => "deep_penetration",
             Self::ObjectFlattened => "object_flattened",
+            Self::SurfaceCrushed => "surface_crushed",
             Self::ThroughBone => "through_bone",
             Self::ObjectLight => "object_light",
             Self::ObjectUnresolved => "object_unresolved",

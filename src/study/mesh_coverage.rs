@@ -7,7 +7,6 @@
 use super::case::{Refusal, unwatched};
 use super::coverage::{Checked, Drawn, MAX_SCENES};
 use super::mesh_error::{FINEST_LEVEL, MeshError, at_level, witnesses};
-use crate::dynamics::revolution;
 use crate::study::mesh_error::OnMesh;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -88,7 +87,7 @@ fn check_one(drawn: Drawn, index: u32, seed: u32, level: u32) -> Result<Checked,
     // The cheap ones first: where one folds the finest mesh need not be moved.
     for level in [level, coarser, finer, reference(drawn)] {
         let on = match at_level(&scene, level, &mut unwatched) {
-            Err(Refusal::Revolution(revolution::Refusal::Through(_))) => return Ok(folded),
+            Err(Refusal::Through(_)) => return Ok(folded),
             on => on?,
         };
         if on.folded.is_some() {

@@ -43,6 +43,8 @@ pub(super) struct Touch {
     pub limit: f64,
     /// Largest traction, Pa.
     pub traction: f64,
+    /// Largest share of what gives way of the object's surface that is used up.
+    pub used_up: f64,
     /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
     pub loss: f64,
     /// Segments of the shell that were looked at.
@@ -111,6 +113,7 @@ impl Target {
             energy: 0.0,
             limit: f64::INFINITY,
             traction: 0.0,
+            used_up: 0.0,
             loss: 0.0,
             segments: 0,
         };
@@ -149,6 +152,7 @@ impl Target {
                 flight.lossy[0] -= lossy * nx;
                 touch.energy += area * pressed.energy;
                 touch.traction = touch.traction.max(pressed.traction * left);
+                touch.used_up = touch.used_up.max(object.surface.used_up(gap));
                 touch.force += force * nx;
                 fx[i] += (1.0 - s) * force * nx;
                 fr[i] += (1.0 - s) * force * nr;

@@ -168,6 +168,11 @@ impl Surface {
         }
     }
 
+    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as the core behind it.
+    pub(super) fn used_up(&self, gap: f64) -> f64 {
+        self.depth.map_or(0.0, |depth| gap / (CORE_BEYOND * depth))
+    }
+
     pub(super) fn at(&self, gap: f64) -> Pressed {
         let Some(depth) = self.depth else {
             return self.within(gap);

@@ -40,6 +40,9 @@ impl<C: Cells> Motion<'_, C> {
         }
         if let Some(touch) = &now.touch {
             e.rim_force.offer(-touch.rim, time);
+            if touch.used_up >= 1.0 {
+                e.crushed_at.get_or_insert(time);
+            }
         }
         let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
         e.shortening.offer(shape.shortening, time);

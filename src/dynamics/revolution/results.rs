@@ -46,6 +46,8 @@ pub struct Extremes {
     pub fold: Option<Fold>,
     /// Energy that the eye was given, J.
     pub energy_imparted: f64,
+    /// When the object's surface was first crushed through to its hard core, s.
+    pub crushed_at: Option<f64>,
     /// Whether the object touched the eye at the end.
     pub touching: bool,
     /// Speed at which the object ends, away from the eye, m/s.
@@ -79,6 +81,7 @@ impl Extremes {
             least_triangle: 1.0,
             fold: None,
             energy_imparted: 0.0,
+            crushed_at: None,
             touching: false,
             rebound: None,
             energy_residual: 0.0,

@@ -115,6 +115,25 @@ fn eyes_of_another_species_count_after_what_knows_the_object_only() {
 }
 
 #[test]
+fn an_eye_is_asked_by_the_curve_of_its_own_species() {
+    let pig = Validity {
+        pig: true,
+        ..Validity::default()
+    };
+    let species = |validity: &Validity| {
+        let verdict = of(None, 1.3e6, 0.0, validity).swap_remove(0);
+        let believed = verdict.believed().map(|r| (r.curve.species, r.risk));
+        (believed.collect::<Vec<_>>(), verdict.words())
+    };
+    let (human, words) = species(&Validity::default());
+    assert!(matches!(human[..], [(Eyes::Human, risk)] if risk > 0.85));
+    assert!(!words.contains("pig"), "{words}");
+    let (pigs, words) = species(&pig);
+    assert!(matches!(pigs[..], [(Eyes::Pig, risk)] if risk < 0.2));
+    assert!(!words.contains("human"), "{words}");
+}
+
+#[test]
 fn a_run_beyond_its_validity_leaves_the_energy_or_nothing() {
     let spoiled = Validity {
         spoiled: Some("mesh folded at 0.480 ms".to_owned()),

@@ -4,6 +4,7 @@ use crate::dynamics::revolution::{self as engine, BallSpring, Object};
 use crate::dynamics::{Cost, Integrator, Plan, Pulse};
 use crate::eye::revolution::{Material, Parameters, RevolutionEye, ShellParameters, Surround};
 use crate::recording::{Frame, Keep, Spacing};
+use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
     CheckedScenario, Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
@@ -109,6 +110,38 @@ impl RevolutionCase {
         }
     }
 
+    /// Why there is no result; of an object that went through the eye what it would have to be.
+    fn refused(&self, refusal: engine::Refusal) -> Refusal {
+        let (time, object) = match (refusal, &self.load) {
+            (engine::Refusal::Stopped(_), _) => return Refusal::Cancelled,
+            (engine::Refusal::Through(time), engine::Blow::Object(object)) => (time * 1e3, object),
+            (other, _) => return other.into(),
+        };
+        let shell = &self.eye.mesh.shell;
+        let ((xa, ra), (xb, rb)) = (self.eye.at(shell[0]), self.eye.at(shell[1]));
+        let (wide, apart) = (2.0 * object.outline.radius(), libm::hypot(xb - xa, rb - ra));
+        let width = format!("{:.2}", wide * 1e3);
+        let level = self.eye.level;
+        let through = format!("went through the front of the eye at {time:.4} ms");
+        let problem = if wide < apart {
+            let narrow = format!(
+                "mm is narrower than what lies between two nodes of mesh level {level}, and {through}"
+            );
+            let allowed = format!(
+                "{:.2} mm or more, or a finer mesh by eye.level",
+                apart * 1e3
+            );
+            Problem::refused("impact.diameter_mm", &width, &narrow, allowed)
+        } else {
+            let allowed =
+                "a slower, lighter or wider object: what pierces an eye is beyond this model";
+            let speed = plain(object.speed);
+            let heavy = format!("m/s is too fast for an object {width} mm wide, which {through}");
+            Problem::refused("impact.speed_m_s", &speed, &heavy, allowed.to_owned())
+        };
+        Refusal::Through(problem.into())
+    }
+
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
     ///
     /// # Errors
@@ -116,8 +149,8 @@ impl RevolutionCase {
     /// [`Refusal::Cancelled`] if the watch stopped it.
     pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Ran, Refusal> {
         let steps = self.steps(plan);
-        let run =
-            engine::run(&self.eye, &self.load, plan.window, steps, keep, watch).map_err(refused)?;
+        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
+        let run = run.map_err(|refusal| self.refused(refusal))?;
         Ok(Ran {
             left: Left::Revolution(run.extremes),
             traces: run.traces,
@@ -143,7 +176,7 @@ impl RevolutionCase {
     ) -> Result<(), Refusal> {
         let steps = self.steps(plan);
         engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
-            .map_err(refused)
+            .map_err(|refusal| self.refused(refusal))
     }
 
     /// Duration of a pulse, in s.
@@ -152,13 +185,6 @@ impl RevolutionCase {
             engine::Blow::Pulse(pulse, _) => Some(pulse.duration()),
             engine::Blow::Object(_) => None,
         }
-    }
-}
-
-fn refused(refusal: engine::Refusal) -> Refusal {
-    match refusal {
-        engine::Refusal::Stopped(_) => Refusal::Cancelled,
-        other => other.into(),
     }
 }
 

@@ -41,6 +41,16 @@ pub(in crate::study) fn raise(
             raised.rim_kept_it_off(case.rim);
         }
     }
+    if let Some(time) = extremes.crushed_at {
+        let at = time * 1e3;
+        raised.raise_at(
+            time,
+            FlagKind::SurfaceCrushed,
+            format!(
+                "the object's surface was crushed through at {at:.3} ms: from there on it is as hard as its core"
+            ),
+        );
+    }
     window(case, extremes, simulated, &mut raised);
     raised.flags()
 }
