@@ -30,6 +30,7 @@ pub mod threshold;
 pub(crate) mod undo;
 pub mod update;
 pub mod view;
+pub mod work;
 pub(crate) mod worker;
 
 mod open;

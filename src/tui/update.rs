@@ -10,7 +10,7 @@ use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 use super::ensemble;
 use super::keys::{self, Act};
 use super::line::Line;
-use super::model::{Choice, Model, Naming, Overlay, Question, Work};
+use super::model::{Choice, Model, Naming, Overlay, Question};
 use super::save::SaveError;
 use super::screens::{SCREENS, accuracy, compare};
 use super::simulation;
@@ -18,6 +18,7 @@ use super::take_away;
 use super::task::{Report, Request, Ticket};
 use super::threshold;
 use super::view::overlay::help_rows;
+use super::work::Work;
 
 #[cfg(test)]
 pub(crate) mod driven;

@@ -6,10 +6,11 @@ use ratatui::layout::Rect;
 use crate::study::Answer;
 use crate::study::course::Course;
 use crate::tui::keys::{KeyTable, TimeKeys};
-use crate::tui::model::{Model, Shown, Work};
+use crate::tui::model::{Model, Shown};
 use crate::tui::step::Step;
 use crate::tui::task::Report;
 use crate::tui::update::time;
+use crate::tui::work::Work;
 
 /// A part of a screen that can have the focus.
 #[derive(Clone, Copy)]

@@ -3,10 +3,11 @@
 use super::{Effect, change};
 use crate::scenario::load::to_ron;
 use crate::tui::line::Line;
-use crate::tui::model::{Choice, Model, Naming, Overlay, Question, Work};
+use crate::tui::model::{Choice, Model, Naming, Overlay, Question};
 use crate::tui::open::MAX_OWN;
 use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
+use crate::tui::work::Work;
 
 pub(crate) fn next_preset(model: &mut Model, forward: bool) {
     let count = model.choices.len();

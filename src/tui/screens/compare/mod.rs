@@ -16,13 +16,14 @@ use crate::study::course::Course;
 use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Choice, Model, Overlay, Shown, Work};
+use crate::tui::model::{Choice, Model, Overlay, Shown};
 use crate::tui::picker::Picker;
 use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FRAME_KEYS;
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
+use crate::tui::work::Work;
 use comparison::{Comparison, FORM, Found, MAX_MARKED};
 
 /// The places of the panes.

@@ -5,12 +5,13 @@ use ratatui::layout::Rect;
 
 use super::comparison::Found;
 use super::view::heading;
-use crate::tui::model::{Model, brief};
+use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::eye::Scene;
 use crate::tui::view::text::{fitted, put, put_right};
 use crate::tui::view::theme::Theme;
+use crate::tui::work::brief;
 
 /// Side by side, all at the same time and on the same scale of force.
 pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {

@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 
 use crate::injury::lines;
 use crate::study::Answer;
-use crate::tui::model::{Model, brief};
+use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
 use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
+use crate::tui::work::brief;
 
 use super::cell::cell;
 use super::comparison::{Column, Comparison, Entry, FORM, Found};

@@ -121,6 +121,7 @@ fn adopt(model: &mut Model) {
 mod tests {
     use super::state::DrawMap;
     use super::*;
+    use crate::scenario::library::find;
     use crate::study::map::Spot;
     use crate::study::{PerQuantity, Quantity};
     use crate::tui::simulation::Simulate;
@@ -214,6 +215,30 @@ mod tests {
         let effects = letter(&mut model, '-');
         assert_eq!(effects[0], Effect::Stop(ticket));
         assert!(drawn(&effects).is_some(), "other ranges");
+    }
+
+    #[test]
+    fn a_risk_by_energy_means_nothing_where_the_object_is_too_large_for_its_curve() {
+        let mut model = begun();
+        model.work.scenario = find("squash-ball").unwrap().scenario().unwrap();
+        letter(&mut model, '7');
+        let void = |model: &Model, of| view::is_void_there(model, of);
+        assert!(void(&model, Quantity::RuptureByEnergy));
+        assert!(!void(&model, Quantity::RuptureByStress));
+        // Where the diameter is varied it is that under the cursor.
+        let spans = |model: &Model| model.screens.map.spans.unwrap();
+        for _ in 0..60 {
+            if spans(&model).0.field.path == "impact.diameter_mm" {
+                break;
+            }
+            letter(&mut model, 'x');
+        }
+        assert_eq!(spans(&model).0.field.path, "impact.diameter_mm");
+        for _ in 0..40 {
+            key(&mut model, KeyCode::Left);
+        }
+        assert!(model.screens.map.values().unwrap().0 < 30.0);
+        assert!(!void(&model, Quantity::RuptureByEnergy));
     }
 
     #[test]

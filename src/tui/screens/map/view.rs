@@ -10,12 +10,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::injury::{Blow, Caution, Measure};
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
+use crate::report::verdict::VOID;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
 use crate::study::Quantity;
 use crate::study::map::{Grid, SIDE, Span};
+use crate::study::quantity::Read;
 use crate::tui::model::Model;
 use crate::tui::screens::map::state::rounded;
 use crate::tui::view::text::{fitted, put, put_both, put_right, width, wrapped};
@@ -284,6 +287,16 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
+/// Whether a result is a risk by energy where the object under the cursor is larger than what such curves hold for.
+pub(super) fn is_void_there(model: &Model, of: Quantity) -> bool {
+    let Read::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy) = of.row().read else {
+        return false;
+    };
+    let there = model.screens.map.adopted(&model.work.scenario);
+    let blow = there.and_then(|(_, scenario)| Blow::of(&scenario));
+    blow.and_then(|blow| blow.caution()) == Some(Caution::LargerThanOrbit)
+}
+
 /// What is known under the cursor.
 fn reading(model: &Model, (x, y): (Span, Span)) -> String {
     let Some((a, b)) = model.screens.map.values() else {
@@ -303,13 +316,18 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         };
         let row = quantity.row();
         let about = if reading.exact { "" } else { "about " };
+        let void = if is_void_there(model, quantity) {
+            format!(", {VOID}")
+        } else {
+            String::new()
+        };
         let folded = if reading.folded {
             ", but the mesh folded"
         } else {
             ""
         };
         let value = with_unit(&within(value, Some(MAPPED)), row.unit);
-        format!("{} {about}{value}{folded}", row.label)
+        format!("{} {about}{value}{folded}{void}", row.label)
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
     format!("X {}, {}: {value}", part(x, a), part(y, b))

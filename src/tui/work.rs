@@ -1,0 +1,54 @@
+//! What is being worked on, and where it came from.
+
+use crate::scenario::Scenario;
+
+/// What is being worked on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Work {
+    /// What the form shows, edits and all.
+    pub scenario: Scenario,
+    /// The preset or file that it began as.
+    pub source: String,
+    /// What that holds; nothing where it is there no longer.
+    pub original: Option<Scenario>,
+}
+
+impl Work {
+    /// Work on a scenario as it was found.
+    pub fn fresh(source: &str, scenario: &Scenario) -> Self {
+        Self {
+            scenario: scenario.clone(),
+            source: source.to_owned(),
+            original: Some(scenario.clone()),
+        }
+    }
+
+    /// What it is called in short: of a file's path the last part.
+    pub fn name(&self) -> &str {
+        brief(&self.source)
+    }
+
+    /// Whether its title says what it began as, no longer what was made of that.
+    pub fn is_outgrown(&self) -> bool {
+        let title = &self.scenario.name;
+        match &self.original {
+            Some(original) => original.name == *title && *original != self.scenario,
+            None => self.source == *title,
+        }
+    }
+
+    /// The same work with another scenario.
+    #[must_use]
+    pub fn with(&self, scenario: Scenario) -> Self {
+        Self {
+            scenario,
+            ..self.clone()
+        }
+    }
+}
+
+/// The name of a preset, or the last part of a file's path.
+pub fn brief(source: &str) -> &str {
+    let mut parts = source.rsplit(['/', '\\']);
+    parts.find(|part| !part.is_empty()).unwrap_or("")
+}
