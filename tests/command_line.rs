@@ -335,6 +335,10 @@ fn flags_are_refused_in_the_words_of_the_registry() {
         &["--level", "0"],
         "--level 0: 0 is out of range: allowed whole numbers 1 to 8",
     );
+    refused(
+        &["--set", "model=Physiological", "--level", "0"],
+        "--level 0: 0 is out of range: allowed whole numbers 1 to 5",
+    );
 }
 
 #[test]

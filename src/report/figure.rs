@@ -90,8 +90,7 @@ pub struct Figure {
 }
 
 /// What the sign of [`Figure::cell`] means.
-pub const CUT: &str =
-    "≥: at least; the run ended while it may still grow (a longer window_ms tells)";
+pub const CUT: &str = "≥: at least; it may still grow after the run (a longer window_ms tells)";
 
 impl Figure {
     /// A result of an answer, if the scene has it.

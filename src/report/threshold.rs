@@ -95,8 +95,10 @@ pub fn text(
             writeln!(out, "  {line}")?;
         }
         if let Some(believed) = &crossing.believed {
-            let range = range(believed.range, &with_unit);
-            let holds = format!("range {range}: the verdict's range holds {target} there");
+            let holds = match range(believed.range, &with_unit) {
+                Some(range) => format!("range {range}: the verdict's range holds {target} there"),
+                None => "range not known".to_owned(),
+            };
             indented(&holds, "  ", out)?;
             indented(&format!("believed there: {}", believed.verdict), "  ", out)?;
         }
@@ -135,16 +137,16 @@ pub fn text(
 }
 
 /// Over which values what is believed may be the target: by slopes and points of curves, and the errors above.
-fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> String {
-    match of {
+fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> Option<String> {
+    Some(match of {
         (Some(from), Some(to)) => {
             let [from, to] = [from, to].map(|end| allowing(end, Some(0.5 * (to - from))));
             format!("{from} to {}", with_unit(to))
         }
-        (Some(from), None) => format!("from {} on, without end", with_unit(digits(from, 2))),
+        (Some(from), None) => format!("from {} on", with_unit(digits(from, 2))),
         (None, Some(to)) => format!("up to {}", with_unit(digits(to, 2))),
-        (None, None) => "not known".to_owned(),
-    }
+        (None, None) => return None,
+    })
 }
 
 /// What each error does to the value, or that there is none to give.

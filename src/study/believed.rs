@@ -80,9 +80,9 @@ const FARTHEST: f64 = 100.0;
 /// Halvings of that, in the logarithm.
 const HALVINGS: usize = 40;
 
-/// From which to which value of an input what is believed may reach `target`, 0 to 1; an end is none where
-/// it never does within a ratio of [`FARTHEST`]. It does for sure at `at`, near which each believed measure goes
-/// with the power of the input that `power` says.
+/// From which to which value of an input what is believed may have the risk `target`, 0 to 1; an end is none where
+/// there is no such value within a ratio of [`FARTHEST`] to `at`, near which each believed measure goes with the power
+/// of the input that `power` says.
 pub(super) fn reaches(
     verdict: &Verdict,
     at: f64,
@@ -109,10 +109,10 @@ pub(super) fn reaches(
         Some(at * libm::exp(0.5 * (low + high)))
     };
     let ends = [ratio(|range| range.1), ratio(|range| range.0)];
+    // What falls as the input grows is reached from above.
+    let falls = verdict.believed().next().is_some_and(|r| power(r) < 0.0);
     match ends {
-        [Some(a), Some(b)] => (Some(a.min(b)), Some(a.max(b))),
-        // What falls as the input grows is reached from above.
-        [first, last] if verdict.believed().next().is_some_and(|r| power(r) < 0.0) => (last, first),
+        [first, last] if falls != (at < 0.0) => (last, first),
         [first, last] => (first, last),
     }
 }
@@ -172,6 +172,8 @@ mod tests {
         assert!((to / 60.0 - libm::sqrt(1.15 / 0.95)).abs() < 1e-3, "{to}");
         let falling = reaches(&verdict, 60.0, 0.5, |_| -2.0);
         assert!(falling.0.unwrap() < 60.0 && falling.1.unwrap() > 60.0);
+        let below = reaches(&verdict, -60.0, 0.5, |_| 2.0);
+        assert_eq!((below.0, below.1), (Some(-to), Some(-from)));
         // The lower end never gets to 99.9 %: beyond its data the curve only rises.
         let (from, to) = reaches(&verdict, 60.0, 0.999, |_| 2.0);
         assert!(from.is_some() && to.is_none());

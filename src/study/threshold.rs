@@ -395,7 +395,7 @@ impl Question {
             let power = libm::log(value(high)? / value(low)?) / libm::log(to / from);
             power.is_finite().then_some(power)
         };
-        let known = from > 0.0 && verdict.believed().all(|risk| power(risk).is_some());
+        let known = from * to > 0.0 && verdict.believed().all(|risk| power(risk).is_some());
         let range = known.then(|| {
             let power = |risk: &Risk| power(risk).unwrap_or_default();
             reaches(

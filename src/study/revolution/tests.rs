@@ -37,6 +37,61 @@ fn case(answer: &Answer) -> &RevolutionCase {
 }
 
 #[test]
+fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
+    let of = |modulus_mpa| {
+        let surface = Surface::Elastic { modulus_mpa };
+        solved(&scene(Projectile {
+            surface,
+            ..bb(30.0)
+        }))
+    };
+    let crushed = |answer: &Answer| {
+        let flags = answer.flags.iter();
+        flags.filter(|f| f.kind == FlagKind::SurfaceCrushed).count()
+    };
+    let (softer, soft, hard) = (of(0.001), of(0.002), of(1e3));
+    assert_eq!(
+        (crushed(&soft), crushed(&softer), crushed(&hard)),
+        (1, 1, 0)
+    );
+    // What is behind it is hard, whatever the surface was.
+    let force = |answer: &Answer| answer.result(Quantity::Contact).unwrap();
+    assert!((force(&soft) / force(&softer) - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
+    let refused = |shot: Projectile| {
+        let checked = scene(shot).check().unwrap();
+        let refusal = solve(&checked, Keep::default(), &mut unwatched).unwrap_err();
+        assert!(refusal.is_of_input());
+        refusal.to_string()
+    };
+    let grain = refused(Projectile {
+        mass_g: 1e-3,
+        diameter_mm: 0.1,
+        ..bb(62.5)
+    });
+    assert!(
+        grain.starts_with("impact.diameter_mm: 0.10 mm is narrower"),
+        "{grain}"
+    );
+    assert!(
+        grain.contains("allowed 1.36 mm or more, or a finer mesh"),
+        "{grain}"
+    );
+    let heavy = refused(Projectile {
+        mass_g: 10.0,
+        diameter_mm: 3.0,
+        ..bb(62.5)
+    });
+    assert!(
+        heavy.starts_with("impact.speed_m_s: 62.5 m/s is too fast"),
+        "{heavy}"
+    );
+}
+
+#[test]
 fn its_own_step_may_be_asked_for_but_no_other_integrator() {
     use crate::scenario::Integrator;
     let mut scenario = scene(bb(56.0));
