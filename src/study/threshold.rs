@@ -200,7 +200,18 @@ impl Question {
     ) -> Result<Threshold, Refusal> {
         let seen = self.looked_at(stop, &mut heard)?;
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
-            return Err(self.absent());
+            let there = self.once(seen[0].0, stop)?;
+            let there: Vec<&str> = there.present().map(|(of, _)| of.key()).collect();
+            let risk = if self.quantity.is_risk() {
+                "; `contrecoup run` says why no measure of a risk is usable here"
+            } else {
+                ""
+            };
+            let message = format!(
+                "this scenario has no such result: allowed {}{risk}",
+                there.join(", ")
+            );
+            return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
         }
         let none = || "no such result there".to_owned();
         let seen: Vec<(f64, Result<f64, String>)> = seen
@@ -617,12 +628,14 @@ mod tests {
         assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);
         let until = (Quantity::Pressure, 1.0);
         let question = Question::read(short(), "impact.force_n=100:200", until).unwrap();
-        let answer = question.answer(&AtomicBool::new(false), |_| {});
+        let error = question
+            .answer(&AtomicBool::new(false), |_| {})
+            .unwrap_err();
+        let error = error.to_string();
         assert!(
-            answer
-                .unwrap_err()
-                .to_string()
-                .contains("has no such result")
+            error.contains("has no such result: allowed damage_percent, "),
+            "{error}"
         );
+        assert!(!error.contains("contrecoup run"), "{error}");
     }
 }
