@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::figure::{CUT, Figure};
 use super::json::at_least;
 use super::text::{WIDTH, paragraph, percent};
+use super::verdict::{mixed, range};
 use crate::injury::{Blow, Caution, lines};
 use crate::plain_text::printable;
 use crate::study::comparison::Entry;
@@ -28,13 +29,17 @@ pub struct Table {
     pub units: Vec<&'static str>,
     /// A name, and a cell for each head.
     pub rows: Vec<(String, Vec<String>)>,
+    /// What to know before reading the cells.
+    pub notes: Vec<String>,
     /// What limits or refuses each of the rows that something does.
     pub remarks: Vec<String>,
 }
 
-/// A result with as many digits as its errors allow.
+/// A result with as many digits as its errors allow, a risk as a range.
 fn cell(answer: &Answer, of: Quantity) -> String {
-    Figure::of(answer, of).map_or_else(|| "-".to_owned(), |figure| figure.cell())
+    let figure = || Figure::of(answer, of).map(|figure| figure.cell());
+    let cell = range(answer, of).or_else(figure);
+    cell.unwrap_or_else(|| "-".to_owned())
 }
 
 /// What speaks against the risks by energy of a blow.
@@ -85,18 +90,18 @@ impl Table {
                 .into_iter()
                 .map(move |remark| format!("{name}: {remark}"))
         };
-        let mut remarks: Vec<String> = entries.iter().flat_map(remark).collect();
-        let answers = || {
-            entries
-                .iter()
-                .filter_map(|entry| entry.outcome.as_ref().ok())
-        };
-        if answers().any(|answer| columns.iter().any(|of| answer.at_least(*of))) {
-            remarks.insert(0, CUT.to_owned());
-        }
+        let answers = entries.iter().filter_map(|entry| {
+            let answer = entry.outcome.as_ref().ok()?;
+            Some((entry.source.as_str(), answer))
+        });
+        let answers: Vec<(&str, &Answer)> = answers.collect();
+        let cut = |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.at_least(*of));
+        let cut = answers.iter().any(cut).then(|| CUT.to_owned());
+        let mixed = columns.iter().filter_map(|of| mixed(&answers, *of));
         Self {
             rows: entries.iter().map(row).collect(),
-            remarks,
+            notes: cut.into_iter().chain(mixed).collect(),
+            remarks: entries.iter().flat_map(remark).collect(),
             units,
             heads,
         }
@@ -137,10 +142,10 @@ impl Table {
             }
             first = last;
         }
-        if !self.remarks.is_empty() {
+        if !(self.notes.is_empty() && self.remarks.is_empty()) {
             writeln!(out)?;
         }
-        for remark in &self.remarks {
+        for remark in self.notes.iter().chain(&self.remarks) {
             paragraph(&printable(remark), out)?;
         }
         writeln!(out, "\nResearch and education, not diagnosis.")
@@ -165,8 +170,8 @@ impl Table {
             writeln!(out, "| {} | {} |", escaped(name), cells.join(" | "))?;
         }
         writeln!(out)?;
-        for remark in &self.remarks {
-            writeln!(out, "- {}", escaped(remark))?;
+        for remark in self.notes.iter().chain(&self.remarks) {
+            writeln!(out, "- {}", escaped(&printable(remark)))?;
         }
         writeln!(out, "\nResearch and education, not diagnosis.")
     }

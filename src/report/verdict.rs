@@ -1,8 +1,8 @@
 //! The answer first: one line an injury, in text and as JSON.
 
-use crate::injury::{Curve, Part, Risk, Verdict, curve_of, lines};
-use crate::study::Quantity;
+use crate::injury::{AT_LEAST, Curve, Injury, Part, Risk, Verdict, curve_of, lines, span};
 use crate::study::quantity::Read;
+use crate::study::{Answer, Quantity};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -25,6 +25,59 @@ pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
     };
     let part = curve_of(injury, measure).and_then(|curve| part_of(verdicts, curve));
     matches!(part, Some(Part::NotValid(_)))
+}
+
+/// What to believe of an injury after a blow.
+pub fn verdict(answer: &Answer, injury: Injury) -> Option<Verdict> {
+    let mut verdicts = answer.verdicts().into_iter();
+    verdicts.find(|verdict| verdict.injury == injury)
+}
+
+/// The range of a risk in %, as a table shows it: of one that is believed first that of the verdict, of another
+/// that of its curve; none of what is no risk.
+pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
+    let percent = match of.row().read {
+        Read::Believed(injury) => verdict(answer, injury)?.percent()?,
+        Read::Risk(injury, measure) => {
+            let curve = curve_of(injury, measure)?;
+            let risks = answer.risks().into_iter();
+            let band = risks.into_iter().find(|risk| risk.curve == curve)?.band;
+            if answer.at_least(of) {
+                format!("{AT_LEAST} {:.0}", 100.0 * band.0)
+            } else {
+                span(band)
+            }
+        }
+        Read::Peak(_) | Read::Number(_) => return None,
+    };
+    let number = percent.trim_end_matches(" %");
+    Some(number.replace(&format!("{AT_LEAST} "), "≥"))
+}
+
+/// Who of these has a risk by which measure, where that is not one and the same: its column ranks nobody then.
+pub fn mixed(answers: &[(&str, &Answer)], of: Quantity) -> Option<String> {
+    let Read::Believed(injury) = of.row().read else {
+        return None;
+    };
+    let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (name, answer) in answers {
+        let verdict = verdict(answer, injury);
+        let first = verdict.as_ref().and_then(|v| v.believed().next());
+        let Some(measure) = first.map(|risk| risk.curve.measure.short()) else {
+            continue;
+        };
+        match groups.iter_mut().find(|(known, _)| *known == measure) {
+            Some((_, names)) => names.push(name),
+            None => groups.push((measure, vec![name])),
+        }
+    }
+    let said =
+        |(measure, names): &(&str, Vec<&str>)| format!("{} by {measure}", names.join(" and "));
+    let said: Vec<String> = groups.iter().map(said).collect();
+    (said.len() > 1).then(|| {
+        let said = said.join(", ");
+        format!("{}: {said}: not one measure, so no ranking", injury.word())
+    })
 }
 
 /// Prints a line for each injury. Before the mesh error is known, `mesh` is false and a line says that it
@@ -72,4 +125,43 @@ pub fn json(verdicts: &[Verdict]) -> Value {
         })
     };
     verdicts.iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Keep;
+    use crate::scenario::library;
+    use crate::scenario::set::set;
+    use crate::study::{solve, unwatched};
+
+    fn answer(preset: &str) -> Answer {
+        let mut scenario = library::find(preset).unwrap().scenario().unwrap();
+        set(&mut scenario, "model", "Physiological").unwrap();
+        scenario.window_ms = 0.1;
+        solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
+    }
+
+    #[test]
+    fn a_column_of_one_risk_by_two_measures_says_so_and_its_cells_are_ranges() {
+        let (bb, fast, ball) = (answer("bb-56"), answer("bb-62"), answer("soccer-ball"));
+        let retina = Quantity::RetinalDamage;
+        let all = [("bb-56", &bb), ("soccer-ball", &ball), ("bb-62", &fast)];
+        assert_eq!(
+            mixed(&all, retina).unwrap(),
+            "retina: bb-56 and bb-62 by energy, soccer-ball by pressure: not one measure, so no ranking"
+        );
+        assert_eq!(mixed(&[all[0], all[2]], retina), None);
+        assert_eq!(mixed(&all, Quantity::Pressure), None);
+        let verdict = verdict(&bb, Injury::RetinalDamage).unwrap();
+        let cell = range(&bb, retina).unwrap();
+        assert_eq!(format!("{cell} %"), verdict.percent().unwrap());
+        assert!(cell.contains('-'), "{cell}");
+        assert!(
+            range(&bb, Quantity::RuptureByPressure)
+                .unwrap()
+                .starts_with('≥')
+        );
+        assert_eq!(range(&bb, Quantity::Pressure), None);
+    }
 }

@@ -77,12 +77,19 @@ pub fn compare(
     Ok(asked.into_iter().zip(outcomes).map(entry).collect())
 }
 
-/// Sorts by a result, the largest first and what has none last.
+/// The order of two blows by their values of one result, of a risk the point by the curve that is believed
+/// first: the largest first or last, and what has none last either way.
+pub fn order(a: Option<f64>, b: Option<f64>, largest: bool) -> Ordering {
+    match (a, b) {
+        (Some(a), Some(b)) if largest => b.total_cmp(&a),
+        (Some(a), Some(b)) => a.total_cmp(&b),
+        (a, b) => b.is_some().cmp(&a.is_some()),
+    }
+}
+
+/// Sorts by a result, the largest first.
 pub fn sort(entries: &mut [Entry], by: Quantity) {
-    entries.sort_by(|a, b| match (a.result(by), b.result(by)) {
-        (Some(a), Some(b)) => b.total_cmp(&a),
-        (a, b) => b.is_some().cmp(&a.is_some()).then(Ordering::Equal),
-    });
+    entries.sort_by(|a, b| order(a.result(by), b.result(by), true));
 }
 
 /// The results worth a column: those that lead in one of the entries, the risks that are believed first, and the one

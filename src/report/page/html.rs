@@ -93,6 +93,7 @@ fn comparison(entries: &[Entry]) -> Markup {
                     } }
                 }
             }
+            @for note in &table.notes { p.note { (printable(note)) } }
             (figure("Force on the eye", &charts::drives(&answers)))
         }
     }

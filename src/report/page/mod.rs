@@ -19,10 +19,11 @@ use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing};
 use crate::report::figure::Figure;
 use crate::report::text::{capital, percent};
-use crate::report::verdict::{VOID, is_void};
+use crate::report::verdict::{VOID, is_void, range};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
 use crate::study::comparison::Entry;
+use crate::study::quantity::Read;
 use crate::study::{Answer, Quantity, unwatched};
 
 /// Where the model comes from.
@@ -153,10 +154,7 @@ fn rows(answer: &Answer) -> Vec<Row> {
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
         Row {
             name: capital(of.row().label),
-            value: Figure::of(answer, of).map_or_else(String::new, |figure| {
-                let least = if figure.at_least { AT_LEAST } else { "" };
-                format!("{least} {}", figure.number).trim_start().to_owned()
-            }),
+            value: range(answer, of).unwrap_or_else(|| value(answer, of)),
             unit: of.row().unit,
             at: match answer.peak(of) {
                 _ if is_void(&verdicts, of) => VOID.to_owned(),
@@ -167,7 +165,17 @@ fn rows(answer: &Answer) -> Vec<Row> {
             mesh: known(mesh.and_then(|errors| errors[of])),
         }
     };
-    answer.results().present().map(row).collect()
+    // What is believed of an injury says its verdict, above.
+    let own = |(of, _): &(Quantity, f64)| !matches!(of.row().read, Read::Believed(_));
+    answer.results().present().filter(own).map(row).collect()
+}
+
+/// A value in words, with as many digits as its errors allow.
+fn value(answer: &Answer, of: Quantity) -> String {
+    Figure::of(answer, of).map_or_else(String::new, |figure| {
+        let least = if figure.at_least { AT_LEAST } else { "" };
+        format!("{least} {}", figure.number).trim_start().to_owned()
+    })
 }
 
 /// What is to be believed of each injury: its name and the words.

@@ -1,7 +1,8 @@
 //! A cell of the table: a value with as many digits as its error allows, and that error below it.
 
-use super::comparison::{Column, verdict};
+use super::comparison::Column;
 use crate::report::figure::{Figure, Off};
+use crate::report::verdict::{range, verdict};
 use crate::study::quantity::Read;
 use crate::study::{Answer, Quantity};
 
@@ -10,21 +11,15 @@ pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, Strin
     let nothing = || ("-".to_owned(), String::new());
     match column {
         Column::Name => nothing(),
-        Column::Verdict(injury) => {
-            let verdict = verdict(answer, injury);
-            let range = verdict.as_ref().and_then(crate::injury::Verdict::percent);
-            let Some(range) = range else {
-                return nothing();
-            };
-            let word = verdict.and_then(|verdict| verdict.word());
-            let short = range.trim_end_matches(" %").replace("at least ", "≥");
-            // A word of two says no more than the range.
-            (
-                short,
-                word.filter(|word| word.len() < 10).unwrap_or_default(),
-            )
-        }
         Column::Result(quantity) => {
+            if let Read::Believed(injury) = quantity.row().read
+                && let Some(range) = range(answer, quantity)
+            {
+                let word = verdict(answer, injury).and_then(|verdict| verdict.word());
+                // A word of two says no more than the range.
+                let word = word.filter(|word| word.len() < 10);
+                return (range, word.unwrap_or_default());
+            }
             let Some(figure) = Figure::of(answer, quantity) else {
                 return nothing();
             };

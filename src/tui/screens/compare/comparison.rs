@@ -4,14 +4,16 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::{EstimateMarked, SimulateMarked};
-use crate::injury::{Injury, Verdict};
 use crate::recording::Traces;
+use crate::report;
 use crate::scenario::Scenario;
+use crate::study::comparison::order;
 use crate::study::course::{Beside, Course};
 use crate::study::quantity::Read;
 use crate::study::{Answer, MeshError, Quantity};
 use crate::tui::model::Shown;
 use crate::tui::task::Task;
+use crate::tui::work::brief;
 
 /// The name under which the form stands in the list.
 pub const FORM: &str = "(the form)";
@@ -23,40 +25,34 @@ pub const MAX_MARKED: usize = 6;
 pub enum Column {
     /// The preset's name.
     Name,
-    /// What to believe of an injury.
-    Verdict(Injury),
-    /// One result.
+    /// One result; of what is believed of an injury the verdict stands there.
     Result(Quantity),
 }
 
 impl Column {
-    /// The value of an answer in this column, where it has one: of a verdict the middle of its range.
+    /// The value of an answer in this column, where it has one.
     pub fn of(self, answer: &Answer) -> Option<f64> {
         match self {
             Self::Name => None,
-            Self::Verdict(injury) => {
-                let (low, high) = verdict(answer, injury)?.range?;
-                Some(0.5 * (low + high))
-            }
             Self::Result(quantity) => answer.result(quantity),
         }
     }
 
-    /// Risks before what they are read off, and that before the rest.
+    /// Whether it holds what is believed of an injury.
+    fn is_believed(self) -> bool {
+        matches!(self, Self::Result(of) if matches!(of.row().read, Read::Believed(_)))
+    }
+
+    /// What is believed before what that is read off, then other risks and the rest.
     fn rank(self) -> u8 {
         match self {
-            Self::Name | Self::Verdict(_) => 0,
+            Self::Name => 0,
+            _ if self.is_believed() => 0,
             Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
             Self::Result(quantity) if quantity.is_risk() => 2,
             Self::Result(_) => 3,
         }
     }
-}
-
-/// What to believe of an injury after a blow.
-pub fn verdict(answer: &Answer, injury: Injury) -> Option<Verdict> {
-    let mut verdicts = answer.verdicts().into_iter();
-    verdicts.find(|verdict| verdict.injury == injury)
 }
 
 /// What stands at the same time in all replays and curves.
@@ -250,12 +246,8 @@ impl Comparison {
         let answers = || self.entries.iter().filter_map(Entry::answer);
         let none = answers().next().is_none();
         let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
-        let verdicts = Injury::ALL.into_iter().map(Column::Verdict);
-        // The first curve of a verdict says no more than its range.
-        let own = |of: &&Quantity| !matches!(of.row().read, Read::Believed(_));
-        let results = Quantity::ALL.iter().filter(own);
-        let results = results.map(|of| Column::Result(*of));
-        let mut columns: Vec<Column> = verdicts.chain(results).filter(there).collect();
+        let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
+        let mut columns: Vec<Column> = results.filter(there).collect();
         columns.sort_by_key(|column| column.rank());
         columns.insert(0, Column::Name);
         columns
@@ -279,7 +271,7 @@ impl Comparison {
     /// The column that sorts the table: by itself the risk of the gravest injury, where there is one.
     pub fn sorting(&self) -> Option<(Column, bool)> {
         let first = self.columns().into_iter().nth(1);
-        let risk = first.filter(|column| matches!(column, Column::Verdict(_)));
+        let risk = first.filter(|column| column.is_believed());
         self.sort.or(risk.map(|column| (column, true)))
     }
 
@@ -291,15 +283,29 @@ impl Comparison {
         };
         entries.sort_by(|a, b| {
             let value = |entry: &Entry| column.of(entry.answer()?);
-            let order = match (column, value(a), value(b)) {
-                (Column::Name, ..) => a.name.cmp(&b.name),
-                (_, Some(a), Some(b)) => a.total_cmp(&b),
-                // What has no value comes last either way.
-                (_, a, b) => return b.is_some().cmp(&a.is_some()),
-            };
-            if largest { order.reverse() } else { order }
+            match column {
+                Column::Name if largest => b.name.cmp(&a.name),
+                Column::Name => a.name.cmp(&b.name),
+                Column::Result(_) => order(value(a), value(b), largest),
+            }
         });
         entries
+    }
+
+    /// That a risk rests on one measure here and on another there, if so: of the column with the cursor, of the
+    /// one that sorts, or of the first of `shown`.
+    pub fn mixed(&self, shown: &[Column]) -> Option<String> {
+        let answers = self.entries.iter();
+        let answers = answers.filter_map(|entry| Some((brief(&entry.name), entry.answer()?)));
+        let answers: Vec<(&str, &Answer)> = answers.collect();
+        let sorting = self.sorting().map(|(column, _)| column);
+        let first = std::iter::once(self.here()).chain(sorting);
+        let columns = first.chain(shown.iter().copied());
+        let mut notes = columns.filter_map(|column| match column {
+            Column::Name => None,
+            Column::Result(of) => report::verdict::mixed(&answers, of),
+        });
+        notes.next()
     }
 
     /// The curve below the table: by itself the pressure, where there is one.
@@ -394,7 +400,7 @@ mod tests {
             let answer = solve(&checked, keep, &mut unwatched).unwrap();
             comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
         }
-        let rupture = Column::Verdict(Injury::GlobeRupture);
+        let rupture = Column::Result(Quantity::GlobeRupture);
         assert_eq!(comparison.columns()[1], rupture);
         assert_eq!(comparison.sorting(), Some((rupture, true)));
         assert_eq!(order(&comparison), ["bb-62", "foam-dart"]);

@@ -152,16 +152,26 @@ const CHART: u16 = 5;
 fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     heading(model, area, &marked(model), buffer);
     let count = model.screens.compare.entries.len() as u16;
-    let room = area.height.saturating_sub(1);
+    let numbers = columns(model, area);
+    let shown: Vec<Column> = numbers.iter().map(|(column, _)| *column).collect();
+    let note = model.screens.compare.mixed(&shown);
+    let room = area.height.saturating_sub(1 + u16::from(note.is_some()));
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
     let table_area = Rect::new(area.x, area.y + 1, area.width, rows);
-    table(model, each, table_area, buffer);
+    table(model, each, &numbers, table_area, buffer);
+    let mut next = 1 + rows;
+    if let Some(note) = note {
+        let theme = Theme::of(model.look);
+        let note = fitted(&note, usize::from(area.width.saturating_sub(2)));
+        put(buffer, area, (1, next), &note, theme.warning());
+        next += 1;
+    }
     let below = room - rows;
     if below >= CHART {
-        let place = Rect::new(area.x, area.y + 1 + rows, area.width, below);
+        let place = Rect::new(area.x, area.y + next, area.width, below);
         overlaid(model, model.screens.compare.curve(), place, buffer);
     }
 }
@@ -169,7 +179,6 @@ fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
 fn title(column: Column) -> (&'static str, &'static str) {
     match column {
         Column::Name => ("preset", ""),
-        Column::Verdict(injury) => (injury.word(), "risk, %"),
         Column::Result(quantity) => (quantity.row().short, quantity.row().unit),
     }
 }
@@ -190,12 +199,11 @@ fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
     shown.map(|(i, column)| (column, right(i))).collect()
 }
 
-fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
+fn table(model: &Model, each: u16, numbers: &[(Column, u16)], area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let compare = &model.screens.compare;
     let focused = model.has_focus(TABLE);
-    let numbers = columns(model, area);
-    for &(column, right) in std::iter::once(&(Column::Name, 0)).chain(&numbers) {
+    for &(column, right) in std::iter::once(&(Column::Name, 0)).chain(numbers) {
         let (name, unit) = title(column);
         let sign = match compare.sorting() {
             Some((by, true)) if by == column => "▾",
@@ -227,7 +235,7 @@ fn table(model: &Model, each: u16, area: Rect, buffer: &mut Buffer) {
             height: each,
             ..area
         };
-        row(model, entry, (at.unwrap_or(0), &numbers), place, buffer);
+        row(model, entry, (at.unwrap_or(0), numbers), place, buffer);
     }
 }
 
