@@ -102,6 +102,23 @@ fn a_risk_that_means_nothing_here_is_said_to_and_comes_last() {
 }
 
 #[test]
+fn what_is_believed_of_a_rupture_leads_and_stands_beside_the_score() {
+    let mut model = model(&["bb-62"], Depth::Mono);
+    open_sampled(&mut model);
+    for size in SIZES {
+        let text = picture(&model, size);
+        assert!(text.contains("▸globe rupture"), "{text}");
+    }
+    press(&mut model, "\x1b1");
+    for size in SIZES {
+        let text = picture(&model, size);
+        let band = text.split("inputs").nth(1).unwrap();
+        let band = band.trim_start_matches(" unknown");
+        assert!(band.starts_with(": globe rupture "), "{text}");
+    }
+}
+
+#[test]
 fn numbers_of_any_length_stand_apart() {
     let mut model = model(&[], Depth::Mono);
     open_changed(&mut model, |ensemble| {

@@ -7,6 +7,7 @@ use crate::injury::Verdict;
 use crate::report::verdict::is_void;
 use crate::study::Quantity;
 use crate::study::ensemble::Ensemble;
+use crate::study::quantity::Read;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -45,10 +46,12 @@ const STOPPED_KEYS: KeyTable = KeyTable {
     counts: |model| model.ensemble.complaint(&model.work.scenario).is_some(),
 };
 
-/// The results that have bands, the risks first, which are the answer, and those last that mean nothing here.
+/// The results that have bands: first the risks that are believed, the gravest first, which are the answer, then
+/// other risks, and last what means nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    results.sort_by_key(|of| (is_void(verdicts, *of), !of.is_risk()));
+    let believed = |of: Quantity| matches!(of.row().read, Read::Believed(_));
+    results.sort_by_key(|of| (is_void(verdicts, *of), !believed(*of), !of.is_risk()));
     results
 }
 

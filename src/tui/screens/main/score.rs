@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::injury::{Injury, Term, Verdict, lines};
+use crate::injury::{Injury, Term, Verdict, lines, span};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::limit::alone;
 use crate::study::{Flag, Quantity};
@@ -219,18 +219,24 @@ fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Bu
     }
 }
 
-/// Between what nine in ten samples of the inputs have the index, the longest words first. Where the band holds
-/// fewer than were asked for, or folded ones, it says so, or bears a star that the screen of its own explains.
+/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the longest words
+/// first. Where the band holds fewer than were asked for, or folded ones, it says so, or bears a star that the screen of its own explains.
 fn bands(model: &Model, shown: &Shown) -> Vec<String> {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "to come" } else { "off" };
         return vec![format!("inputs unknown: {waiting}")];
     };
-    let Some(band) = ensemble.band(Quantity::Damage) else {
+    let rupture = Quantity::GlobeRupture;
+    let believed = shown.answer.result(rupture);
+    let within = if let Some(band) = believed.and_then(|_| ensemble.band(rupture)) {
+        let range = span((band.low / 100.0, band.high / 100.0));
+        format!("{} {range}", rupture.row().label)
+    } else if let Some(band) = ensemble.band(Quantity::Damage) {
+        let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
+        format!("{} to {}", end(band.low), end(band.high))
+    } else {
         return vec!["inputs unknown: no band".to_owned()];
     };
-    let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
-    let span = format!("{} to {}", end(band.low), end(band.high));
     let (held, folded) = (ensemble.valid().count(), ensemble.folded());
     let (mark, reason) = if held < ensemble.asked as usize {
         ("*", format!("{held} of {}", ensemble.asked))
@@ -240,10 +246,10 @@ fn bands(model: &Model, shown: &Shown) -> Vec<String> {
         ("", held.to_string())
     };
     vec![
-        format!("inputs unknown: {span} (90 % of {reason})"),
-        format!("inputs unknown: {span}{mark} (90 %)"),
-        format!("inputs unknown: {span}{mark}"),
-        format!("inputs: {span}{mark}"),
+        format!("inputs unknown: {within} (90 % of {reason})"),
+        format!("inputs unknown: {within}{mark} (90 %)"),
+        format!("inputs unknown: {within}{mark}"),
+        format!("inputs: {within}{mark}"),
     ]
 }
 
