@@ -79,6 +79,8 @@ pub struct Verdict {
     pub range: Option<(f64, f64)>,
     /// Whether a measure ends with the run while it may still grow.
     pub at_least: bool,
+    /// Whether the run ended while pressure or stress may still grow.
+    cut: bool,
     /// Whether it rests on energy that knows too little here, so that the range was widened.
     pub alone: bool,
     /// Why there is no range, and what to do; empty where there is one.
@@ -212,11 +214,18 @@ struct Other {
     measure: &'static str,
     risk: f64,
     why: &'static str,
+    /// Whether the run ended while its measure may still grow.
+    at_least: bool,
 }
 
 impl Other {
     fn said(&self) -> String {
-        format!("by {} {}", self.measure, whole(self.risk))
+        let risk = if self.at_least {
+            format!("{AT_LEAST} {} %", (100.0 * self.risk).floor())
+        } else {
+            whole(self.risk)
+        };
+        format!("by {} {risk}", self.measure)
     }
 }
 
@@ -247,6 +256,7 @@ impl Verdict {
             parts,
             range: None,
             at_least: false,
+            cut: validity.cut,
             alone: first.is_some_and(|first| knows_too_little(&first, validity)),
             silence: String::new(),
         };
@@ -296,7 +306,10 @@ impl Verdict {
                 .to_owned();
         }
         let mut reasons = self.not_valid();
-        reasons.extend((!validity.next.is_empty()).then(|| validity.next.to_owned()));
+        // What mends a run helps where a curve runs against something computed.
+        let computed = |c: &Curve| c.injury == self.injury && is_computed(c.measure);
+        let helps = !validity.next.is_empty() && CURVES.iter().any(computed);
+        reasons.extend(helps.then(|| validity.next.to_owned()));
         format!("no measure is usable: {}", reasons.join("; "))
     }
 
@@ -376,6 +389,7 @@ impl Verdict {
                 measure: risk.curve.measure.short(),
                 risk: risk.risk,
                 why,
+                at_least: self.cut && is_computed(risk.curve.measure),
             }),
             _ => None,
         })

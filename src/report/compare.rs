@@ -8,13 +8,13 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use super::figure::{CUT, Figure};
-use super::json::at_least;
+use super::json::cut;
 use super::text::{WIDTH, paragraph, percent};
 use super::verdict::{mixed, range};
 use crate::injury::{Blow, Caution, lines};
 use crate::plain_text::printable;
 use crate::study::comparison::Entry;
-use crate::study::{Answer, Quantity};
+use crate::study::{Answer, Cut, Quantity};
 
 /// Narrowest column of a result.
 const NARROWEST: usize = 8;
@@ -95,7 +95,7 @@ impl Table {
             Some((entry.source.as_str(), answer))
         });
         let answers: Vec<(&str, &Answer)> = answers.collect();
-        let cut = |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.at_least(*of));
+        let cut = |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
         let mixed = columns.iter().filter_map(|of| mixed(&answers, *of));
         Self {
@@ -193,7 +193,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             format!("{key}_mesh_error_percent"),
         ]);
     }
-    head.extend(["at_least", "flags", "caution", "refused"].map(str::to_owned));
+    head.extend(["at_least", "not_final", "flags", "caution", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
     for entry in entries {
         // CSV has no escapes: a file name that a terminal would obey is written out.
@@ -207,7 +207,9 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             record.push(plain(errors.and_then(|errors| errors.time_step[of])));
             record.push(plain(errors.and_then(|errors| errors.mesh.as_ref()?[of])));
         }
-        record.push(answer.map_or_else(String::new, |answer| at_least(answer).join(" ")));
+        for how in [Cut::AtLeast, Cut::NotFinal] {
+            record.push(answer.map_or_else(String::new, |answer| cut(answer, how).join(" ")));
+        }
         let flags = answer.map_or(&[][..], |answer| &answer.flags);
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));

@@ -177,11 +177,14 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
             "Step error: not checked, as no sample kept its mesh whole"
         )?;
     } else {
+        let worst = match checks.first {
+            Some(error) => format!("at the common step {}", percent(error)),
+            None => percent(checks.last),
+        };
         writeln!(
             out,
-            "Step error: {} samples set beside twice as many steps; worst at the common step {}",
+            "Step error: {} samples set beside twice as many steps; worst {worst}",
             checks.count,
-            percent(checks.first)
         )?;
     }
     if checks.refined > 0 {
@@ -288,7 +291,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "checked": checks.count,
             "refined": checks.refined,
             "above_promise_after_pilot": checks.missed,
-            "worst_at_the_common_step_percent": (checks.count > 0).then_some(checks.first),
+            "worst_at_the_common_step_percent": checks.first,
             "worst_percent": (checks.count > 0).then_some(checks.last),
             "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },

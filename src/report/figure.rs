@@ -11,7 +11,7 @@ use super::text::{digits, percent, significant};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::study::course::{Beside, Course, Group};
 use crate::study::quantity::Read;
-use crate::study::{Answer, Errors, Quantity};
+use crate::study::{Answer, Cut, Errors, Quantity};
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -85,12 +85,22 @@ pub struct Figure {
     pub unit: &'static str,
     /// How far it may be off.
     pub off: Off,
-    /// Whether the run ended while it may still grow.
-    pub at_least: bool,
+    /// What the end of the run means for it, if it came too early.
+    pub cut: Option<Cut>,
 }
 
-/// What the sign of [`Figure::cell`] means.
-pub const CUT: &str = "≥: at least; it may still grow after the run (a longer window_ms tells)";
+/// What the signs of [`Figure::cell`] mean.
+pub const CUT: &str =
+    "≥: at least, ~: not final; the run ended too early (a longer window_ms tells)";
+
+/// What stands before a result that the run cut off, in words.
+pub fn cut_word(cut: Option<Cut>) -> &'static str {
+    match cut {
+        Some(Cut::AtLeast) => AT_LEAST,
+        Some(Cut::NotFinal) => "not final:",
+        None => "",
+    }
+}
 
 impl Figure {
     /// A result of an answer, if the scene has it.
@@ -104,23 +114,28 @@ impl Figure {
             _ if value.abs() < of.row().rounding => "0".to_owned(),
             _ => number(value, off),
         };
-        let at_least = answer.at_least(of);
+        let cut = answer.cut(of);
         Some(Self {
             // Of a risk that is less than so much, and may grow, nothing is known.
-            number: if at_least && number.starts_with('<') {
+            number: if cut.is_some() && number.starts_with('<') {
                 "0".to_owned()
             } else {
                 number
             },
             unit: of.row().unit,
             off,
-            at_least,
+            cut,
         })
     }
 
-    /// The number as a table shows it: a sign says that it is at least so large, see [`CUT`].
+    /// The number as a table shows it: a sign says what the end of the run means for it, see [`CUT`].
     pub fn cell(&self) -> String {
-        format!("{}{}", if self.at_least { "≥" } else { "" }, self.number)
+        let sign = match self.cut {
+            Some(Cut::AtLeast) => "≥",
+            Some(Cut::NotFinal) => "~",
+            None => "",
+        };
+        format!("{sign}{}", self.number)
     }
 
     /// The same with so many digits at most, for narrow places.
@@ -144,10 +159,9 @@ impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let error = self.off.to_string();
         let between = if error.is_empty() { "" } else { " " };
-        if self.at_least {
-            write!(f, "{AT_LEAST} ")?;
-        }
-        write!(f, "{}{between}{error}", self.bare())
+        let cut = cut_word(self.cut);
+        let space = if cut.is_empty() { "" } else { " " };
+        write!(f, "{cut}{space}{}{between}{error}", self.bare())
     }
 }
 
@@ -334,15 +348,19 @@ mod tests {
         let off = Off::of(&errors, front);
         let number = within(72.93, off.percent());
         let unit = "N";
-        let figure = |at_least| Figure {
+        let figure = |cut| Figure {
             number: number.clone(),
             unit,
             off,
-            at_least,
+            cut,
         };
-        assert_eq!(figure(false).to_string(), "73 N ±119 %");
-        assert_eq!(figure(true).to_string(), "at least 73 N ±119 %");
-        assert_eq!(figure(true).cell(), "≥73");
+        assert_eq!(figure(None).to_string(), "73 N ±119 %");
+        assert_eq!(
+            figure(Some(Cut::AtLeast)).to_string(),
+            "at least 73 N ±119 %"
+        );
+        assert_eq!(figure(Some(Cut::AtLeast)).cell(), "≥73");
+        assert_eq!(figure(Some(Cut::NotFinal)).cell(), "~73");
         assert_eq!(causes(&errors), "step and mesh");
     }
 }

@@ -12,7 +12,7 @@ use crate::eye::Monitor;
 use crate::recording::{Extremes, Fold, MEAN_S, ShotExtremes};
 use crate::scenario::Scenario;
 use crate::study::{
-    Answer, Case, Compiled, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
+    Answer, Case, Compiled, Cut, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
 };
 use serde_json::{Map, Value, json};
 
@@ -102,10 +102,12 @@ pub(super) fn evaluations(element: Element) -> String {
     format!("{}_evaluations", element.singular())
 }
 
-/// The keys of the results that are at least so large, since the run ended while they may still grow.
-pub(super) fn at_least(answer: &Answer) -> Vec<&'static str> {
+/// The keys of the results that the end of the run cut off in this way.
+pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
     let present = answer.results();
-    let present = present.present().filter(|(of, _)| answer.at_least(*of));
+    let present = present
+        .present()
+        .filter(|(of, _)| answer.cut(*of) == Some(how));
     present.map(|(of, _)| of.key()).collect()
 }
 
@@ -115,7 +117,8 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
     let mut object = json!({
         "scenario": scenario,
         "results": by_result(&answer.results()),
-        "at_least": at_least(answer),
+        "at_least": cut(answer, Cut::AtLeast),
+        "not_final": cut(answer, Cut::NotFinal),
         "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.level(),

@@ -53,7 +53,7 @@ pub(super) fn beside(
             Some(on) => {
                 rebound.number = on.to_owned();
                 // What still goes on slows down.
-                rebound.at_least = false;
+                rebound.cut = None;
                 "Goes on at"
             }
             None => "Rebound speed",

@@ -142,7 +142,7 @@ fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::
 /// A row of a result: its name, the figure, and what else is to be said.
 pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
     let line = format!(
-        "{name:<19}{:>9} {:<3} {:<8} {more}",
+        "{name:<19} {:>8} {:<3} {:<8} {more}",
         figure.cell(),
         figure.unit,
         figure.off.to_string()
@@ -181,7 +181,7 @@ fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         None => "",
     };
     writeln!(out, "±: {}{unknown}", causes(&answer.errors))?;
-    if Quantity::ALL.iter().any(|of| answer.at_least(*of)) {
+    if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
         writeln!(out, "{CUT}")?;
     }
     Ok(())
@@ -326,7 +326,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
 fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     let said = |of: &Results| {
         let (damage, worst) = (errors::of_damage(of), errors::worst(of));
-        format!("damage index {damage}, worst {worst}")
+        format!("damage index {damage}, worst leading result {worst}")
     };
     writeln!(out, "\nStep error: {}", said(&of.time_step))?;
     let mesh = of.mesh.as_ref();

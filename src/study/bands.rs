@@ -36,8 +36,8 @@ pub struct Checks {
     pub refined: usize,
     /// How many of those after the pilot, whose step was what the unchecked ones take.
     pub missed: usize,
-    /// Largest error at the step tried first, after the pilot, in %.
-    pub first: f64,
+    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked there.
+    pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,
 }
@@ -154,7 +154,7 @@ impl Ensemble {
             checks.refined += usize::from(refined);
             if index >= PILOT as usize {
                 checks.missed += usize::from(refined);
-                checks.first = checks.first.max(check.first);
+                checks.first = Some(checks.first.unwrap_or(0.0).max(check.first));
             }
             checks.last = checks.last.max(check.last);
         }

@@ -58,7 +58,7 @@ pub use mesh_error::{
 pub use quantity::Quantity;
 pub use results::{PerQuantity, Results};
 pub use revolution::RevolutionCase;
-pub use solve::{Answer, Errors, solve};
+pub use solve::{Answer, Cut, Errors, solve};
 #[doc(hidden)]
 /// What an ensemble of a scenario draws: for who makes one up, as tests of pictures do.
 #[doc(hidden)]

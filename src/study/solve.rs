@@ -68,6 +68,15 @@ impl Errors {
     }
 }
 
+/// What a run that ended too early says of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cut {
+    /// It may still grow, and never falls.
+    AtLeast,
+    /// It may still grow or fall.
+    NotFinal,
+}
+
 /// A scenario's answer.
 #[derive(Debug, Clone)]
 pub struct Answer {
@@ -183,14 +192,14 @@ impl Answer {
         }
     }
 
-    /// Whether the run ended while a result may still grow, which is then at least so large.
-    pub fn at_least(&self, of: Quantity) -> bool {
+    /// What the end of the run means for a result, if it came too early for it.
+    pub fn cut(&self, of: Quantity) -> Option<Cut> {
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
-        let Some(of) = self.rests_on(of) else {
-            return false;
-        };
+        let of = self.rests_on(of)?;
         if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
-            return true;
+            // What goes back gives energy back, of which the index holds a share.
+            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
+            return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);
@@ -201,7 +210,12 @@ impl Answer {
             Quantity::Damage => late(Quantity::ShellGrowth) || late(Quantity::MeridianGrowth),
             of => late(of),
         };
-        grows && has(&[FlagKind::WindowShort])
+        (grows && has(&[FlagKind::WindowShort])).then_some(Cut::AtLeast)
+    }
+
+    /// Whether the run ended while a result may still grow, which is then at least so large.
+    pub fn at_least(&self, of: Quantity) -> bool {
+        self.cut(of) == Some(Cut::AtLeast)
     }
 }
 
@@ -429,6 +443,9 @@ mod tests {
         assert!(Quantity::ALL.iter().all(none));
         assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::RuptureByStress));
         assert!(!cut.at_least(Quantity::RuptureByEnergy));
+        // What bounces takes energy along.
+        assert_eq!(cut.cut(Quantity::Energy), Some(Cut::NotFinal));
+        assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
         assert!(cut.verdicts()[0].at_least && !whole.verdicts()[0].at_least);
         // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
         let paper = of(0.21, "paper-300n");

@@ -20,6 +20,10 @@ pub struct Spoiled {
 
 /// Of a run with these flags; `paper` says whether it is of the Paper model.
 pub(super) fn spoiled(flags: &[Flag], paper: bool) -> Option<Spoiled> {
+    // An eye that nothing touched rests, whatever becomes of the object.
+    if flags.iter().any(|flag| flag.kind == FlagKind::EyeMissed) {
+        return None;
+    }
     flags.iter().find_map(|flag| {
         let name = flag.kind.name().replace('_', " ");
         let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3));

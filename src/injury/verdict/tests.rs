@@ -216,6 +216,7 @@ fn a_word_covers_the_range_as_it_is_printed() {
         parts: Vec::new(),
         range: Some((low, high)),
         at_least: false,
+        cut: false,
         alone: false,
         silence: String::new(),
     };

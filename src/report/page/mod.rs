@@ -14,10 +14,10 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::injury::{AT_LEAST, Verdict, lines};
+use crate::injury::{Verdict, lines};
 use crate::plain_text::printable;
 use crate::recording::{Keep, Spacing};
-use crate::report::figure::Figure;
+use crate::report::figure::{Figure, cut_word};
 use crate::report::text::{capital, percent};
 use crate::report::verdict::{VOID, is_void, range};
 use crate::scenario::Scenario;
@@ -173,8 +173,7 @@ fn rows(answer: &Answer) -> Vec<Row> {
 /// A value in words, with as many digits as its errors allow.
 fn value(answer: &Answer, of: Quantity) -> String {
     Figure::of(answer, of).map_or_else(String::new, |figure| {
-        let least = if figure.at_least { AT_LEAST } else { "" };
-        format!("{least} {}", figure.number).trim_start().to_owned()
+        format!("{} {}", cut_word(figure.cut), figure.number).trim_start().to_owned()
     })
 }
 

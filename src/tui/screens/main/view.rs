@@ -351,7 +351,7 @@ mod tests {
                     number: number.to_owned(),
                     unit: quantity.row().unit,
                     off: Off::Both(error),
-                    at_least: false,
+                    cut: None,
                 };
                 let peak = Peak {
                     value: 1.0,
