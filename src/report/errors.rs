@@ -17,6 +17,14 @@ pub fn worst(errors: &Results) -> String {
     )
 }
 
+/// The largest error of all and of which result, where that does not lead and is farther off than those that do.
+pub fn beside(errors: &Results) -> Option<String> {
+    let larger = |a: &(Quantity, f64), b: &(Quantity, f64)| a.1.total_cmp(&b.1);
+    let (of, error) = errors.present().max_by(larger)?;
+    let lead = errors.worst()?.1;
+    (error > lead).then(|| format!("{} ({})", percent(error), of.label()))
+}
+
 /// The results that lead, by their short names.
 pub fn leading(errors: &Results) -> String {
     let names: Vec<&str> = errors.leading().map(|(of, _)| of.row().short).collect();
@@ -38,6 +46,9 @@ mod tests {
         errors[Quantity::Contact] = Some(1.0);
         assert_eq!(worst(&errors), "1.0 % (contact force)");
         assert_eq!(leading(&errors), "index, contact");
+        assert_eq!(beside(&errors).unwrap(), "2.0 % (peak force, top)");
+        errors[Quantity::Contact] = Some(3.0);
+        assert_eq!(beside(&errors), None);
         assert_eq!(of_damage(&errors), "0.50 %");
     }
 }

@@ -326,9 +326,12 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
 fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     let said = |of: &Results| {
         let (damage, worst) = (errors::of_damage(of), errors::worst(of));
-        format!("damage index {damage}, worst leading result {worst}")
+        format!("damage index {damage}, worst {worst}")
     };
     writeln!(out, "\nStep error: {}", said(&of.time_step))?;
+    if let Some(beside) = errors::beside(&of.time_step) {
+        writeln!(out, "  beside the leading results up to {beside}")?;
+    }
     let mesh = of.mesh.as_ref();
     let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
     writeln!(out, "Mesh error: {mesh}")
