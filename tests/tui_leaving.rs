@@ -155,6 +155,8 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
     term.wait_for("310 N");
     term.keys(RIGHT);
     term.wait_for("320 N");
+    // The terminal's answer to the last frame would else come to the shell, as keys.
+    term.settle();
     // A stop from outside leaves no time to tidy up, but going on does.
     let app = children(term.pid());
     support::signal("STOP", app[0]);
