@@ -95,7 +95,8 @@ impl Table {
             Some((entry.source.as_str(), answer))
         });
         let answers: Vec<(&str, &Answer)> = answers.collect();
-        let cut = |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
+        let cut =
+            |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
         let mixed = columns.iter().filter_map(|of| mixed(&answers, *of));
         Self {

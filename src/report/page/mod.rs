@@ -173,7 +173,9 @@ fn rows(answer: &Answer) -> Vec<Row> {
 /// A value in words, with as many digits as its errors allow.
 fn value(answer: &Answer, of: Quantity) -> String {
     Figure::of(answer, of).map_or_else(String::new, |figure| {
-        format!("{} {}", cut_word(figure.cut), figure.number).trim_start().to_owned()
+        format!("{} {}", cut_word(figure.cut), figure.number)
+            .trim_start()
+            .to_owned()
     })
 }
 
