@@ -448,7 +448,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(shot, shot_mut, mass_g))),
     field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(shot, shot_mut, diameter_mm))),
     field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, 500.0, 1.0, 10.0), within!(shot, shot_mut, speed_m_s))),
-    field("impact.angle_deg", "Angle", "deg", "0 from the front, above 0 from above, below 0 from below", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field("impact.angle_deg", "Angle", "deg", "0 from the front, above 0 from above; an object is trusted to 40", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
     field("impact.offset_mm", "Offset of the path", "mm", "How far its path passes beside the middle; above 0 is up", Number(b(-100.0, 100.0, 0.1, 1.0), within!(shot, shot_mut, offset_mm))),
     field("impact.stiffness", "Its stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(shot, shot_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
