@@ -2,12 +2,13 @@
 //!
 //! `cargo bench --bench revolution` prints the fastest of many interleaved rounds and their ratios.
 
-use contrecoup::dynamics::Keep;
-use contrecoup::dynamics::revolution::{
-    Blow, Form, Object, Outline, Run, STEP_SHARE, Surface, run_as,
-};
-use contrecoup::dynamics::vector_sets;
-use contrecoup::eye::revolution::{Parameters, RevolutionEye};
+use contrecoup::models::axisymmetric::eye::RevolutionEye;
+use contrecoup::models::axisymmetric::eye::parameters::Parameters;
+use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
+use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::time::run::{Blow, Form, STEP_SHARE, run_as};
+use contrecoup::models::paper::forces::kernel::vector_sets;
+use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 use std::time::Instant;

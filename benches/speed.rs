@@ -3,15 +3,21 @@
 //! `cargo bench` prints the fastest of many interleaved rounds, which other work on the machine
 //! disturbs least, and the ratios between them; at the end a table of the targets.
 
-use contrecoup::dynamics::plain::Plain;
-use contrecoup::dynamics::{
-    Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, State, Survey, System, kernel_name, march,
-    vector_sets, vectors_name,
+use contrecoup::answer::solve::solve;
+use contrecoup::many::batch::{solve_all, solve_one};
+use contrecoup::many::statistics::median;
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::forces::kernel::{
+    Survey, name as kernel_name, vector_sets, vectors_name,
 };
-use contrecoup::recording::Keep;
+use contrecoup::models::paper::forces::load::Piece;
+use contrecoup::models::paper::forces::plain::Plain;
+use contrecoup::models::paper::forces::state::State;
+use contrecoup::models::paper::forces::system::System;
+use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::run::kept::Keep;
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
-use contrecoup::study::batch::{solve_all, solve_one};
-use contrecoup::study::{Case, median, solve, unwatched};
 use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;

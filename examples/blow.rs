@@ -4,9 +4,11 @@
 //! or the path of a scenario file.
 
 use contrecoup::Error;
-use contrecoup::recording::Keep;
+use contrecoup::answer::mesh_error::add_mesh_error;
+use contrecoup::answer::solve::solve;
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::library;
-use contrecoup::study::{add_mesh_error, solve, unwatched};
 
 fn main() -> Result<(), Error> {
     let asked = std::env::args().nth(1);

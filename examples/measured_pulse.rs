@@ -5,9 +5,11 @@
 //! from the start of the blow, and force in N.
 
 use contrecoup::Error;
-use contrecoup::recording::Keep;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::solve;
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Scenario};
-use contrecoup::study::{Quantity, solve, unwatched};
 
 const OWN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/measured_pulse.csv");
 

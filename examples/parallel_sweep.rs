@@ -3,9 +3,11 @@
 //! Every run is deterministic, so the table is the same on any number of threads.
 
 use contrecoup::Error;
-use contrecoup::recording::Keep;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::solve;
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{ForcePulse, Impact, Scenario};
-use contrecoup::study::{Quantity, solve, unwatched};
 use rayon::prelude::*;
 
 /// Damage index and its step error, both in % and `None` where a scene has no such result, and

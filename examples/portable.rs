@@ -4,9 +4,9 @@
 //! difference between two machines is how their C libraries round sines; `.ci/elsewhere` compares.
 
 use contrecoup::Error;
-use contrecoup::recording::Keep;
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::library;
-use contrecoup::study::{Case, unwatched};
 
 fn main() -> Result<(), Error> {
     let asked = std::env::args().nth(1);

@@ -2,9 +2,9 @@
 
 use std::io;
 
+use crate::models::paper::case::Refusal;
 use crate::scenario::CurveError;
 use crate::scenario::problem::ScenarioError;
-use crate::study::Refusal;
 
 /// Whatever can go wrong from the text of a scenario to a written file. Each is displayed as it stands,
 /// ready to be shown to a person.

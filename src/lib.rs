@@ -36,26 +36,27 @@
 //!
 //! Research and education, not diagnosis.
 
+pub mod answer;
 #[cfg(feature = "app")]
 #[doc(hidden)]
 pub mod cli;
-pub mod dynamics;
 mod error;
-pub mod eye;
 mod files;
 pub mod guide;
 pub mod injury;
+pub mod many;
+pub mod models;
 mod normal;
 mod plain_text;
-pub mod recording;
 #[cfg(feature = "app")]
 mod report;
+pub mod run;
 pub mod scenario;
-pub mod study;
 #[cfg(feature = "app")]
 #[doc(hidden)]
 pub mod tui;
+pub mod verify;
 #[cfg(feature = "app")]
 mod whole_file;
 
-pub use error::Error;
+pub use crate::error::Error;

@@ -6,8 +6,9 @@
 
 #![cfg(feature = "app")]
 
-use contrecoup::study::coverage::{Drawn, MAX_SCENES, check, coverage, misses};
-use contrecoup::study::{Quantity, Refusal};
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::models::paper::case::Refusal;
+use contrecoup::verify::coverage::{Drawn, MAX_SCENES, check, coverage, misses};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
@@ -76,7 +77,7 @@ fn the_number_of_threads_changes_no_bit() {
             .build()
             .unwrap()
             .install(|| check(Drawn::Pulses, 3, 7, &unwatched));
-        let bits = |c: contrecoup::study::coverage::Checked| {
+        let bits = |c: contrecoup::verify::coverage::Checked| {
             let numbers = c.claimed.present().chain(c.truth.present());
             let bits: Vec<u64> = numbers.map(|(_, number)| number.to_bits()).collect();
             (c.index, bits, c.folded)

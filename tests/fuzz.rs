@@ -13,14 +13,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use contrecoup::recording::Keep;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::fields::{FIELDS, Kind};
 use contrecoup::scenario::load::{parse, to_ron};
 
+use contrecoup::answer::solve::solve;
+use contrecoup::many::sweep::{Axis, MAX_ROWS, Sweep};
+use contrecoup::models::paper::case::Refusal;
 use contrecoup::scenario::set::{full_path, set};
 use contrecoup::scenario::{Scenario, ScenarioError, library};
-use contrecoup::study::sweep::{Axis, MAX_ROWS, Sweep};
-use contrecoup::study::{Refusal, solve};
 use contrecoup::tui::config::Config;
 use contrecoup::tui::model::{Look, Model};
 use contrecoup::tui::prepare;

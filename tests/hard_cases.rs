@@ -5,8 +5,9 @@
 #![cfg(feature = "app")]
 
 use assert_cmd::Command;
-use contrecoup::study::FlagKind;
-use contrecoup::study::hard_cases::{self, Verdict};
+use contrecoup::run::flags::FlagKind;
+use contrecoup::verify::hard_cases;
+use contrecoup::verify::hard_cases::Verdict;
 use serde_json::Value;
 
 #[test]

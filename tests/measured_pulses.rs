@@ -7,11 +7,13 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use contrecoup::recording::Keep;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::{Answer, solve};
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Scenario};
-use contrecoup::study::{Answer, Quantity, solve, unwatched};
 
 /// 300 N over 0.2 ms in the given shape.
 fn blow(shape: PulseShape) -> Scenario {

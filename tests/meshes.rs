@@ -4,10 +4,10 @@
 //! It took the share of a spring that lies in the lens from samples, so its lens differs a little.
 
 use contrecoup::injury::DamageIndex;
-use contrecoup::recording::Keep;
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::load::parse;
 use contrecoup::scenario::{ForcePulse, Impact, Lens, PulseShape, Scenario};
-use contrecoup::study::{Case, unwatched};
 
 fn pulse(force_n: f64, duration_ms: f64) -> ForcePulse {
     ForcePulse {

@@ -1,9 +1,10 @@
 //! The objects of the library at the eye of revolution, beside what is reported of them.
 
-use contrecoup::dynamics::revolution::{Extremes, STEP_SHARE, run};
-use contrecoup::recording::Keep;
+use contrecoup::models::axisymmetric::case::RevolutionCase;
+use contrecoup::models::axisymmetric::recording::results::Extremes;
+use contrecoup::models::axisymmetric::time::run::{STEP_SHARE, run};
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{CheckedScenario, Impact, Model, Surface, library};
-use contrecoup::study::RevolutionCase;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 

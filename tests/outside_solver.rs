@@ -5,12 +5,17 @@
 //! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
-use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Observer, Plan, State, System, march};
-use contrecoup::dynamics::{Piece, Survey};
-use contrecoup::eye::{Eye, Region};
-use contrecoup::recording::Keep;
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::eye::Eye;
+use contrecoup::models::paper::eye::mesh::Region;
+use contrecoup::models::paper::forces::kernel::Survey;
+use contrecoup::models::paper::forces::load::Piece;
+use contrecoup::models::paper::forces::state::State;
+use contrecoup::models::paper::forces::system::System;
+use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::run::kept::Keep;
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};
-use contrecoup::study::{Case, unwatched};
 use differential_equations::prelude::*;
 use std::f64::consts::PI;
 

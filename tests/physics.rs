@@ -1,13 +1,19 @@
 //! Closed forms, conservation and convergence of the integrators.
 
-use contrecoup::dynamics::plain::Plain;
-use contrecoup::dynamics::{
-    ArcLoad, Integrator, LOCAL_TOLERANCE, Observer, Piece, Plan, Pulse, State, Survey, System,
-    march, stability,
-};
-use contrecoup::eye::{Eye, Landmarks, Node, Region, Spring, SpringKind};
+use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::eye::Eye;
+use contrecoup::models::paper::eye::landmarks::Landmarks;
+use contrecoup::models::paper::eye::mesh::{Node, Region};
+use contrecoup::models::paper::eye::springs::{Spring, SpringKind};
+use contrecoup::models::paper::forces::kernel::Survey;
+use contrecoup::models::paper::forces::load::{ArcLoad, Piece, Pulse};
+use contrecoup::models::paper::forces::plain::Plain;
+use contrecoup::models::paper::forces::state::State;
+use contrecoup::models::paper::forces::system::System;
+use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::models::paper::time::stability;
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{EyeInput, ForcePulse, PulseShape, Scenario};
-use contrecoup::study::Case;
 use nalgebra::{Point2, Vector2};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

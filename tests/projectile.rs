@@ -1,10 +1,19 @@
 //! Projectiles: contact against closed forms, balance, no tunnelling, honest errors.
 
-use contrecoup::dynamics::{Body, Contact, Observer, Piece, State, Survey, System, march};
-use contrecoup::recording::{Frame, Keep, ShotExtremes, Spacing};
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::{Answer, solve};
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::forces::contact::{Body, Contact};
+use contrecoup::models::paper::forces::kernel::Survey;
+use contrecoup::models::paper::forces::load::Piece;
+use contrecoup::models::paper::forces::state::State;
+use contrecoup::models::paper::forces::system::System;
+use contrecoup::models::paper::recording::shot::ShotExtremes;
+use contrecoup::models::paper::time::march::{Observer, march};
+use contrecoup::run::flags::FlagKind;
+use contrecoup::run::kept::{Frame, Keep, Spacing};
 use contrecoup::scenario::library;
 use contrecoup::scenario::{Impact, Model, Projectile, ProjectileStiffness, Scenario};
-use contrecoup::study::{Answer, Case, FlagKind, Quantity, solve, unwatched};
 use nalgebra::{Point2, Vector2};
 
 fn bb(speed_m_s: f64) -> Projectile {

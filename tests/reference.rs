@@ -1,10 +1,12 @@
 //! The results against an independent solution, stored: fourth-order Runge-Kutta in first-order
 //! form with a step of 50 ns, level 1, window 3 ms.
 
-use contrecoup::dynamics::Integrator;
-use contrecoup::recording::{Keep, Spacing};
+use contrecoup::answer::solve::{Answer, solve};
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::flags::FlagKind;
+use contrecoup::run::kept::{Keep, Spacing};
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{ForcePulse, Impact, PulseShape, Scenario};
-use contrecoup::study::{Answer, FlagKind, solve, unwatched};
 
 struct Row {
     force_n: f64,
@@ -184,7 +186,7 @@ fn a_mirrored_angle_gives_the_mirrored_result() {
 
 #[test]
 fn the_whole_eye_and_its_mirrored_half_agree() {
-    use contrecoup::study::Case;
+    use contrecoup::models::paper::case::Case;
     for level in 1..=2 {
         let mut scenario = Scenario::default();
         scenario.eye.level = level;
@@ -322,8 +324,8 @@ fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
 
 #[test]
 fn stopping_early_changes_no_result_in_random_scenes() {
-    use contrecoup::study::Case;
-    use contrecoup::study::coverage::Drawn;
+    use contrecoup::models::paper::case::Case;
+    use contrecoup::verify::coverage::Drawn;
     let mut stopped = [0, 0];
     // The second mesh has its own proof for the shell.
     for (index, level) in (0..40).map(|i| (i, 1)).chain((0..16).map(|i| (i, 2))) {

@@ -1,11 +1,15 @@
 //! What must hold of the body of revolution whatever its parameters are.
 
-use contrecoup::dynamics::revolution::{
-    BallSpring, Blow, Form, Object, Outline, Refusal, Run, STEP_SHARE, Steps, Surface, run, run_as,
-};
-use contrecoup::dynamics::{Integrator, Keep, Spacing};
-use contrecoup::eye::revolution::{Parameters, Region, RevolutionEye, ShellParameters, Surround};
 use contrecoup::injury::DamageIndex;
+use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
+use contrecoup::models::axisymmetric::eye::{Region, RevolutionEye};
+use contrecoup::models::axisymmetric::forces::object::{BallSpring, Object, Outline, Surface};
+use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::time::run::{
+    Blow, Form, Refusal, STEP_SHARE, Steps, run, run_as,
+};
+use contrecoup::run::kept::{Keep, Spacing};
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
 use std::ops::ControlFlow;
 
@@ -372,7 +376,7 @@ fn a_scene_is_computed_for_what_it_has_alone() {
         assert_eq!(run.cell_evaluations, cells * (run.steps + 1));
         (cells, run.contact_evaluations)
     };
-    let pulse = contrecoup::dynamics::Pulse::new(&ForcePulse::default());
+    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse::default());
     let pulse = Blow::Pulse(pulse, 20f64.to_radians());
     let shot = Blow::Object(ball(0.345, 4.5, 60.0));
     // A pulse meets nothing, and a free eye has nothing around it.
@@ -430,7 +434,7 @@ fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
 #[test]
 fn a_pulse_gives_the_eye_its_work_and_balances() {
     let eye = eye(1, Some(Surround::orbit()));
-    let pulse = contrecoup::dynamics::Pulse::new(&ForcePulse {
+    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse {
         force_n: 100.0,
         duration_ms: 0.2,
         ..ForcePulse::default()

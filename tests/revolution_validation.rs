@@ -1,8 +1,12 @@
 //! The body of revolution against published experiments, and against an independent prototype of it.
 
-use contrecoup::dynamics::Keep;
-use contrecoup::dynamics::revolution::{Blow, Object, Outline, Run, STEP_SHARE, Surface, run};
-use contrecoup::eye::revolution::{Layers, Parameters, RevolutionEye, ShellParameters, Surround};
+use contrecoup::models::axisymmetric::eye::RevolutionEye;
+use contrecoup::models::axisymmetric::eye::mesh::Layers;
+use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
+use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
+use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::time::run::{Blow, STEP_SHARE, run};
+use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {

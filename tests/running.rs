@@ -5,9 +5,11 @@
 mod common;
 
 use common::{json, program};
-use contrecoup::recording::Keep;
+use contrecoup::answer::solve::solve;
+use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::flags::FlagKind;
+use contrecoup::run::kept::Keep;
 use contrecoup::scenario::library;
-use contrecoup::study::{FlagKind, solve, unwatched};
 use predicates::prelude::*;
 use predicates::str::{contains, is_empty};
 use serde_json::Value;

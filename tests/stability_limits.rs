@@ -1,13 +1,22 @@
 //! The stated stability limits against the spectral radius of one step of a damped oscillator.
 
-use contrecoup::dynamics::{
-    ArcLoad, Drag, Integrator, Observer, Piece, Plan, Pulse, State, Survey, System, march,
-};
-use contrecoup::eye::{Eye, Landmarks, Node, Region, Spring, SpringKind};
-use contrecoup::recording::Keep;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::solve;
+use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::eye::Eye;
+use contrecoup::models::paper::eye::landmarks::Landmarks;
+use contrecoup::models::paper::eye::mesh::{Node, Region};
+use contrecoup::models::paper::eye::springs::{Spring, SpringKind};
+use contrecoup::models::paper::forces::kernel::Survey;
+use contrecoup::models::paper::forces::load::{ArcLoad, Piece, Pulse};
+use contrecoup::models::paper::forces::state::State;
+use contrecoup::models::paper::forces::system::System;
+use contrecoup::models::paper::time::march::{Observer, Plan, march};
+use contrecoup::models::paper::time::method::Drag;
+use contrecoup::run::kept::Keep;
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{ForcePulse, Scenario};
-use contrecoup::study::{Case, Quantity, solve, unwatched};
 use nalgebra::{Matrix2, Point2, Vector2};
 
 struct Nobody;

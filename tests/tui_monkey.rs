@@ -7,8 +7,9 @@ mod support;
 
 use std::time::Duration;
 
+use contrecoup::answer::solve::Answer;
+use contrecoup::models::paper::case::Refusal;
 use contrecoup::scenario::Scenario;
-use contrecoup::study::{Answer, Refusal};
 use contrecoup::tui::model::{Look, Model, Overlay};
 use contrecoup::tui::prepare;
 use contrecoup::tui::save::SaveError;

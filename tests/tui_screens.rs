@@ -9,9 +9,10 @@
 
 use std::time::Duration;
 
+use contrecoup::answer::solve::Answer;
+use contrecoup::many::threshold::{Crossing, Threshold};
+use contrecoup::models::paper::case::unwatched;
 use contrecoup::scenario::Scenario;
-use contrecoup::study::threshold::{Crossing, Threshold};
-use contrecoup::study::{Answer, unwatched};
 use contrecoup::tui::model::{Model, Overlay};
 use contrecoup::tui::picker::Picker;
 use contrecoup::tui::simulation::Simulate;

@@ -6,9 +6,9 @@ mod common;
 
 use common::json;
 use contrecoup::scenario::Physiological;
-use contrecoup::study::calibrate::{STEP, tried};
-use contrecoup::study::experiments::EXPERIMENTS;
-use contrecoup::study::validate::{MESHES, Row, validate};
+use contrecoup::verify::calibrate::{STEP, tried};
+use contrecoup::verify::experiments::EXPERIMENTS;
+use contrecoup::verify::validate::{MESHES, Row, validate};
 use serde_json::Value;
 use std::sync::OnceLock;
 

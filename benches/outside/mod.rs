@@ -1,6 +1,6 @@
 //! The plain loop in C, built by the compiler of the machine: what a user would write by hand.
 
-use contrecoup::study::Case;
+use contrecoup::models::paper::case::Case;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;

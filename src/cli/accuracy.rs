@@ -2,11 +2,11 @@
 
 use std::io::Write;
 
-use super::progress::Progress;
-use super::{AccuracyArgs, CliError};
+use crate::answer::accuracy::measure;
+use crate::cli::progress::Progress;
+use crate::cli::{AccuracyArgs, CliError};
 use crate::plain_text::write_json;
 use crate::report::accuracy;
-use crate::study::accuracy::measure;
 
 /// Measures every integrator and level and prints the report.
 ///

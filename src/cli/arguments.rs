@@ -8,9 +8,10 @@ use std::str::FromStr;
 
 use clap::Args;
 
-use super::CliError;
-use crate::dynamics::Integrator;
-use crate::plain_text::{self, printable, quoted};
+use crate::cli::CliError;
+use crate::plain_text;
+use crate::plain_text::{printable, quoted};
+use crate::scenario::Integrator;
 use crate::scenario::fields::LONGEST_NAME;
 use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;

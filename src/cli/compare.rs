@@ -3,15 +3,15 @@
 use std::io::Write;
 use std::sync::{Mutex, PoisonError};
 
-use super::ensemble::result;
-use super::interrupt;
-use super::progress::Progress;
-use super::{CliError, CompareArgs};
+use crate::cli::ensemble::result;
+use crate::cli::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, CompareArgs};
+use crate::many::comparison::{columns, compare, sort};
+use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
-use crate::recording::Keep;
 use crate::report::compare::{Table, csv, json};
-use crate::study::Refusal;
-use crate::study::comparison::{columns, compare, sort};
+use crate::run::kept::Keep;
 
 /// Simulates every blow and prints them as rows of one table.
 ///

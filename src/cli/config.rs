@@ -2,9 +2,10 @@
 
 use std::io::Write;
 
-use super::CliError;
+use crate::cli::CliError;
 use crate::plain_text::printable;
-use crate::tui::config::{self, Config};
+use crate::tui::config;
+use crate::tui::config::Config;
 
 /// Prints the settings as a file that may be changed and kept.
 ///

@@ -4,13 +4,13 @@ use std::io::Write;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use super::progress::Progress;
-use super::{CliError, CoverageArgs};
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, CoverageArgs};
 use crate::plain_text::write_json;
 use crate::report::coverage::{Asked, json, text};
 use crate::report::tolerance;
-use crate::study::coverage::{Drawn, check};
-use crate::study::{mesh_coverage, tolerance_coverage};
+use crate::verify::coverage::{Drawn, check};
+use crate::verify::{mesh_coverage, tolerance_coverage};
 
 /// Solves random scenes, each with its reference, and prints how the claims compare.
 ///

@@ -4,14 +4,14 @@ use std::io::Write;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use super::interrupt;
-use super::progress::Progress;
-use super::{CliError, EnsembleArgs};
+use crate::answer::quantity::Quantity;
+use crate::cli::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, EnsembleArgs};
+use crate::many::ensemble::run as run_samples;
 use crate::plain_text::{quoted, write_json};
 use crate::report::ensemble::{json, text};
 use crate::scenario::problem::suggestion;
-use crate::study::Quantity;
-use crate::study::ensemble::run as run_samples;
 
 /// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.
 ///

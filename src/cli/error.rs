@@ -2,9 +2,9 @@
 
 use std::io;
 
-use crate::Error;
+use crate::error::Error;
+use crate::models::paper::case::Refusal;
 use crate::scenario::problem::ScenarioError;
-use crate::study::Refusal;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]

@@ -5,14 +5,17 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::progress::Progress;
-use super::{CliError, ExportArgs, interrupt};
-use crate::eye::side_at_level;
+use crate::answer::course::write_traces;
+use crate::answer::solve::{Answer, solve};
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, ExportArgs, interrupt};
+use crate::models::axisymmetric::case::RevolutionCase;
+use crate::models::paper::case::Refusal;
+use crate::models::paper::eye::mesh::side_at_level;
 use crate::plain_text::printable;
-use crate::recording::{FrameWriter, Keep, Spacing};
+use crate::run::export::FrameWriter;
+use crate::run::kept::{Keep, Spacing};
 use crate::scenario::CheckedScenario;
-use crate::study::course::write_traces;
-use crate::study::{Answer, Refusal, RevolutionCase, solve};
 use crate::whole_file;
 
 /// Time between two frames unless asked otherwise, in us.

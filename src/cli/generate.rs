@@ -8,7 +8,7 @@ use clap::builder::Resettable;
 use clap_complete::Shell;
 use clap_mangen::Man;
 
-use super::{Cli, CliError};
+use crate::cli::{Cli, CliError};
 
 /// Prints the completion script of a shell.
 ///

@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 use clap::builder::PossibleValue;
 use signal_hook::consts::SIGINT;
 
-use super::CliError;
+use crate::cli::CliError;
 use crate::guide::{TOPICS, contents};
 
 /// What may be asked for, each with the title of its page.

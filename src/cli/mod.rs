@@ -25,9 +25,9 @@ mod sweep;
 mod threshold;
 mod validate;
 
-pub use arguments::{Assignment, Changes, ScenarioArgs, ScenariosArgs};
-pub use error::CliError;
-pub use sweep::Shard;
+pub use crate::cli::arguments::{Assignment, Changes, ScenarioArgs, ScenariosArgs};
+pub use crate::cli::error::CliError;
+pub use crate::cli::sweep::Shard;
 
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -37,12 +37,12 @@ use std::sync::LazyLock;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
-use crate::dynamics::kernel_name;
-use crate::study::coverage::MAX_SCENES;
-use crate::study::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
-use crate::study::mesh_coverage::FINEST_CHECKED;
-use crate::study::sweep::Axis;
+use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
+use crate::many::sweep::Axis;
+use crate::models::paper::forces::kernel::name as kernel_name;
 use crate::tui;
+use crate::verify::coverage::MAX_SCENES;
+use crate::verify::mesh_coverage::FINEST_CHECKED;
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]

@@ -4,9 +4,10 @@ use std::io::{self, IsTerminal, Write};
 
 use serde::Serialize;
 
-use super::{CliError, PresetsArgs, PresetsCommand};
+use crate::cli::{CliError, PresetsArgs, PresetsCommand};
 use crate::plain_text::{printable, printable_lines, write_json};
-use crate::scenario::library::{self, Origin};
+use crate::scenario::library;
+use crate::scenario::library::Origin;
 
 /// One preset as JSON and as a line of the list.
 #[derive(Serialize)]

@@ -3,14 +3,14 @@
 use std::io::Write;
 use std::sync::{Mutex, PoisonError};
 
-use super::interrupt;
-use super::progress::Progress;
-use super::{CliError, ReportArgs};
+use crate::cli::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, ReportArgs};
+use crate::many::comparison::compare;
+use crate::models::paper::case::Refusal;
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
 use crate::report::page::{Form, keep, write};
-use crate::study::Refusal;
-use crate::study::comparison::compare;
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.

@@ -2,14 +2,17 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use super::progress::Progress;
-use super::{CliError, RunArgs};
+use crate::answer::choose;
+use crate::answer::mesh_error::add_mesh_error;
+use crate::answer::solve::solve;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, RunArgs};
+use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
-use crate::recording::Keep;
 use crate::report::{json, text};
+use crate::run::kept::Keep;
 use crate::scenario::set::full_path;
 use crate::scenario::{EyeInput, Scenario};
-use crate::study::{Refusal, add_mesh_error, choose, solve};
 
 /// Simulates the scenario and prints its results.
 ///

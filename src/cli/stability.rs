@@ -3,11 +3,12 @@
 use std::io::Write;
 use std::sync::Mutex;
 
-use super::progress::Progress;
-use super::{CliError, StabilityArgs};
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, StabilityArgs};
 use crate::plain_text::write_json;
 use crate::report::stability;
-use crate::study::hard_cases::{self, Verdict};
+use crate::verify::hard_cases;
+use crate::verify::hard_cases::Verdict;
 
 /// Runs the hard cases and prints a table or JSON.
 ///

@@ -13,14 +13,15 @@ use std::str::FromStr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 
-use super::interrupt;
-use super::progress::Progress;
-use super::{CliError, SweepArgs};
-use crate::plain_text::{self, printable, quoted};
+use crate::cli::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, SweepArgs};
+use crate::many::ordered;
+use crate::many::sweep::{Axis, Sweep};
+use crate::plain_text;
+use crate::plain_text::{printable, quoted};
 use crate::report::sweep::Form;
 use crate::scenario::problem::Problem;
-use crate::study::ordered;
-use crate::study::sweep::{Axis, Sweep};
 
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;

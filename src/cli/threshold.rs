@@ -3,14 +3,14 @@
 use std::io::Write;
 use std::sync::{Mutex, PoisonError};
 
-use super::interrupt;
-use super::progress::Progress;
-use super::{CliError, ThresholdArgs};
+use crate::cli::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, ThresholdArgs};
+use crate::many::threshold::{Question, wanted};
+use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};
 use crate::scenario::problem::ScenarioError;
-use crate::study::Refusal;
-use crate::study::threshold::{Question, wanted};
 
 /// Looks for every crossing and prints it with its errors.
 ///

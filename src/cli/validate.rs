@@ -3,12 +3,12 @@
 use std::io::Write;
 use std::ops::ControlFlow;
 
-use super::progress::Progress;
-use super::{CalibrateArgs, CliError, ValidateArgs};
+use crate::cli::progress::Progress;
+use crate::cli::{CalibrateArgs, CliError, ValidateArgs};
 use crate::plain_text::write_json;
 use crate::report::validate::{fit_json, fit_text, json, text};
-use crate::study::calibrate::calibrate;
-use crate::study::validate::validate;
+use crate::verify::calibrate::calibrate;
+use crate::verify::validate::validate;
 
 /// Runs every experiment again and prints measured beside predicted.
 ///

@@ -5,8 +5,8 @@
 //! "Prediction of retinal damage"). It is an index, not a probability: above 100 it grades the
 //! extent. The paper gives no source for its weights and thresholds.
 
-use crate::dynamics::revolution;
-use crate::recording::Extremes;
+use crate::models::axisymmetric as revolution;
+use crate::models::paper::recording::Extremes;
 
 /// One of the three parts of the index.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,9 @@
 //! Left out: limits of strain, and limits of the force on synthetic eyes, which are not forces on a
 //! human one.
 
-use super::curve::{ASSUMED_SLOPE, Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing};
+use crate::injury::curve::{
+    ASSUMED_SLOPE, Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing,
+};
 
 const DUMA: &str = "Duma 2005, J Trauma 59:960";
 const PROJECTILES: &str = "BBs, metal rods and foam at 2 to 122 m/s";

@@ -3,10 +3,10 @@
 //! Normalized energy is the kinetic energy over the object's projected area, m v^2 / 2 / (pi d^2 / 4):
 //! it needs no simulation, and means something only while the object can enter the orbit. Peak
 //! pressure and stress come from the simulation, each with its own error, which widens the range of the
-//! risk. Where measures disagree, the reader sees all, and [`super::verdict`] says which to believe.
+//! risk. Where measures disagree, the reader sees all, and [`crate::injury::verdict`] says which to believe.
 
-use super::curve::{Curve, Form, Injury, Measure, Range, Standing};
-use super::published::CURVES;
+use crate::injury::curve::{Curve, Form, Injury, Measure, Range, Standing};
+use crate::injury::published::CURVES;
 use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
 

@@ -18,9 +18,9 @@
 //!
 //! Left out: weights, and any guess where no measure is left; the verdict then says so.
 
-use super::curve::{Curve, Eyes, Injury, Measure, Standing};
-use super::published::CURVES;
-use super::risk::{Caution, Risk};
+use crate::injury::curve::{Curve, Eyes, Injury, Measure, Standing};
+use crate::injury::published::CURVES;
+use crate::injury::risk::{Caution, Risk};
 
 /// Said of what the end of the run cut off while it may still grow.
 pub const AT_LEAST: &str = "at least";

@@ -1,13 +1,15 @@
 //! The work-precision report as text and as JSON.
 
-use super::errors::{leading, of_damage};
-use super::json::{by_result, evaluations};
-use super::text::{percent, significant};
-use crate::dynamics::{Plan, kernel_name};
+use crate::answer::accuracy::{Accuracy, Level, Point, TARGETS};
+use crate::answer::quantity::Quantity;
+use crate::models::compiled::Element;
+use crate::models::paper::forces::kernel::name as kernel_name;
+use crate::models::paper::time::march::Plan;
 use crate::plain_text::printable;
+use crate::report::errors::{leading, of_damage};
+use crate::report::json::{by_result, evaluations};
+use crate::report::text::{percent, significant};
 use crate::scenario::Scenario;
-use crate::study::accuracy::{Accuracy, Level, Point, TARGETS};
-use crate::study::{Element, Quantity};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

@@ -7,14 +7,15 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::figure::{CUT, Figure};
-use super::json::cut;
-use super::text::{WIDTH, paragraph, percent};
-use super::verdict::{mixed, range};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Blow, Caution, lines};
+use crate::many::comparison::Entry;
 use crate::plain_text::printable;
-use crate::study::comparison::Entry;
-use crate::study::{Answer, Cut, Quantity};
+use crate::report::figure::{CUT, Figure};
+use crate::report::json::cut;
+use crate::report::text::{WIDTH, paragraph, percent};
+use crate::report::verdict::{mixed, range};
 
 /// Narrowest column of a result.
 const NARROWEST: usize = 8;
@@ -226,7 +227,7 @@ pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match &entry.outcome {
             Err(why) => json!({ "scenario": *entry.scenario, "refused": why }),
-            Ok(answer) => super::json::answer(&entry.scenario, answer, &[]),
+            Ok(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
         };
         object["preset"] = json!(entry.source);
         object

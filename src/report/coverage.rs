@@ -1,17 +1,18 @@
 //! How often the stated step or mesh errors hold, as text of 80 columns and as one JSON object.
 
-use super::json::by_result;
-use super::text::{WIDTH, wrapped};
-use crate::study::coverage::{Checked, Coverage, Drawn, Miss, coverage, misses};
-use crate::study::mesh_coverage::reference;
-use crate::study::{Quantity, witnesses};
+use crate::answer::mesh_error::witnesses;
+use crate::answer::quantity::Quantity;
+use crate::report::json::by_result;
+use crate::report::text::{WIDTH, wrapped};
+use crate::verify::coverage::{Checked, Coverage, Drawn, Miss, coverage, misses};
+use crate::verify::mesh_coverage::reference;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
 /// An error in percent with two digits, however small.
 fn error(percent: f64) -> String {
     if percent == 0.0 || (1e-3..1e3).contains(&percent) {
-        super::text::percent(percent)
+        crate::report::text::percent(percent)
     } else {
         format!("{percent:.1e} %")
     }

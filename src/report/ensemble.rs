@@ -1,13 +1,13 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use super::text::{paragraph, percent, significant};
+use crate::answer::quantity::Quantity;
 use crate::injury::{Blow, Caution};
+use crate::many::bands::Band;
+use crate::many::ensemble::Ensemble;
+use crate::many::spreads::{Input, Shape};
 use crate::plain_text::printable;
+use crate::report::text::{paragraph, percent, significant};
 use crate::scenario::Scenario;
-use crate::study::Quantity;
-use crate::study::bands::Band;
-use crate::study::ensemble::Ensemble;
-use crate::study::spreads::{Input, Shape};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 

@@ -6,12 +6,13 @@
 
 use std::fmt;
 
-use super::injury::share;
-use super::text::{digits, percent, significant};
+use crate::answer::course::{Beside, Course, Group};
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
+use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
-use crate::study::course::{Beside, Course, Group};
-use crate::study::quantity::Read;
-use crate::study::{Answer, Cut, Errors, Quantity};
+use crate::report::injury::share;
+use crate::report::text::{digits, percent, significant};
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -307,7 +308,7 @@ fn rounded(value: f64, count: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::Results;
+    use crate::answer::results::Results;
 
     #[test]
     fn digits_end_where_the_error_begins() {

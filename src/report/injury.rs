@@ -4,8 +4,8 @@ use crate::injury::{Caution, Injury, MARKS, Risk};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use super::figure::within;
-use super::text::{WIDTH, wrapped};
+use crate::report::figure::within;
+use crate::report::text::{WIDTH, wrapped};
 
 /// A share as whole percent, or finer where it is small.
 pub(super) fn share(risk: f64) -> String {

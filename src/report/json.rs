@@ -1,19 +1,28 @@
 //! Results as one JSON object. The names are a contract.
 //!
-//! A result stands under the key of its row in [`crate::study::quantity`], which is the same in sweeps,
+//! A result stands under the key of its row in [`crate::answer::quantity`], which is the same in sweeps,
 //! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`. In
 //! this version, and not in the next, `results` also holds the names of the version before:
 //! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
 //! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
-use super::revolution;
-use crate::dynamics::{Cost, SceneKind, kernel_name};
-use crate::eye::Monitor;
-use crate::recording::{Extremes, Fold, MEAN_S, ShotExtremes};
+use crate::answer::mesh_error::{Limit, Limits};
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, Cut, Errors};
+use crate::models::compiled::{Compiled, Element};
+use crate::models::left::Left;
+use crate::models::paper::case::Case;
+use crate::models::paper::eye::landmarks::Monitor;
+use crate::models::paper::forces::kernel::name as kernel_name;
+use crate::models::paper::forces::scene::SceneKind;
+use crate::models::paper::recording::Extremes;
+use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
+use crate::models::paper::time::march::Cost;
+use crate::report::revolution;
+use crate::run::flags::Flag;
+use crate::run::fold::Fold;
 use crate::scenario::Scenario;
-use crate::study::{
-    Answer, Case, Compiled, Cut, Element, Errors, Flag, Left, Limit, Limits, Quantity, Results,
-};
 use serde_json::{Map, Value, json};
 
 /// A number for each monitored node, by name.
@@ -137,7 +146,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         },
         "flags": flags(&answer.flags),
         "mesh_fold": answer.left.fold().map(|fold| folded(&fold)),
-        "verdicts": super::verdict::json(&answer.verdicts()),
+        "verdicts": crate::report::verdict::json(&answer.verdicts()),
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
     match (&answer.case, &answer.left) {
@@ -151,7 +160,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
     }
     let risks = answer.risks();
     if !risks.is_empty() {
-        object["injury"] = super::injury::json(&risks);
+        object["injury"] = crate::report::injury::json(&risks);
     }
     object
 }

@@ -1,10 +1,12 @@
 //! What an answer of the eye of revolution says beside its results, as text and as JSON.
 
-use super::figure::Figure;
-use super::text::row;
-use crate::dynamics::revolution::Extremes;
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
+use crate::models::axisymmetric::case::RevolutionCase;
+use crate::models::axisymmetric::recording::results::Extremes;
+use crate::report::figure::Figure;
+use crate::report::text::row;
 use crate::scenario::{Impact, Physiological, Scenario, Species, Support};
-use crate::study::{Answer, Quantity, RevolutionCase};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -59,7 +61,7 @@ pub(super) fn beside(
             None => "Rebound speed",
         };
         row(way, &rebound, &format!("of {} m/s", shot.speed_m_s), out)?;
-        super::text::unverified(shot, out)?;
+        crate::report::text::unverified(shot, out)?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The hard cases as a table of 80 columns and as JSON. The names are a contract.
 
-use super::text::{WIDTH, percent, wrapped};
-use crate::study::hard_cases::{Outcome, Verdict};
+use crate::report::text::{WIDTH, percent, wrapped};
+use crate::verify::hard_cases::{Outcome, Verdict};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

@@ -1,10 +1,11 @@
 //! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
 
-use super::figure::{Figure, SCALE, causes, unusable};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::plain_text::printable;
+use crate::report::figure::{Figure, SCALE, causes, unusable};
 use crate::scenario::Scenario;
-use crate::study::{Answer, Quantity};
 
 /// The three lines, and the command that repeats the blow as a fourth, if one does.
 pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> String {
@@ -39,8 +40,9 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Keep;
-    use crate::study::{solve, unwatched};
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::Keep;
 
     #[test]
     fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {

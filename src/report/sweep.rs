@@ -1,9 +1,9 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
+use crate::answer::quantity::Quantity;
 use crate::injury::Caution;
+use crate::many::sweep::{Row, Sweep};
 use crate::scenario::fields;
-use crate::study::Quantity;
-use crate::study::sweep::{Row, Sweep};
 use serde_json::{Map, Value, json};
 
 /// How rows are written.

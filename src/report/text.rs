@@ -1,15 +1,23 @@
 //! Results as text for a terminal of 80 columns.
 
-use super::errors;
-use super::figure::{CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit};
-use super::limit;
-use super::revolution;
+use crate::report::errors;
+use crate::report::figure::{
+    CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
+};
+use crate::report::limit;
+use crate::report::revolution;
 use unicode_width::UnicodeWidthStr;
 
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, Errors};
+use crate::models::compiled::Compiled;
+use crate::models::left::Left;
+use crate::models::paper::recording::Extremes;
+use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
 use crate::plain_text::printable;
-use crate::recording::{Extremes, MEAN_S, ShotExtremes};
+use crate::run::flags::Flag;
 use crate::scenario::{Impact, Model, Projectile, Scenario};
-use crate::study::{Answer, Compiled, Errors, Flag, Left, Quantity, Results};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -91,7 +99,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         element.plural()
     )?;
     let mesh = answer.errors.mesh.is_some();
-    super::verdict::text(&answer.verdicts(), mesh, out)?;
+    crate::report::verdict::text(&answer.verdicts(), mesh, out)?;
     writeln!(out)?;
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
@@ -113,7 +121,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         Left::Section(extremes) => beside(scenario, extremes, out)?,
         Left::Revolution(extremes) => revolution::beside(scenario, answer, extremes, out)?,
     }
-    super::injury::text(&answer.risks(), out)?;
+    crate::report::injury::text(&answer.risks(), out)?;
     let shielded = answer.case.section().map_or(0.0, |case| case.load.shielded);
     if shielded > 1e-9 {
         writeln!(

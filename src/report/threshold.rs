@@ -4,13 +4,13 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::figure::{allowing, with_unit as united};
-use super::json::flags;
-use super::text::{WIDTH, capital, digits, significant, wrapped};
 use crate::injury::Caution;
+use crate::many::threshold::{Crossing, Question, Threshold};
 use crate::plain_text::printable;
+use crate::report::figure::{allowing, with_unit as united};
+use crate::report::json::flags;
+use crate::report::text::{WIDTH, capital, digits, significant, wrapped};
 use crate::scenario::Scenario;
-use crate::study::threshold::{Crossing, Question, Threshold};
 
 /// A text with the unit of what is varied.
 fn with_unit(question: &Question, text: &str) -> String {

@@ -1,9 +1,9 @@
 //! Whether tolerances are kept, as text of 80 columns and as one JSON object. The names are a contract.
 
-use super::text::{WIDTH, percent, significant, wrapped};
-use crate::study::coverage::Drawn;
-use crate::study::mesh_coverage::reference;
-use crate::study::tolerance_coverage::{Kept, TOLERANCES, rows};
+use crate::report::text::{WIDTH, percent, significant, wrapped};
+use crate::verify::coverage::Drawn;
+use crate::verify::mesh_coverage::reference;
+use crate::verify::tolerance_coverage::{Kept, TOLERANCES, rows};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

@@ -1,10 +1,10 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
-use super::text::{WIDTH, digits, significant, wrapped};
+use crate::report::text::{WIDTH, digits, significant, wrapped};
 use crate::scenario::Physiological;
-use crate::study::calibrate::{Fit, PATH, STEP};
-use crate::study::experiments::{Band, Experiment};
-use crate::study::validate::{MESHES, OnEach, Row};
+use crate::verify::calibrate::{Fit, PATH, STEP};
+use crate::verify::experiments::{Band, Experiment};
+use crate::verify::validate::{MESHES, OnEach, Row};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -216,7 +216,7 @@ pub fn fit_json(fit: &Fit) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::experiments::EXPERIMENTS;
+    use crate::verify::experiments::EXPERIMENTS;
 
     /// Every experiment with a figure on each mesh: those of every third are far off on one of them.
     fn made_up() -> Vec<Row> {

@@ -1,12 +1,13 @@
 //! The answer first: one line an injury, in text and as JSON.
 
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
+use crate::answer::solve::Answer;
 use crate::injury::{AT_LEAST, Curve, Injury, Part, Risk, Verdict, curve_of, lines, span};
-use crate::study::quantity::Read;
-use crate::study::{Answer, Quantity};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use super::text::paragraph;
+use crate::report::text::paragraph;
 
 /// What is said of a risk that means nothing here.
 pub const VOID: &str = "not valid here";
@@ -130,10 +131,11 @@ pub fn json(verdicts: &[Verdict]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Keep;
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::Keep;
     use crate::scenario::library;
     use crate::scenario::set::set;
-    use crate::study::{solve, unwatched};
 
     fn answer(preset: &str) -> Answer {
         let mut scenario = library::find(preset).unwrap().scenario().unwrap();

@@ -7,13 +7,14 @@
 
 use std::ops::Deref;
 
-use super::fields::{self, Bounds, FIELDS, Field, Kind};
-use super::problem::{Problem, ScenarioError, plain};
-use super::{
+use crate::plain_text::printable;
+use crate::scenario::fields;
+use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, plain};
+use crate::scenario::{
     FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, Impact, MOST_ENERGY_J, Model, Outline, Projectile,
     Scenario, doubt,
 };
-use crate::plain_text::printable;
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
 /// be changed; change a [`Scenario`] and check it again.

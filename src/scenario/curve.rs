@@ -14,7 +14,7 @@ use std::sync::Arc;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::problem::plain;
+use crate::scenario::problem::plain;
 
 /// Times and shares, in order; cloning one copies no knot.
 #[derive(Debug, Clone, PartialEq)]

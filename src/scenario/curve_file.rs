@@ -14,9 +14,10 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-use super::curve::{Curve, Growing};
-use super::text_file::{self, without_mark};
 use crate::plain_text::quoted;
+use crate::scenario::curve::{Curve, Growing};
+use crate::scenario::text_file;
+use crate::scenario::text_file::without_mark;
 
 /// What the name of a curve's file is relative to.
 #[derive(Debug, Clone, PartialEq, Eq)]

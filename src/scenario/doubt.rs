@@ -13,10 +13,11 @@ use std::fmt;
 use serde::Deserializer;
 use serde::de::{Error, MapAccess, Visitor};
 
-use super::Scenario;
-use super::fields::{self, Bounds, Field, Kind};
-use super::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::plain_text::quoted;
+use crate::scenario::Scenario;
+use crate::scenario::fields;
+use crate::scenario::fields::{Bounds, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 
 /// Reads the doubts of a file, where a second one of a field would silently take the place of the first.
 ///

@@ -8,8 +8,8 @@
 
 use std::mem::discriminant;
 
-use super::problem::plain;
-use super::{
+use crate::scenario::problem::plain;
+use crate::scenario::{
     FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
     Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support,
     Surface, integrator,
@@ -485,12 +485,12 @@ pub fn find(path: &str) -> Option<&'static Field> {
 }
 
 impl Field {
-    /// The present value as text that [`super::set::set`] accepts, or `None` where the present
+    /// The present value as text that [`crate::scenario::set::set`] accepts, or `None` where the present
     /// variant has no such field.
     pub fn text(&self, scenario: &Scenario) -> Option<String> {
         match &self.kind {
             Number(_, place) => (place.get)(scenario)
-                .map(|number| plain(*number) + &super::doubt::suffix(self, scenario)),
+                .map(|number| plain(*number) + &crate::scenario::doubt::suffix(self, scenario)),
             OptionalNumber(_, place) => {
                 (place.get)(scenario).map(|number| number.map_or("None".to_owned(), plain))
             }

@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 use etcetera::BaseStrategy;
 use etcetera::base_strategy::Xdg;
 
-use super::Scenario;
-use super::load::{load, parse, parse_file, read_text};
-use super::problem::{Problem, ScenarioError, suggestion};
 use crate::files;
+use crate::scenario::Scenario;
+use crate::scenario::load::{load, parse, parse_file, read_text};
+use crate::scenario::problem::{Problem, ScenarioError, suggestion};
 
 /// Names and texts of the listed files in `presets/`.
 macro_rules! built_in {

@@ -5,14 +5,15 @@
 
 use std::path::Path;
 
-use super::Scenario;
-use super::curve_file::{Beside, with_files};
-use super::locate::locate;
-use super::problem::{Problem, ScenarioError};
-use super::ron_text::read;
-use super::text_file::{self, without_mark};
+use crate::scenario::Scenario;
+use crate::scenario::curve_file::{Beside, with_files};
+use crate::scenario::locate::locate;
+use crate::scenario::problem::{Problem, ScenarioError};
+use crate::scenario::ron_text::read;
+use crate::scenario::text_file;
+use crate::scenario::text_file::without_mark;
 
-pub use super::ron_text::to_ron;
+pub use crate::scenario::ron_text::to_ron;
 
 /// Reads a scenario from RON text that has no place, so that it can name no file of a curve;
 /// `origin` is what messages call the text.

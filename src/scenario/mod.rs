@@ -24,16 +24,16 @@ mod text_file;
 
 use std::collections::BTreeMap;
 
-pub use check::CheckedScenario;
-pub use curve::{Curve, CurveError};
-use curve_file::CurveFile;
-pub use integrator::Integrator;
-pub use physiological::{
+pub use crate::scenario::check::CheckedScenario;
+pub use crate::scenario::curve::{Curve, CurveError};
+pub use crate::scenario::integrator::Integrator;
+pub use crate::scenario::physiological::{
     FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, MOST_ENERGY_J, Physiological, Species, Support,
     TRUSTED_ANGLE_DEG,
 };
-pub use problem::{Problem, ScenarioError};
-pub use projectile::{Outline, Projectile, ProjectileStiffness, Surface};
+pub use crate::scenario::problem::{Problem, ScenarioError};
+pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, Surface};
+use curve_file::CurveFile;
 use serde::{Deserialize, Serialize};
 
 /// One blow to one eye: everything that a run depends on.
@@ -57,7 +57,7 @@ pub struct Scenario {
     #[serde(default)]
     pub numerics: NumericsInput,
     /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
-    /// the field. No single run changes by them; an [ensemble](crate::study::ensemble) draws from them.
+    /// the field. No single run changes by them; an [ensemble](crate::many::ensemble) draws from them.
     #[serde(
         default,
         deserialize_with = "doubt::once",

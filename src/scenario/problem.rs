@@ -8,7 +8,8 @@
 
 use std::fmt;
 
-use crate::plain_text::{self, LONGEST_QUOTE, quoted};
+use crate::plain_text;
+use crate::plain_text::{LONGEST_QUOTE, quoted};
 
 /// One thing that is wrong with a scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

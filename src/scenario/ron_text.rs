@@ -13,11 +13,12 @@ use ron::ser::PrettyConfig;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment, Track};
 
-use super::Scenario;
-use super::fields::{self, Kind};
-use super::locate::locate;
-use super::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::plain_text::quoted;
+use crate::scenario::Scenario;
+use crate::scenario::fields;
+use crate::scenario::fields::Kind;
+use crate::scenario::locate::locate;
+use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
 fn options() -> Options {

@@ -9,12 +9,13 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::check::{check_inside, near_zero_is_zero};
-use super::curve_file::{Beside, with_files};
-use super::fields::{self, Choices, FIELDS, Field, Kind};
-use super::problem::{Problem, ScenarioError, suggestion, unknown_name};
-use super::ron_text::{not_a, read};
-use super::{PulseShape, Scenario, doubt};
+use crate::scenario::check::{check_inside, near_zero_is_zero};
+use crate::scenario::curve_file::{Beside, with_files};
+use crate::scenario::fields;
+use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
+use crate::scenario::ron_text::{not_a, read};
+use crate::scenario::{PulseShape, Scenario, doubt};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {

@@ -1,9 +1,11 @@
 //! The one clock that every picture follows.
 
-use super::step::Step;
-use crate::recording::{Frame, nearest};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
+use crate::models::paper::recording::frames::nearest;
 use crate::report::figure::Figure;
-use crate::study::{Answer, Quantity};
+use crate::run::kept::Frame;
+use crate::tui::step::Step;
 
 /// Speeds in ms of impact a second.
 const SPEEDS: [f64; 13] = [
@@ -232,9 +234,10 @@ pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Opt
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::{Keep, Spacing};
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::{Keep, Spacing};
     use crate::scenario::CheckedScenario;
-    use crate::study::{solve, unwatched};
 
     #[test]
     fn g_visits_every_peak_in_order_and_goes_round() {

@@ -4,15 +4,15 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::guest::MOST_SAMPLES;
-use super::idle;
-use super::model::Model;
-use super::simulation;
-use super::task::{Question, Report, Task};
-use super::worker::overseen;
+use crate::many::ensemble::{Ensemble, run};
+use crate::models::paper::case::{Refusal, Watch};
 use crate::scenario::Scenario;
-use crate::study::ensemble::{Ensemble, run};
-use crate::study::{Refusal, Watch};
+use crate::tui::guest::MOST_SAMPLES;
+use crate::tui::idle;
+use crate::tui::model::Model;
+use crate::tui::simulation;
+use crate::tui::task::{Question, Report, Task};
+use crate::tui::worker::overseen;
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
@@ -124,7 +124,7 @@ fn key(scenario: &Scenario) -> Scenario {
 
 /// Whether nothing else is wanted for what is on show.
 fn is_settled(model: &Model) -> bool {
-    let answered = |shown: &super::model::Shown| shown.scenario == model.work.scenario;
+    let answered = |shown: &crate::tui::model::Shown| shown.scenario == model.work.scenario;
     let computes = model.is_busy() || simulation::lacks_mesh_error(model).is_some();
     !computes && model.shown.as_ref().is_some_and(answered)
 }

@@ -3,12 +3,12 @@
 //! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
 //! among the first rows if it belongs to the blow, folded away if it does not.
 
-use super::line::Line;
-use super::step::Step;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
 use crate::scenario::{Impact, Scenario};
+use crate::tui::line::Line;
+use crate::tui::step::Step;
 
 /// A row of the form.
 #[derive(Clone, Copy)]

@@ -12,9 +12,9 @@
 use std::io;
 use std::time::Duration;
 
-use super::ensemble;
 use crate::files;
 use crate::scenario::Scenario;
+use crate::tui::ensemble;
 
 /// The finest mesh.
 pub const FINEST_LEVEL: u32 = 3;

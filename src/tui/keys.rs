@@ -10,8 +10,8 @@ pub mod shared;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::model::Model;
-use super::screens::SCREENS;
+use crate::tui::model::Model;
+use crate::tui::screens::SCREENS;
 use chosen::Keys;
 
 /// One press of a key.

@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::model::Model;
-use super::screens::SCREENS;
 use crate::scenario::Scenario;
 use crate::scenario::library::home;
 use crate::scenario::load::{parse, read_text, to_ron};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::ron_text;
+use crate::tui::model::Model;
+use crate::tui::screens::SCREENS;
 use crate::whole_file;
 
 /// Where the app was left.

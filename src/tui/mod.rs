@@ -35,4 +35,4 @@ pub(crate) mod worker;
 
 mod open;
 
-pub use open::{AppFlags, OpenError, Options, prepare, run};
+pub use crate::tui::open::{AppFlags, OpenError, Options, prepare, run};

@@ -3,26 +3,27 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::clock::{Clock, Moment};
-use super::ensemble::Samples;
-use super::form::Form;
-use super::guest;
-use super::keys::chosen::Keys;
-use super::line::Line;
-use super::picker::Picker;
-use super::screens::{Pane, SCREENS, Screen, Screens};
-use super::simulation::{EstimateMesh, Simulate};
-use super::take_away::WritePage;
-use super::task::{Outbox, Question as _, Task};
-use super::terminal::caps::{Depth, Symbols};
-use super::threshold::Asking;
-use super::undo::History;
-use super::view::heat::{HeatMap, highest, hottest};
-use super::view::palette::Palette;
-use super::work::Work;
-use crate::scenario::{self, Scenario};
-use crate::study::Answer;
-use crate::study::drawing::Drawing;
+use crate::answer::solve::Answer;
+use crate::run::drawing::Drawing;
+use crate::scenario;
+use crate::scenario::Scenario;
+use crate::tui::clock::{Clock, Moment};
+use crate::tui::ensemble::Samples;
+use crate::tui::form::Form;
+use crate::tui::guest;
+use crate::tui::keys::chosen::Keys;
+use crate::tui::line::Line;
+use crate::tui::picker::Picker;
+use crate::tui::screens::{Pane, SCREENS, Screen, Screens};
+use crate::tui::simulation::{EstimateMesh, Simulate};
+use crate::tui::take_away::WritePage;
+use crate::tui::task::{Outbox, Question as _, Task};
+use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::threshold::Asking;
+use crate::tui::undo::History;
+use crate::tui::view::heat::{HeatMap, highest, hottest};
+use crate::tui::view::palette::Palette;
+use crate::tui::work::Work;
 
 /// A preset, or a scenario that was given on the command line.
 #[derive(Debug, Clone)]
@@ -196,7 +197,7 @@ pub struct Model {
     pub idle: bool,
     /// Whether the next start goes on from here.
     pub goes_on: bool,
-    /// Whether whoever works is a [guest](super::guest).
+    /// Whether whoever works is a [guest](crate::tui::guest).
     pub guest: bool,
     /// Keys of the person's own choice.
     pub keys: Keys,

@@ -6,19 +6,21 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::config::Config;
-use super::guest;
-use super::last::{self, Left};
-use super::model::{Choice, Look, Model, Overlay};
-use super::picker::Picker;
-use super::screens::SCREENS;
-use super::terminal;
-use super::terminal::caps::{ColorFlag, Symbols, depth, symbols};
-use super::update;
-use super::work::Work;
 use crate::plain_text::quoted;
-use crate::scenario::library::{self, Origin, resolve};
+use crate::scenario::library;
+use crate::scenario::library::{Origin, resolve};
 use crate::scenario::problem::{Problem, ScenarioError};
+use crate::tui::config::Config;
+use crate::tui::guest;
+use crate::tui::last;
+use crate::tui::last::Left;
+use crate::tui::model::{Choice, Look, Model, Overlay};
+use crate::tui::picker::Picker;
+use crate::tui::screens::SCREENS;
+use crate::tui::terminal;
+use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
+use crate::tui::update;
+use crate::tui::work::Work;
 
 /// What is opened if nothing is asked for.
 pub(super) const FIRST: &str = "paper-300n";

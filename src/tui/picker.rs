@@ -6,10 +6,10 @@
 
 use frizbee::{CaseMatching, Config, Matcher, Pattern};
 
-use super::line::Line;
-use super::model::Choice;
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, Scenario};
+use crate::tui::line::Line;
+use crate::tui::model::Choice;
 
 /// The list with what is typed to search it.
 #[derive(Default)]

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use super::model::{Model, Shown};
-use super::task::{Question, Report};
-use crate::recording::{Keep, Spacing};
+use crate::answer::mesh_error::{MeshError, MeshQuery};
+use crate::answer::solve::{Answer, solve};
+use crate::models::paper::case::{Refusal, Watch};
+use crate::run::kept::{Keep, Spacing};
 use crate::scenario::{Impact, Scenario};
-use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch, solve};
+use crate::tui::model::{Model, Shown};
+use crate::tui::task::{Question, Report};
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -165,7 +167,8 @@ pub fn keep(scenario: &Scenario) -> Keep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::{Quantity, unwatched};
+    use crate::answer::quantity::Quantity;
+    use crate::models::paper::case::unwatched;
 
     #[test]
     fn the_mesh_error_needs_no_second_answer() {

@@ -4,15 +4,16 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::model::{Model, Shown};
-use super::task::{Question, Report};
-use super::update::Effect;
+use crate::answer::solve::Answer;
+use crate::many::comparison::Entry;
+use crate::models::paper::case::{Refusal, Watch};
 use crate::report::command::{arguments, line};
 use crate::report::page::html;
 use crate::report::summary;
 use crate::scenario::Scenario;
-use crate::study::comparison::Entry;
-use crate::study::{Answer, Refusal, Watch};
+use crate::tui::model::{Model, Shown};
+use crate::tui::task::{Question, Report};
+use crate::tui::update::Effect;
 
 /// Why there is nothing to take; nothing if there is.
 fn obstacle(model: &Model) -> Option<&'static str> {
@@ -152,7 +153,7 @@ pub(crate) fn copy(model: &mut Model) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::unwatched;
+    use crate::models::paper::case::unwatched;
     use crate::tui::simulation::Simulate;
     use crate::tui::update::driven::{asked, letter, opened};
     use crate::tui::update::{Message, begin, update};

@@ -10,9 +10,9 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::update::Effect;
+use crate::models::paper::case::{Refusal, Watch};
 use crate::report::pace::Pace;
-use crate::study::{Refusal, Watch};
+use crate::tui::update::Effect;
 
 /// Tells one request from every other; later ones are larger.
 pub type Ticket = u64;

@@ -6,19 +6,21 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::form::{Row, with_text};
-use super::line::Line;
-use super::model::{Model, Overlay, Shown};
-use super::task::{self, Report, Task};
-use super::update::change;
-use super::worker::overseen;
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
 use crate::injury::Injury;
+use crate::many::threshold::{Crossing, Question, Threshold};
+use crate::models::paper::case::{Refusal, Watch};
 use crate::report::text::significant;
 use crate::scenario::fields::{Field, Kind};
 use crate::scenario::problem::plain;
-use crate::study::quantity::Read;
-use crate::study::threshold::{Crossing, Question, Threshold};
-use crate::study::{Quantity, Refusal, Watch};
+use crate::tui::form::{Row, with_text};
+use crate::tui::line::Line;
+use crate::tui::model::{Model, Overlay, Shown};
+use crate::tui::task;
+use crate::tui::task::{Report, Task};
+use crate::tui::update::change;
+use crate::tui::worker::overseen;
 
 /// What a risk or an index is asked for unless something else is typed, in %.
 const HALF: f64 = 50.0;
@@ -256,10 +258,11 @@ pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Keep;
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::Keep;
     use crate::scenario::fields;
     use crate::scenario::library::find;
-    use crate::study::{solve, unwatched};
     use crate::tui::task::Question as _;
     use crate::tui::update::driven::{asked, key, letter, opened};
     use crate::tui::update::{Effect, Message, update};

@@ -7,18 +7,19 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 
-use super::ensemble;
-use super::keys::{self, Act};
-use super::line::Line;
-use super::model::{Choice, Model, Naming, Overlay, Question};
-use super::save::SaveError;
-use super::screens::{SCREENS, accuracy, compare};
-use super::simulation;
-use super::take_away;
-use super::task::{Report, Request, Ticket};
-use super::threshold;
-use super::view::overlay::help_rows;
-use super::work::Work;
+use crate::tui::ensemble;
+use crate::tui::keys;
+use crate::tui::keys::Act;
+use crate::tui::line::Line;
+use crate::tui::model::{Choice, Model, Naming, Overlay, Question};
+use crate::tui::save::SaveError;
+use crate::tui::screens::{SCREENS, accuracy, compare};
+use crate::tui::simulation;
+use crate::tui::take_away;
+use crate::tui::task::{Report, Request, Ticket};
+use crate::tui::threshold;
+use crate::tui::view::overlay::help_rows;
+use crate::tui::work::Work;
 
 #[cfg(test)]
 pub(crate) mod driven;

@@ -9,9 +9,9 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::idle;
-use super::task::{Report, Request, Ticket};
-use crate::study::Watch;
+use crate::models::paper::case::Watch;
+use crate::tui::idle;
+use crate::tui::task::{Report, Request, Ticket};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -174,8 +174,9 @@ pub fn overseen<T: Send, S: Send>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::solve::Answer;
+    use crate::models::paper::case::Refusal;
     use crate::scenario::Scenario;
-    use crate::study::{Answer, Refusal};
     use crate::tui::simulation::Simulate;
     use crate::tui::task::News;
     use std::sync::mpsc::{Receiver, channel};

@@ -5,8 +5,8 @@ use super::made_up;
 use std::sync::Arc;
 use std::time::Duration;
 
-use contrecoup::study::Quantity;
-use contrecoup::study::ensemble::Ensemble;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::many::ensemble::Ensemble;
 use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::model::Model;
 use contrecoup::tui::task::Report;

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
+use contrecoup::answer::solve::Answer;
 use contrecoup::scenario::Scenario;
 use contrecoup::scenario::fields;
-use contrecoup::study::Answer;
 use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::{Look, Model};

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use contrecoup::study::hard_cases::cases;
+use contrecoup::verify::hard_cases::cases;
 
 /// A block of figures that stands in the README or in the guide.
 pub struct Figures {

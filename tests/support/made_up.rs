@@ -8,15 +8,25 @@
 
 use std::time::Duration;
 
-use contrecoup::dynamics::{Cost, Integrator, LOCAL_TOLERANCE, Plan, revolution};
-use contrecoup::eye::{GLOBE_RADIUS_M, Region};
-use contrecoup::recording::{Extremes, Fold, Frame, Peak, ShotExtremes, Traces};
+use contrecoup::answer::point::{Check, Point};
+use contrecoup::answer::quantity::Family;
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::solve::{Answer, Errors};
+use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
+use contrecoup::many::map::{Grid, SIDE, Spot};
+use contrecoup::many::spreads::inputs;
+use contrecoup::models::axisymmetric as revolution;
+use contrecoup::models::compiled::Compiled;
+use contrecoup::models::left::Left;
+use contrecoup::models::paper::eye::mesh::{GLOBE_RADIUS_M, Region};
+use contrecoup::models::paper::recording::Extremes;
+use contrecoup::models::paper::recording::shot::ShotExtremes;
+use contrecoup::models::paper::time::march::{Cost, LOCAL_TOLERANCE, Plan};
+use contrecoup::run::flags::{Flag, FlagKind};
+use contrecoup::run::fold::Fold;
+use contrecoup::run::kept::{Frame, Peak, Traces};
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Impact, Scenario};
-use contrecoup::study::ensemble::{Ensemble, Sample, Timing};
-use contrecoup::study::map::{Grid, SIDE, Spot};
-use contrecoup::study::point::{Check, Point};
-use contrecoup::study::quantity::Family;
-use contrecoup::study::{Answer, Compiled, Errors, Flag, FlagKind, Left, Quantity, inputs};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
@@ -409,7 +419,7 @@ pub fn grid(known: usize) -> Grid {
     grid
 }
 
-fn damage_only(damage: f64) -> contrecoup::study::Results {
-    let own = |q| (q == contrecoup::study::Quantity::Damage).then_some(damage);
-    contrecoup::study::PerQuantity::from_fn(own)
+fn damage_only(damage: f64) -> contrecoup::answer::results::Results {
+    let own = |q| (q == contrecoup::answer::quantity::Quantity::Damage).then_some(damage);
+    contrecoup::answer::results::PerQuantity::from_fn(own)
 }

@@ -1,9 +1,11 @@
 //! A made-up measurement of total error against time, the same on every machine.
 
-use contrecoup::dynamics::{Integrator, LOCAL_TOLERANCE, Plan};
+use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::results::Results;
+use contrecoup::answer::total::{OnLevel, Run, Totals};
+use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use contrecoup::scenario::Integrator;
 use contrecoup::scenario::Model;
-use contrecoup::study::total::{OnLevel, Run, Totals};
-use contrecoup::study::{Quantity, Results};
 
 /// Method, step in us, time in ms, step error in %; all on level 1, finer ones take longer.
 type Row = (Integrator, f64, f64, f64);

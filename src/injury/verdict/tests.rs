@@ -1,7 +1,7 @@
 //! The rule of the verdicts, case by case.
 
-use super::super::risk::{Blow, Computed, Measures, assess};
-use super::*;
+use crate::injury::risk::{Blow, Computed, Measures, assess};
+use crate::injury::verdict::*;
 
 const BB: Blow = Blow {
     mass: 0.345e-3,

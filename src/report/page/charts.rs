@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::super::text::significant;
+use crate::answer::course::{Beside, Course, Group};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
 use crate::injury::Verdict;
-use crate::study::course::{Beside, Course, Group};
-use crate::study::{Answer, Quantity};
+use crate::report::text::significant;
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -162,7 +163,7 @@ fn curve(answer: &Answer, course: Course) -> Option<Curve> {
 
 /// What drives the eye, and the forces of the monitored nodes.
 pub fn forces(answer: &Answer) -> Chart {
-    let nodes = crate::study::course::COURSES.iter().copied();
+    let nodes = crate::answer::course::COURSES.iter().copied();
     let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
     let courses = [Course::Beside(Beside::Drive)].into_iter().chain(nodes);
     Chart {

@@ -8,14 +8,16 @@ use std::fmt::Write;
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
-use super::{FRAMES, spacing};
-use crate::eye::Region;
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
 use crate::injury::lines;
+use crate::many::comparison::Entry;
+use crate::models::paper::eye::mesh::Region;
+use crate::models::paper::recording::frames::nearest;
 use crate::plain_text::printable;
-use crate::recording::{Frame, nearest};
-use crate::study::comparison::Entry;
-use crate::study::drawing::Drawing;
-use crate::study::{Answer, Quantity};
+use crate::report::page::{FRAMES, spacing};
+use crate::run::drawing::Drawing;
+use crate::run::kept::Frame;
 
 /// Hundredths of a millimetre.
 const PER_M: f64 = 1e5;
@@ -238,8 +240,9 @@ pub fn pictures(entries: &[Entry]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
     use crate::scenario::library::find;
-    use crate::study::{solve, unwatched};
 
     #[test]
     fn a_replay_has_few_frames_and_moves_as_the_eye_does() {

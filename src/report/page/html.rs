@@ -4,16 +4,18 @@ use std::ops::ControlFlow;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::eye::{Picture, STYLE};
-use super::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
+use crate::many::comparison::{Entry, columns};
+use crate::models::paper::case::Watch;
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
+use crate::report::page::eye::{Picture, STYLE};
+use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
 use crate::report::text::{capital, percent};
 use crate::scenario::load::to_ron;
-use crate::study::comparison::{Entry, columns};
-use crate::study::{Answer, Quantity, Watch};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";

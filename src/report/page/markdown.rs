@@ -2,13 +2,13 @@
 
 use std::io::{self, Write};
 
-use super::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::answer::quantity::Quantity;
+use crate::many::comparison::{Entry, columns};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
-use crate::study::Quantity;
-use crate::study::comparison::{Entry, columns};
+use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
 
 /// Writes it.
 ///

@@ -14,17 +14,19 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
+use crate::answer::solve::Answer;
 use crate::injury::{Verdict, lines};
+use crate::many::comparison::Entry;
+use crate::models::paper::case::unwatched;
 use crate::plain_text::printable;
-use crate::recording::{Keep, Spacing};
 use crate::report::figure::{Figure, cut_word};
 use crate::report::text::{capital, percent};
 use crate::report::verdict::{VOID, is_void, range};
+use crate::run::kept::{Keep, Spacing};
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
-use crate::study::comparison::Entry;
-use crate::study::quantity::Read;
-use crate::study::{Answer, Quantity, unwatched};
 
 /// Where the model comes from.
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \

@@ -1,6 +1,6 @@
 //! Tests of the parent module.
 
-use super::*;
+use crate::scenario::fields::*;
 
 /// Scenarios that together hold every variant with fields.
 pub(crate) fn every_variant() -> [Scenario; 4] {

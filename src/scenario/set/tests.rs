@@ -1,8 +1,8 @@
 //! Tests of the parent module.
 
-use super::*;
 use crate::scenario::fields::tests::every_variant;
 use crate::scenario::load;
+use crate::scenario::set::*;
 use crate::scenario::{
     EyeInput, ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile,
     ProjectileStiffness, PulseShape, Species,

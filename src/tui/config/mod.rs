@@ -11,13 +11,13 @@ mod table;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::keys::chosen::Keys;
-use super::terminal::caps::{ColorFlag, Symbols};
-use super::view::heat::HeatMap;
-use super::view::palette::{Ground, Palette};
 use crate::scenario::library;
 use crate::scenario::load::read_text;
 use crate::scenario::problem::ScenarioError;
+use crate::tui::keys::chosen::Keys;
+use crate::tui::terminal::caps::{ColorFlag, Symbols};
+use crate::tui::view::heat::HeatMap;
+use crate::tui::view::palette::{Ground, Palette};
 use table::SETTINGS;
 
 /// What a person wants of the app.

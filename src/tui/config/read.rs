@@ -8,12 +8,13 @@ use std::fmt;
 use ron::Value;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 
-use super::Config;
-use super::table::{Kind, SETTINGS, Setting, USUAL, allowed_colours};
 use crate::plain_text::quoted;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
-use crate::scenario::ron_text::{self, word_at};
+use crate::scenario::ron_text;
+use crate::scenario::ron_text::word_at;
+use crate::tui::config::Config;
+use crate::tui::config::table::{Kind, SETTINGS, Setting, USUAL, allowed_colours};
 use crate::tui::keys::Press;
 use crate::tui::keys::chosen::open_to_choice;
 use crate::tui::view::palette::{ROLES, SIXTEEN};

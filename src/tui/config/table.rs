@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::ValueEnum;
 
-use super::Config;
+use crate::tui::config::Config;
 use crate::tui::keys::Press;
 use crate::tui::keys::chosen::{Keys, open_to_choice};
 use crate::tui::screens::SCREENS;

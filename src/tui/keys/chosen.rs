@@ -7,7 +7,7 @@
 
 use crossterm::event::{KeyCode, KeyModifiers};
 
-use super::{Act, Binding, KeyTable, Press, shared};
+use crate::tui::keys::{Act, Binding, KeyTable, Press, shared};
 use crate::tui::screens::SCREENS;
 
 /// What was chosen, by the names of the bindings.

@@ -3,12 +3,13 @@
 
 use crossterm::event::KeyCode;
 
-use super::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shift};
+use crate::tui::keys::{Act, Binding, KeyTable, Press, alt, bind, c, ctrl, named, plain, shift};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::{SCREENS, accuracy};
 use crate::tui::take_away;
 use crate::tui::threshold;
-use crate::tui::update::{self, PAGE, presets, scroll, time};
+use crate::tui::update;
+use crate::tui::update::{PAGE, presets, scroll, time};
 
 pub(crate) const UP: Press = plain(KeyCode::Up);
 pub(crate) const DOWN: Press = plain(KeyCode::Down);

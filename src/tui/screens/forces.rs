@@ -3,14 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Pane, Screen};
-use crate::recording::Traces;
+use crate::answer::course::{COURSES, Course, Group};
 use crate::report::figure::at_a_moment;
-use crate::study::course::{COURSES, Course, Group};
+use crate::run::kept::Traces;
 use crate::tui::clock::peak_said;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::{Pane, Screen};
 use crate::tui::step::Step;
 use crate::tui::update::time;
 use crate::tui::view::chart::{Chart, Curve, active, value_at};

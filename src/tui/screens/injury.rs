@@ -3,14 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Pane, Screen};
+use crate::answer::quantity::Quantity;
 use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::report::verdict::{VOID, part_of};
-use crate::study::Quantity;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::{Pane, Screen};
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 

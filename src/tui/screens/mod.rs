@@ -11,7 +11,7 @@ pub mod map;
 pub mod replay;
 mod screen;
 
-pub use screen::{Mouse, Pane, Screen};
+pub use crate::tui::screens::screen::{Mouse, Pane, Screen};
 
 /// Every screen, in the order of its number key; the first is shown first.
 pub const SCREENS: &[Screen] = &[

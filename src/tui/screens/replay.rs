@@ -3,17 +3,17 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Pane, Screen};
-use crate::eye::Region;
+use crate::answer::course::{Beside, COURSES, Course, Group};
+use crate::answer::quantity::Quantity;
+use crate::models::paper::eye::mesh::Region;
 use crate::report::figure::at_a_moment;
 use crate::report::text::significant;
-use crate::study::Quantity;
-use crate::study::course::{Beside, COURSES, Course, Group};
 use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};
+use crate::tui::screens::{Pane, Screen};
 use crate::tui::step::Step;
 use crate::tui::terminal::caps::Symbols;
 use crate::tui::update::time;

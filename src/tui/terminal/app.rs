@@ -11,19 +11,19 @@ use std::time::{Duration, Instant};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::clipboard::{Clipboard, clipboard, copied};
-use super::event::Event;
-use super::input::{Input, Parser};
-use super::jobs::Jobs;
-use super::pacer::{Cause, Pacer};
-use super::paint::{BEGIN, END, Pen, question};
-use super::session::Session;
-use super::system;
 use crate::scenario::library;
 use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::model::Model;
 use crate::tui::open::choices;
 use crate::tui::save::{SaveError, page, remove, rename, save};
+use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
+use crate::tui::terminal::event::Event;
+use crate::tui::terminal::input::{Input, Parser};
+use crate::tui::terminal::jobs::Jobs;
+use crate::tui::terminal::pacer::{Cause, Pacer};
+use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
+use crate::tui::terminal::session::Session;
+use crate::tui::terminal::system;
 use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view;
 

@@ -1,7 +1,7 @@
 //! What comes from outside.
 
-use super::input::Input;
 use crate::tui::keys::shared::SUSPEND;
+use crate::tui::terminal::input::Input;
 use crate::tui::update::Message;
 
 /// Something that came from outside.

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseEvent};
 
-use super::mouse;
+use crate::tui::terminal::mouse;
 
 /// Something that the terminal sent.
 #[derive(Debug, Clone, PartialEq, Eq)]

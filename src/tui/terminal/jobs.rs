@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::sync::mpsc::Sender;
 use std::time::Duration;
 
-use super::event::Event;
 use crate::tui::task::{Request, Ticket};
+use crate::tui::terminal::event::Event;
 use crate::tui::update::Message;
 use crate::tui::worker::Worker;
 

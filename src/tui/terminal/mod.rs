@@ -18,4 +18,4 @@ mod session;
 #[cfg_attr(windows, path = "windows.rs")]
 mod system;
 
-pub use app::{Settings, run};
+pub use crate::tui::terminal::app::{Settings, run};

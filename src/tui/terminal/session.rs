@@ -7,7 +7,7 @@ use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
-use super::system;
+use crate::tui::terminal::system;
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[2J\x1b[?2004h\x1b[?25l";

@@ -17,9 +17,9 @@ use signal_hook::consts::{
 use signal_hook::iterator;
 use signal_hook::low_level::emulate_default_handler;
 
-use super::event::Event;
-use super::pacer::Pacer;
-use super::{mouse, session};
+use crate::tui::terminal::event::Event;
+use crate::tui::terminal::pacer::Pacer;
+use crate::tui::terminal::{mouse, session};
 
 /// Where the app draws: a handle of its own takes no lock, so a panic on any thread can write.
 pub(super) type Out = File;

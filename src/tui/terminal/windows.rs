@@ -9,9 +9,9 @@ use std::thread;
 
 use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
 
-use super::event::Event;
-use super::input::Input;
-use super::pacer::Pacer;
+use crate::tui::terminal::event::Event;
+use crate::tui::terminal::input::Input;
+use crate::tui::terminal::pacer::Pacer;
 
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
 pub(super) type Out = io::Stdout;

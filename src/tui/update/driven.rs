@@ -1,10 +1,10 @@
 //! A model of the preset that opens first, in one colour, and keys for it: what the tests here start from.
 
-use super::{Effect, Message, begin, update};
 use crate::tui::model::{Look, Model};
 use crate::tui::open::prepare;
 use crate::tui::task::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view::heat::HeatMap;
 use crate::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};

@@ -3,10 +3,10 @@
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Rect;
 
-use super::{scroll, show};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::screens::Mouse;
 use crate::tui::step::Step;
+use crate::tui::update::{scroll, show};
 use crate::tui::view::{SMALLEST, body, tab_at};
 
 /// Takes in what the mouse did on a screen of `size`.

@@ -1,16 +1,17 @@
 //! What keys and answers do to the model, without a terminal and without threads.
 
-use super::driven::{asked, begun};
-use super::*;
-use crate::recording::Keep;
+use crate::answer::solve::solve as simulate;
+use crate::models::paper::case::{Refusal, unwatched};
+use crate::run::kept::Keep;
 use crate::scenario::Impact;
 use crate::scenario::fields;
-use crate::study::{Refusal, solve as simulate, unwatched};
 use crate::tui::form::Row;
 use crate::tui::prepare;
 use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
 use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Input as Typed, Parser};
+use crate::tui::update::driven::{asked, begun};
+use crate::tui::update::*;
 
 mod typing;
 
@@ -489,7 +490,7 @@ fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
     assert_eq!(busy(&model), ["Compare"]);
     for _ in 0..2 {
         for place in (0..SCREENS.len()).rev() {
-            super::show(&mut model, place);
+            crate::tui::update::show(&mut model, place);
             attend(&mut model);
             let title = SCREENS[place].title;
             let works = ["Compare", "Accuracy", "Map", "Doubt"].contains(&title);

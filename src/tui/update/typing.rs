@@ -2,7 +2,6 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::put;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::Kind;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
@@ -12,6 +11,7 @@ use crate::tui::line::Line;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::save::check_name;
 use crate::tui::threshold;
+use crate::tui::update::put;
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut Model, empty: bool) {

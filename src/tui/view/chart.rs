@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::raster::{Ink, Raster};
-use super::text::{put, put_right, width};
-use super::theme::Theme;
 use crate::report::text::significant;
 use crate::tui::model::Look;
+use crate::tui::view::raster::{Ink, Raster};
+use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::theme::Theme;
 
 /// A curve over time.
 pub struct Curve<'a> {

@@ -8,21 +8,24 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::fill::fill;
-use super::heat::{heat_glyph, step_of, thresholds};
-use super::projection::Projection;
-use super::raster::{Ink, Raster};
-use super::text::{put, width};
-use super::theme::Theme;
-use crate::eye::Region;
-use crate::recording::{Frame, nearest};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
+use crate::models::paper::eye::mesh::Region;
+use crate::models::paper::recording::frames::nearest;
+use crate::run::drawing::{Drawing, Line};
+use crate::run::kept::Frame;
 use crate::scenario::Scenario;
-use crate::scenario::fields::{self, Kind};
-use crate::study::drawing::{Drawing, Line};
-use crate::study::{Answer, Quantity};
+use crate::scenario::fields;
+use crate::scenario::fields::Kind;
 use crate::tui::clock::Detail;
 use crate::tui::model::{Look, Shown};
 use crate::tui::terminal::caps::Symbols;
+use crate::tui::view::fill::fill;
+use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
+use crate::tui::view::projection::Projection;
+use crate::tui::view::raster::{Ink, Raster};
+use crate::tui::view::text::{put, width};
+use crate::tui::view::theme::Theme;
 
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);

@@ -1,6 +1,6 @@
 //! A polygon filled with dots, the denser the more there is of what it shows.
 
-use super::raster::{Ink, Raster};
+use crate::tui::view::raster::{Ink, Raster};
 
 /// Which dots of a square of four by four come first (Bayer 1973).
 const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];

@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{fitted, put, width};
-use super::theme::Theme;
 use crate::tui::keys::live;
 use crate::tui::model::{Model, Overlay};
 use crate::tui::take_away::writing;
+use crate::tui::view::text::{fitted, put, width};
+use crate::tui::view::theme::Theme;
 
 /// Draws the footer.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {

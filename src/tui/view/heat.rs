@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-use crate::study::Answer;
+use crate::answer::solve::Answer;
 
 /// From which colours to which heat goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]

@@ -20,9 +20,9 @@ mod threshold;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::model::{Model, Overlay};
-use super::screens::{SCREENS, Screen};
-use super::terminal::caps::Symbols;
+use crate::tui::model::{Model, Overlay};
+use crate::tui::screens::{SCREENS, Screen};
+use crate::tui::terminal::caps::Symbols;
 use text::put;
 use theme::Theme;
 

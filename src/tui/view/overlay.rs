@@ -4,20 +4,24 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{fitted, put, width, wrapped};
-use super::theme::Theme;
 use crate::guide;
 use crate::tui::keys::{KeyTable, tables};
 use crate::tui::line::Line;
 use crate::tui::model::{Model, Naming, Overlay, Question};
+use crate::tui::view::text::{fitted, put, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Draws what is in front, if anything is.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     match &model.overlay {
         None => {}
         Some(Overlay::Help(line)) => help(model, *line, area, buffer),
-        Some(Overlay::Picker(picker)) => super::picker::draw(model, picker, area, buffer),
-        Some(Overlay::Threshold(asking)) => super::threshold::draw(model, asking, area, buffer),
+        Some(Overlay::Picker(picker)) => {
+            crate::tui::view::picker::draw(model, picker, area, buffer)
+        }
+        Some(Overlay::Threshold(asking)) => {
+            crate::tui::view::threshold::draw(model, asking, area, buffer)
+        }
         Some(Overlay::Name(naming, name, error)) => {
             typed_name(model, naming, (name, error.as_deref()), area, buffer);
         }
@@ -127,13 +131,13 @@ fn help_lines(model: &Model, room: usize) -> Vec<(String, String)> {
     }
     lines.push(heading("Words".to_owned()));
     lines.extend(glossary(room));
-    lines.push(heading(super::PURPOSE.to_owned()));
+    lines.push(heading(crate::tui::view::PURPOSE.to_owned()));
     lines
 }
 
 /// How many lines the help has where it is narrowest, and the most of them.
 pub fn help_rows(model: &Model) -> u16 {
-    let room = super::SMALLEST.0 - MARGIN;
+    let room = crate::tui::view::SMALLEST.0 - MARGIN;
     u16::try_from(help_lines(model, room.into()).len()).unwrap_or(u16::MAX)
 }
 

@@ -8,8 +8,8 @@
 use clap::ValueEnum;
 use ratatui::style::Color;
 
-use super::heat::HeatMap;
 use crate::tui::terminal::caps::Depth;
+use crate::tui::view::heat::HeatMap;
 
 /// What the terminal's ground is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -3,12 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::overlay::{frame, input};
-use super::text::{fitted, put, put_right, seen, width};
-use super::theme::Theme;
 use crate::tui::model::{Choice, Model};
 use crate::tui::picker::{Picker, facts};
 use crate::tui::screens::forces::mark;
+use crate::tui::view::overlay::{frame, input};
+use crate::tui::view::text::{fitted, put, put_right, seen, width};
+use crate::tui::view::theme::Theme;
 
 /// Columns of a name, and the ends of the three facts.
 const NAME: u16 = 20;

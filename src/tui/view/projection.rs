@@ -1,6 +1,6 @@
 //! Where a point of the eye lies on the screen.
 
-use super::raster::Raster;
+use crate::tui::view::raster::Raster;
 
 /// From metres to dots.
 pub(super) struct Projection {

@@ -6,8 +6,9 @@ use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
-use crate::report::text::{self, digits};
-use crate::study::FlagKind;
+use crate::report::text;
+use crate::report::text::digits;
+use crate::run::flags::FlagKind;
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {

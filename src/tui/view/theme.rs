@@ -1,13 +1,13 @@
-//! How each role looks: its colour from the [palette](super::palette), bold where it must stand out, and without
+//! How each role looks: its colour from the [palette](crate::tui::view::palette), bold where it must stand out, and without
 //! colours bold, dim, underline and reverse alone.
 
 use ratatui::style::{Color, Modifier, Style};
 
-use super::palette::Role;
-use crate::eye::Region;
 use crate::injury::gravity;
+use crate::models::paper::eye::mesh::Region;
 use crate::tui::model::Look;
 use crate::tui::terminal::caps::Depth;
+use crate::tui::view::palette::Role;
 
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
@@ -211,10 +211,10 @@ impl Theme {
 
 #[cfg(test)]
 mod tests {
-    use super::super::heat::HeatMap;
-    use super::super::palette::Palette;
     use super::*;
     use crate::tui::terminal::caps::Symbols;
+    use crate::tui::view::heat::HeatMap;
+    use crate::tui::view::palette::Palette;
 
     /// The contrast that text needs (WCAG 2.1, 1.4.3).
     const READABLE: f64 = 4.5;

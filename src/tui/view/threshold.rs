@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::overlay::{frame, input};
-use super::text::{flag_name, put, width, wrapped};
-use super::theme::Theme;
 use crate::report::threshold::{brief, never};
 use crate::tui::form::typed_text;
 use crate::tui::model::Model;
 use crate::tui::threshold::Asking;
+use crate::tui::view::overlay::{frame, input};
+use crate::tui::view::text::{flag_name, put, width, wrapped};
+use crate::tui::view::theme::Theme;
 
 /// Draws it in the middle of `area`.
 pub fn draw(model: &Model, asking: &Asking, area: Rect, buffer: &mut Buffer) {

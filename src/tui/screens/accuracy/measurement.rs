@@ -6,10 +6,11 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::answer::quantity::Quantity;
+use crate::answer::total::{Total, Totals, finest_tried, measure};
+use crate::models::paper::case::{Refusal, Watch};
 use crate::report::text::{percent, significant};
 use crate::scenario::{NumericsInput, Scenario};
-use crate::study::total::{Total, Totals, finest_tried, measure};
-use crate::study::{Quantity, Refusal, Watch};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 

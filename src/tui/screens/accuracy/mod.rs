@@ -5,12 +5,12 @@ mod log_axis;
 pub mod measurement;
 mod view;
 
-use super::{Mouse, Pane, SCREENS, Screen};
 use crate::scenario::Scenario;
 use crate::tui::form::words;
 use crate::tui::keys::shared::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Overlay, Question};
+use crate::tui::screens::{Mouse, Pane, SCREENS, Screen};
 use crate::tui::step::Step;
 use crate::tui::update::{change, show};
 use measurement::adopted;

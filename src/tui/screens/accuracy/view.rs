@@ -7,12 +7,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use super::log_axis::{Axis, tick_label};
-use crate::dynamics::Integrator;
+use crate::answer::quantity::Quantity;
+use crate::answer::total::{ROUNDS, Total, Totals};
 use crate::report::text::{percent, significant};
-use crate::study::Quantity;
-use crate::study::total::{ROUNDS, Total, Totals};
+use crate::scenario::Integrator;
 use crate::tui::model::{Look, Model};
+use crate::tui::screens::accuracy::log_axis::{Axis, tick_label};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;

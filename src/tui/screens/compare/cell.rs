@@ -1,10 +1,11 @@
 //! A cell of the table: a value with as many digits as its error allows, and that error below it.
 
-use super::comparison::Column;
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
+use crate::answer::solve::Answer;
 use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};
-use crate::study::quantity::Read;
-use crate::study::{Answer, Quantity};
+use crate::tui::screens::compare::comparison::Column;
 
 /// What an answer has in a column, and how far that may be off. Whether a mesh error is still to come.
 pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {

@@ -3,15 +3,17 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::{EstimateMarked, SimulateMarked};
-use crate::recording::Traces;
+use crate::answer::course::{Beside, Course};
+use crate::answer::mesh_error::MeshError;
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
+use crate::answer::solve::Answer;
+use crate::many::comparison::order;
 use crate::report;
+use crate::run::kept::Traces;
 use crate::scenario::Scenario;
-use crate::study::comparison::order;
-use crate::study::course::{Beside, Course};
-use crate::study::quantity::Read;
-use crate::study::{Answer, MeshError, Quantity};
 use crate::tui::model::Shown;
+use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
 use crate::tui::task::Task;
 use crate::tui::work::brief;
 
@@ -332,9 +334,10 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Keep;
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::Keep;
     use crate::scenario::library;
-    use crate::study::{solve, unwatched};
 
     fn filled() -> Comparison {
         let mut comparison = Comparison::default();

@@ -8,18 +8,20 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use super::{Mouse, Pane, Screen, screen};
+use crate::answer::course::Course;
+use crate::answer::mesh_error::{MeshError, MeshQuery};
+use crate::answer::solve::Answer;
+use crate::models::paper::case::{Refusal, Watch};
 use crate::plain_text::quoted;
-use crate::recording::Traces;
+use crate::run::kept::Traces;
 use crate::scenario::Scenario;
-use crate::study::course::Course;
-use crate::study::{Answer, MeshError, MeshQuery, Refusal, Watch};
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Choice, Model, Overlay, Shown};
 use crate::tui::picker::Picker;
 use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FRAME_KEYS;
+use crate::tui::screens::{Mouse, Pane, Screen, screen};
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};

@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::comparison::Alignment;
-use crate::study::Answer;
-use crate::study::course::Course;
+use crate::answer::course::Course;
+use crate::answer::solve::Answer;
 use crate::tui::model::Model;
+use crate::tui::screens::compare::comparison::Alignment;
 use crate::tui::screens::forces::mark;
 use crate::tui::view::chart::{Chart, Curve};
 use crate::tui::view::raster::Ink;

@@ -3,9 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::comparison::Found;
-use super::view::heading;
 use crate::tui::model::Model;
+use crate::tui::screens::compare::comparison::Found;
+use crate::tui::screens::compare::view::heading;
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::eye::Scene;

@@ -3,19 +3,19 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::answer::solve::Answer;
 use crate::injury::lines;
-use crate::study::Answer;
 use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
 use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
-use super::cell::cell;
-use super::comparison::{Column, Comparison, Entry, FORM, Found};
-use super::overlaid::overlaid;
-use super::replays::replays;
-use super::{LIST, REPLAYS, SCREEN, TABLE};
+use crate::tui::screens::compare::cell::cell;
+use crate::tui::screens::compare::comparison::{Column, Comparison, Entry, FORM, Found};
+use crate::tui::screens::compare::overlaid::overlaid;
+use crate::tui::screens::compare::replays::replays;
+use crate::tui::screens::compare::{LIST, REPLAYS, SCREEN, TABLE};
 
 /// Draws the screen.
 pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {

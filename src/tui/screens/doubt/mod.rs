@@ -2,16 +2,16 @@
 
 mod view;
 
-use super::{Pane, Screen};
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
 use crate::injury::Verdict;
+use crate::many::ensemble::Ensemble;
 use crate::report::verdict::is_void;
-use crate::study::Quantity;
-use crate::study::ensemble::Ensemble;
-use crate::study::quantity::Read;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
+use crate::tui::screens::{Pane, Screen};
 
 pub(crate) const SCREEN: Screen = Screen {
     samples: MANY,
@@ -68,8 +68,8 @@ fn go(model: &mut Model, by: isize) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::paper::case::{Refusal, unwatched};
     use crate::scenario::Scenario;
-    use crate::study::{Refusal, unwatched};
     use crate::tui::ensemble::{FEW, RunSamples};
     use crate::tui::keys::live;
     use crate::tui::simulation::{EstimateMesh, Simulate};

@@ -3,12 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{DIAL, FORM};
 use crate::report::text::digits;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::model::{Model, Overlay};
+use crate::tui::screens::main::{DIAL, FORM};
 use crate::tui::view::PURPOSE;
 use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
@@ -137,7 +137,7 @@ fn described(model: &Model) -> String {
         Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
         Row::Fold => "mesh, materials, numerics".to_owned(),
         Row::Field(field) => {
-            let pulse = super::pulse::said(&model.work.scenario, field.path);
+            let pulse = crate::tui::screens::main::pulse::said(&model.work.scenario, field.path);
             let accepted = match pulse {
                 Some(pulse) => format!("{pulse}; {}", allowed(field)),
                 None => allowed(field),

@@ -7,9 +7,9 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use super::{Mouse, Pane, Screen};
 use crate::scenario::Scenario;
-use crate::scenario::fields::{self, Field};
+use crate::scenario::fields;
+use crate::scenario::fields::Field;
 use crate::tui::ensemble::FEW;
 use crate::tui::form::{Row, allowed, chosen, nudged, with_text};
 use crate::tui::keys::shared::{
@@ -17,6 +17,7 @@ use crate::tui::keys::shared::{
 };
 use crate::tui::keys::{Act, Binding, KeyTable, Press, TimeKeys, bind, c};
 use crate::tui::model::Model;
+use crate::tui::screens::{Mouse, Pane, Screen};
 use crate::tui::step::Step;
 use crate::tui::threshold;
 use crate::tui::update::{change, presets, time, typing};

@@ -5,10 +5,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+use crate::answer::quantity::Quantity;
 use crate::injury::{Injury, Term, Verdict, lines, span};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::limit::alone;
-use crate::study::{Flag, Quantity};
+use crate::run::flags::Flag;
 use crate::tui::model::{Model, Shown};
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;

@@ -3,14 +3,15 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::DIAL;
-use super::{form, score};
-use crate::recording::Peak;
+use crate::answer::course::{Beside, Course};
+use crate::answer::quantity::Quantity;
+use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
-use crate::study::course::{Beside, Course};
-use crate::study::{Answer, Quantity};
+use crate::run::kept::Peak;
 use crate::tui::model::{Model, Shown};
 use crate::tui::screens::injury;
+use crate::tui::screens::main::DIAL;
+use crate::tui::screens::main::{form, score};
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::chart::{Chart, Curve, active, spark};
 use crate::tui::view::eye::Scene;

@@ -3,14 +3,14 @@
 pub mod state;
 mod view;
 
-use super::{Mouse, Pane, Screen};
-use crate::study::map::Span;
+use crate::many::map::Span;
 use crate::tui::form::words;
 use crate::tui::keys::shared::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
 };
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::Model;
+use crate::tui::screens::{Mouse, Pane, Screen};
 use crate::tui::step::Step;
 use crate::tui::update::change;
 
@@ -119,11 +119,12 @@ fn adopt(model: &mut Model) {
 
 #[cfg(test)]
 mod tests {
-    use super::state::DrawMap;
     use super::*;
+    use crate::answer::quantity::Quantity;
+    use crate::answer::results::PerQuantity;
+    use crate::many::map::Spot;
     use crate::scenario::library::find;
-    use crate::study::map::Spot;
-    use crate::study::{PerQuantity, Quantity};
+    use crate::tui::screens::map::state::DrawMap;
     use crate::tui::simulation::Simulate;
     use crate::tui::task::Report;
     use crate::tui::update::driven::{asked, begun, key, letter};

@@ -1,11 +1,12 @@
 //! The map of two inputs as the app holds it: which inputs, what is known, where the cursor stands.
 
+use crate::answer::quantity::Quantity;
+use crate::many::map::{Grid, Reading, SIDE, Span, fill};
+use crate::many::sweep::spaced;
+use crate::models::paper::case::{Refusal, Watch};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
-use crate::study::map::{Grid, Reading, SIDE, Span, fill};
-use crate::study::sweep::spaced;
-use crate::study::{Quantity, Refusal, Watch};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 use crate::tui::worker::overseen;
@@ -325,8 +326,8 @@ impl Map {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::PerQuantity;
-    use crate::study::map::Spot;
+    use crate::answer::results::PerQuantity;
+    use crate::many::map::Spot;
 
     #[test]
     fn inputs_follow_the_scenario_and_go_round_without_meeting() {

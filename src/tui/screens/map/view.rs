@@ -10,15 +10,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::answer::quantity::Quantity;
+use crate::answer::quantity::Read;
 use crate::injury::{Blow, Caution, Measure};
+use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
 use crate::report::verdict::VOID;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
-use crate::study::Quantity;
-use crate::study::map::{Grid, SIDE, Span};
-use crate::study::quantity::Read;
 use crate::tui::model::Model;
 use crate::tui::screens::map::state::rounded;
 use crate::tui::view::text::{fitted, put, put_both, put_right, width, wrapped};

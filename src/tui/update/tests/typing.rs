@@ -1,6 +1,6 @@
 //! What typing a value does.
 
-use super::*;
+use crate::tui::update::tests::*;
 
 #[test]
 fn typing_simulates_what_makes_sense_and_escape_restores() {

@@ -1,0 +1,223 @@
+//! The cheapest mesh, integrator and step that give the damage score to a tolerance.
+//!
+//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it, which are
+//! the next to be tried, so nothing is computed twice. Once the mesh error is below the tolerance,
+//! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
+//! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
+
+use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve_by};
+use crate::models::compiled::Compiled;
+use crate::models::paper::case::{Refusal, Watch};
+use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use crate::run::kept::Keep;
+use crate::run::rules::{Automatic, share_for};
+use crate::scenario::Integrator;
+use crate::scenario::{CheckedScenario, FINEST_PHYSIOLOGICAL_LEVEL, Model, Scenario};
+
+/// The finest level that is tried. Its error comes from levels 6 and 7, so that level 8 can tell whether what is
+/// answered is true.
+pub const FINEST_TRIED: u32 = 5;
+/// Below this tolerance, in %, Verlet cannot be the cheapest.
+const VERLET_FROM_PERCENT: f64 = 0.2;
+/// How often the step is shortened.
+const MAX_ATTEMPTS: usize = 8;
+
+/// An answer within a tolerance, and why it was computed that way.
+#[derive(Debug, Clone)]
+pub struct Chosen {
+    /// The answer, its mesh error included.
+    pub answer: Answer,
+    /// The scenario with the chosen level.
+    pub scenario: CheckedScenario,
+    /// What was tried and chosen, a sentence each.
+    pub reasons: Vec<String>,
+    /// Springs or cells that were computed for it, those of coarser and finer meshes included.
+    pub elements: f64,
+}
+
+/// Results of one scenario on the meshes of levels 1, 2, 3, ..., each computed once.
+#[derive(Debug, Default)]
+pub(crate) struct Ladder(Vec<OnMesh>);
+
+impl Ladder {
+    /// On the mesh of `level`.
+    pub fn at(&mut self, scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
+        while self.0.len() < level as usize {
+            let next = self.0.len() as u32 + 1;
+            self.0.push(at_level(scenario, next, watch)?);
+        }
+        Ok(self.0[level as usize - 1])
+    }
+
+    /// Springs or cells that levels 1 to `level` took.
+    pub fn elements(&self, level: u32) -> f64 {
+        self.0
+            .iter()
+            .take(level as usize)
+            .map(|on| on.elements)
+            .sum()
+    }
+}
+
+/// The error of the damage index, in %; one that is not known meets no tolerance.
+fn of_damage(errors: &Results) -> f64 {
+    errors[Quantity::Damage].unwrap_or(f64::INFINITY)
+}
+
+/// Answers `scenario` with the damage index within `percent` of its converged value, by step and mesh
+/// together; `level` and `numerics` of the scenario are chosen anew.
+///
+/// # Errors
+/// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.
+pub fn within(
+    scenario: &CheckedScenario,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Chosen, Refusal> {
+    within_by(&mut Ladder::default(), scenario, percent, keep, watch)
+}
+
+/// The same with what `ladder` has of this scenario.
+pub(crate) fn within_by(
+    ladder: &mut Ladder,
+    scenario: &CheckedScenario,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Chosen, Refusal> {
+    let mut reasons = Vec::new();
+    let mut best = f64::INFINITY;
+    let finest = match scenario.model {
+        Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
+        Model::Paper => FINEST_TRIED,
+    };
+    for level in 1..=finest {
+        let levels = witnesses(&scenario.model, level);
+        let own = ladder.at(scenario, level, watch)?;
+        if let Some(time) = own.folded {
+            return Err(Refusal::ToleranceNotMet {
+                percent,
+                reason: format!(
+                    "the mesh of level {level} folds at {:.3} ms, beyond the model's validity",
+                    time * 1e3
+                ),
+            });
+        }
+        let coarser = ladder.at(scenario, levels[0], watch)?;
+        let finer = ladder.at(scenario, levels[1], watch)?;
+        let mesh = MeshError::of(&scenario.model, level, &own, [&coarser, &finer]);
+        let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
+            reasons.push(format!("level {level}: finer meshes show no limit"));
+            continue;
+        };
+        if mesh_error < percent {
+            let mut at = Scenario::from(scenario.clone());
+            at.eye.level = level;
+            let at = at.check()?;
+            let left = percent - mesh_error;
+            reasons.push(format!(
+                "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
+            ));
+            let mut answer = meet(&Compiled::new(&at), left, keep, watch, &mut reasons)?;
+            answer.add(mesh);
+            return Ok(Chosen {
+                // An answer is two runs of about the same length.
+                elements: ladder.elements(levels[1]) + 2.0 * answer.element_evaluations as f64,
+                answer,
+                scenario: at,
+                reasons,
+            });
+        }
+        best = best.min(mesh_error);
+        reasons.push(format!(
+            "level {level}: mesh error {mesh_error:.2} %, too much"
+        ));
+    }
+    Err(Refusal::ToleranceNotMet {
+        percent,
+        reason: format!("the best of levels 1 to {finest} has a mesh error of {best:.2} %"),
+    })
+}
+
+/// The cheapest step on `case` whose damage error is at most `percent`.
+fn meet(
+    case: &Compiled,
+    percent: f64,
+    keep: Keep,
+    watch: Watch,
+    reasons: &mut Vec<String>,
+) -> Result<Answer, Refusal> {
+    let Automatic {
+        integrator: automatic,
+        share,
+    } = case.rules().answer;
+    let plan = |integrator| Plan {
+        integrator,
+        step: share * case.step_limit(integrator),
+        window: case.window(),
+        multiple: 1.0,
+        local_tolerance: LOCAL_TOLERANCE,
+    };
+    if percent >= VERLET_FROM_PERCENT {
+        let answer = solve_by(case.clone(), plan(Integrator::VelocityVerlet), keep, watch)?;
+        let error = of_damage(&answer.errors.time_step);
+        if error <= percent {
+            reasons.push(format!(
+                "velocity-verlet at {share} of its stability limit: step error {error:.3} %, the cheapest"
+            ));
+            return Ok(answer);
+        }
+        reasons.push(format!(
+            "velocity-verlet: step error {error:.3} %, too much"
+        ));
+    }
+    let mut plan = plan(automatic);
+    let mut error = f64::INFINITY;
+    for _ in 0..MAX_ATTEMPTS {
+        let answer = solve_by(case.clone(), plan, keep, watch)?;
+        error = of_damage(&answer.errors.time_step);
+        let share = plan.step / case.step_limit(plan.integrator);
+        if error <= percent {
+            reasons.push(format!(
+                "{} at {share:.2} of its stability limit: step error {error:.4} %",
+                automatic.name()
+            ));
+            return Ok(answer);
+        }
+        plan.step *= (0.9 * share_for(percent, error, case.order(automatic))).clamp(0.25, 0.8);
+    }
+    Err(Refusal::ToleranceNotMet {
+        percent,
+        reason: format!("the step error stays at {error:.3} %"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::paper::case::unwatched;
+
+    #[test]
+    fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {
+        let scenario = CheckedScenario::default();
+        let mut ladder = Ladder::default();
+        let mut ask = |percent| {
+            let keep = Keep::default();
+            within_by(&mut ladder, &scenario, percent, keep, &mut unwatched).unwrap()
+        };
+        let rough = ask(50.0);
+        let finer = ask(20.0);
+        for (chosen, percent) in [(&rough, 50.0), (&finer, 20.0)] {
+            let stated = 100.0 * chosen.answer.errors.share(Quantity::Damage);
+            assert!(stated <= percent, "{stated}");
+            assert_eq!(chosen.scenario.eye.level, chosen.answer.case.level());
+        }
+        assert!(finer.answer.case.level() > rough.answer.case.level());
+        assert!(finer.elements > rough.elements);
+        assert_eq!(ladder.0.len(), 4);
+    }
+}

@@ -1,0 +1,348 @@
+//! What is followed over time: every result that has a trace, and what explains them.
+//!
+//! The force profiles, the sparklines, the overlaid curves of a comparison and the traces as CSV
+//! iterate [`COURSES`]. A result joins them by its [`Trace`] in the table of results; what is no
+//! result, such as the load, is a row here.
+
+use crate::answer::quantity::Quantity;
+use crate::run::kept::Traces;
+use std::io::Write;
+use std::sync::LazyLock;
+use strum::VariantArray;
+
+/// Something over time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Course {
+    /// A result; it has a trace.
+    Of(Quantity),
+    /// What is no result.
+    Beside(Beside),
+}
+
+impl Default for Course {
+    /// The node near the centre of the eye.
+    fn default() -> Self {
+        Self::Of(Quantity::ForceCentre)
+    }
+}
+
+/// What is followed over time without being a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
+pub enum Beside {
+    /// The load of the scenario.
+    Load,
+    /// What acts on the eye: the force of contact of a projectile, else the load.
+    Drive,
+    /// Energy of motion.
+    Kinetic,
+    /// Energy lost so far.
+    Dissipated,
+    /// Centre of the projectile.
+    ProjectileX,
+    /// The same, up.
+    ProjectileY,
+    /// Velocity of the projectile.
+    ProjectileVx,
+    /// The same, up.
+    ProjectileVy,
+}
+
+/// Courses that are looked at together, in the order of the views of them and of the columns of CSV.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, VariantArray)]
+pub enum Group {
+    /// What the scenario prescribes.
+    Input,
+    /// Forces of nodes.
+    NodeForces,
+    /// What acts on the eye, and how the whole of it moves.
+    Motion,
+    /// Where the energy is.
+    Energies,
+    /// Pressures and stresses.
+    Inside,
+    /// What the projectile does.
+    Projectile,
+}
+
+/// All that is known of a course.
+#[derive(Clone, Copy)]
+pub struct CourseRow {
+    /// Name for people.
+    pub label: &'static str,
+    /// Unit for people.
+    pub unit: &'static str,
+    /// From SI to the unit.
+    pub factor: f64,
+    /// The values, SI; empty where the scene has none.
+    pub values: fn(&Traces) -> &[f64],
+    /// What it is looked at with, and its place there.
+    pub place: (Group, u8),
+    /// Its column in CSV, if it has one of its own.
+    pub column: Option<Column>,
+}
+
+/// How a course is written as CSV.
+#[derive(Clone, Copy)]
+pub struct Column {
+    /// Name with its unit: a contract.
+    pub name: &'static str,
+    /// From SI to that unit.
+    pub factor: f64,
+    /// Its digits.
+    pub digits: fn(f64) -> String,
+}
+
+/// The course of a result over time.
+#[derive(Clone, Copy)]
+pub struct Trace {
+    /// What the course is called, of which the result is the largest or the last value.
+    pub label: &'static str,
+    /// Its column in CSV: a contract.
+    pub column: &'static str,
+    /// The values, SI; empty where the scene has none.
+    pub values: fn(&Traces) -> &[f64],
+    /// What it is looked at with, and its place there.
+    pub place: (Group, u8),
+    /// Whether it is drawn beside the eye.
+    pub spark: bool,
+}
+
+/// A course that is not drawn beside the eye.
+pub(crate) const fn trace(
+    label: &'static str,
+    column: &'static str,
+    values: fn(&Traces) -> &[f64],
+    place: (Group, u8),
+) -> Trace {
+    Trace {
+        label,
+        column,
+        values,
+        place,
+        spark: false,
+    }
+}
+
+/// Every course, by its place.
+pub static COURSES: LazyLock<Vec<Course>> = LazyLock::new(|| {
+    let traced = |q: &&Quantity| q.row().trace.is_some();
+    let results = Quantity::ALL.iter().filter(traced).map(|q| Course::Of(*q));
+    let beside = Beside::VARIANTS.iter().map(|b| Course::Beside(*b));
+    let mut all: Vec<Course> = results.chain(beside).collect();
+    all.sort_by_key(|course| course.row().place);
+    all
+});
+
+impl Course {
+    /// Where it is drawn and how it is read, from the one table.
+    ///
+    /// # Panics
+    /// For a result without a trace.
+    pub fn row(self) -> CourseRow {
+        match self {
+            Self::Of(quantity) => of_result(quantity),
+            Self::Beside(beside) => beside.row(),
+        }
+    }
+
+    /// Its values in these traces, SI; empty where the scene has none.
+    pub fn values(self, traces: &Traces) -> &[f64] {
+        (self.row().values)(traces)
+    }
+
+    /// What it is called with these traces: what drives the eye is the load or the contact.
+    pub fn label(self, traces: &Traces) -> &'static str {
+        if self == Self::Beside(Beside::Drive) && by_contact(traces) {
+            Quantity::Contact.row().short
+        } else {
+            self.row().label
+        }
+    }
+}
+
+fn of_result(quantity: Quantity) -> CourseRow {
+    let row = quantity.row();
+    let Some(trace) = row.trace else {
+        panic!("{} has no trace", row.key);
+    };
+    CourseRow {
+        label: trace.label,
+        ..course(
+            row.unit,
+            row.factor,
+            trace.column,
+            trace.values,
+            trace.place,
+        )
+    }
+}
+
+/// Whether a projectile drives the eye.
+fn by_contact(traces: &Traces) -> bool {
+    !traces.contact_force.is_empty()
+}
+
+/// What is named as its column and written in its unit.
+fn course(
+    unit: &'static str,
+    factor: f64,
+    column: &'static str,
+    values: fn(&Traces) -> &[f64],
+    place: (Group, u8),
+) -> CourseRow {
+    CourseRow {
+        label: column,
+        unit,
+        factor,
+        values,
+        place,
+        column: Some(Column {
+            name: column,
+            factor,
+            digits: |value| format!("{value:.9e}"),
+        }),
+    }
+}
+
+impl Beside {
+    fn row(self) -> CourseRow {
+        use Group::{Energies, Input, Motion, Projectile};
+        match self {
+            Self::Load => CourseRow {
+                label: "load",
+                column: Some(Column {
+                    name: "load_n",
+                    factor: 1.0,
+                    digits: |newtons| format!("{newtons:.6e}"),
+                }),
+                ..course("N", 1.0, "", |t| &t.load, (Input, 0))
+            },
+            Self::Drive => CourseRow {
+                values: |t| {
+                    if by_contact(t) {
+                        &t.contact_force
+                    } else {
+                        &t.load
+                    }
+                },
+                place: (Motion, 0),
+                column: None,
+                ..Self::Load.row()
+            },
+            Self::Kinetic => CourseRow {
+                label: "kinetic",
+                ..course("J", 1.0, "kinetic_j", |t| &t.kinetic, (Energies, 0))
+            },
+            Self::Dissipated => CourseRow {
+                label: "dissipated",
+                ..course("J", 1.0, "dissipated_j", |t| &t.dissipated, (Energies, 2))
+            },
+            Self::ProjectileX => CourseRow {
+                label: "projectile x",
+                ..course(
+                    "mm",
+                    1e3,
+                    "projectile_x_mm",
+                    |t| &t.projectile[0],
+                    (Projectile, 1),
+                )
+            },
+            Self::ProjectileY => CourseRow {
+                label: "projectile y",
+                ..course(
+                    "mm",
+                    1e3,
+                    "projectile_y_mm",
+                    |t| &t.projectile[1],
+                    (Projectile, 2),
+                )
+            },
+            Self::ProjectileVx => {
+                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[0];
+                course("m/s", 1.0, "projectile_vx_m_s", values, (Projectile, 3))
+            }
+            Self::ProjectileVy => {
+                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[1];
+                course("m/s", 1.0, "projectile_vy_m_s", values, (Projectile, 4))
+            }
+        }
+    }
+}
+
+/// Writes traces as CSV, one row a step: the time, then every course that they have.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
+    let mut csv = csv::Writer::from_writer(out);
+    let column = |course: &Course| Some((course.row().column?, course.values(traces)));
+    let columns: Vec<(Column, &[f64])> = COURSES
+        .iter()
+        .filter_map(column)
+        .filter(|(_, values)| !values.is_empty())
+        .collect();
+    let names = columns.iter().map(|(column, _)| column.name);
+    csv.write_record(std::iter::once("time_ms").chain(names))?;
+    for (i, time) in traces.time.iter().enumerate() {
+        csv.write_field(format!("{:.9}", time * 1e3))?;
+        for (column, values) in &columns {
+            csv.write_field((column.digits)(values[i] * column.factor))?;
+        }
+        csv.write_record(None::<&[u8]>)?;
+    }
+    csv.flush()?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::models::paper::case::unwatched;
+    use crate::run::kept::Keep;
+    use crate::scenario::CheckedScenario;
+
+    #[test]
+    fn courses_have_places_and_columns_of_their_own() {
+        for (i, course) in COURSES.iter().enumerate() {
+            let row = course.row();
+            for other in COURSES[..i].iter().map(|other| other.row()) {
+                assert_ne!(row.place, other.place, "{}", row.label);
+                let name = |row: &CourseRow| row.column.map(|column| column.name);
+                assert!(row.column.is_none() || name(&row) != name(&other));
+            }
+        }
+    }
+
+    #[test]
+    fn a_result_is_the_largest_of_its_course_or_its_end() {
+        let scenario = CheckedScenario::default();
+        let keep = Keep {
+            traces: true,
+            frames: None,
+        };
+        let answer = solve(&scenario, keep, &mut unwatched).unwrap();
+        let traces = answer.traces.as_ref().unwrap();
+        for (quantity, trace) in Quantity::ALL
+            .iter()
+            .filter_map(|q| Some((*q, q.row().trace?)))
+        {
+            let values = (trace.values)(traces);
+            let Some(result) = answer.result(quantity) else {
+                assert!(values.is_empty(), "{}", trace.label);
+                continue;
+            };
+            let found = match answer.peak(quantity) {
+                Some(_) => values.iter().copied().fold(0.0, f64::max),
+                None => values[values.len() - 1],
+            };
+            // Between two steps it may have been a little larger.
+            let share = found * quantity.row().factor / result;
+            assert!(
+                (0.99..=1.0 + 1e-12).contains(&share),
+                "{} {share}",
+                trace.label
+            );
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! One run among many: results and flags without traces, with the step error where it is asked for.
+//!
+//! A [`single`] run makes no second run. A [`checked`] one states its step error as single answers do
+//! and shortens its step until that is within [`promise_percent`]. A [`compared`] one is set beside a
+//! run of twice as many steps, whose error is a sixteenth at fourth order: the difference is the error
+//! itself, without the safety factor of a statement. No step helps once the mesh has folded.
+//!
+//! The automatic step is a share of the stability limit. Among many runs that is wasteful both ways:
+//! a stiff eye takes steps far shorter than its accuracy needs, a soft one steps too long for the edges
+//! of the pulse. So a run among many may take up to 0.95 of the limit but never more than a cap, which
+//! comes from the comparisons of a few runs.
+
+use crate::answer::results::Results;
+use crate::answer::solve::solve_by;
+use crate::models::compiled::{Compiled, Ran};
+use crate::models::paper::case::{Refusal, Watch};
+use crate::models::paper::time::march::Plan;
+use crate::run::flags::FlagKind;
+use crate::run::kept::Keep;
+use crate::run::rules::{LONGEST_SHARE, share_for};
+use crate::scenario::{CheckedScenario, Scenario};
+
+/// How often a step is shortened, each time at most to a half.
+const MAX_ATTEMPTS: usize = 6;
+
+/// The step error that runs of `scenario` among many keep to, in %.
+pub fn promise_percent(scenario: &CheckedScenario) -> f64 {
+    Compiled::new(scenario).rules().promise_percent
+}
+
+/// What a run among many gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Every result.
+    pub values: Results,
+    /// What limits them; flags that need the step error only where it was checked.
+    pub flags: Vec<FlagKind>,
+    /// The step error, where it was checked.
+    pub check: Option<Check>,
+}
+
+/// What a check of the step error found, in %.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// The error at the step that was tried first.
+    pub first: f64,
+    /// The error at the step that was taken in the end.
+    pub last: f64,
+    /// The step that was tried first, in s.
+    pub tried: f64,
+    /// The step, in s, at which the first error would just be the promised one.
+    pub good_step: f64,
+}
+
+impl Point {
+    /// Whether the mesh folded, so that the values are beyond the model's validity.
+    pub fn folded(&self) -> bool {
+        self.flags.contains(&FlagKind::MeshFolded)
+    }
+
+    /// Whether nothing that was computed may be used for a risk.
+    pub fn is_spoiled(&self) -> bool {
+        self.folded() || self.flags.contains(&FlagKind::EnergyImbalance)
+    }
+}
+
+fn point(case: &Compiled, ran: &Ran) -> Point {
+    Point {
+        values: case.results(&ran.left),
+        flags: case.flags(ran, None).iter().map(|flag| flag.kind).collect(),
+        check: None,
+    }
+}
+
+/// The automatic step, but as long as stability allows where accuracy does not need it shorter: up to
+/// `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its own.
+fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
+    let mut plan = case.plan(scenario)?;
+    if let (Some(cap), None) = (cap, scenario.numerics.step_us)
+        && !plan.integrator.method().adaptive()
+        && case.rules().may_lengthen
+    {
+        plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
+    }
+    Ok(plan)
+}
+
+/// Runs a scenario once, with steps up to `cap`, in s, or else the automatic ones.
+///
+/// # Errors
+/// As for any run.
+pub fn single(
+    scenario: &CheckedScenario,
+    cap: Option<f64>,
+    watch: Watch,
+) -> Result<Point, Refusal> {
+    let case = Compiled::new(scenario);
+    let plan = plan(scenario, &case, cap)?;
+    let ran = case.run(&plan, Keep::default(), watch)?;
+    Ok(point(&case, &ran))
+}
+
+/// Runs it with its stated step error, and again with a shorter step while that is too large.
+///
+/// # Errors
+/// As for any run.
+pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusal> {
+    let case = Compiled::new(scenario);
+    let promise = case.rules().promise_percent;
+    let mut plan = case.plan(scenario)?;
+    let mut answer = solve_by(case, plan, Keep::default(), watch)?;
+    let first = answer.errors.time_step_percent();
+    let tried = plan.step;
+    let good_step = plan.step * shortening(&plan, promise, first);
+    if scenario.numerics.step_us.is_none() {
+        for _ in 0..MAX_ATTEMPTS {
+            let error = answer.errors.time_step_percent();
+            if error <= promise || answer.left.folded_at().is_some() {
+                break;
+            }
+            plan.step *= (0.8 * shortening(&plan, promise, error)).clamp(0.5, 0.8);
+            answer = solve_by(answer.case, plan, Keep::default(), watch)?;
+        }
+    }
+    Ok(Point {
+        values: answer.results(),
+        flags: answer.flags.iter().map(|flag| flag.kind).collect(),
+        check: Some(Check {
+            first,
+            tried,
+            last: answer.errors.time_step_percent(),
+            good_step,
+        }),
+    })
+}
+
+/// Runs it with steps up to `cap`, in s, beside a run of twice as many steps, which takes its place
+/// while the two differ too much.
+///
+/// # Errors
+/// As for any run.
+pub fn compared(
+    scenario: &CheckedScenario,
+    cap: Option<f64>,
+    watch: Watch,
+) -> Result<Point, Refusal> {
+    let case = Compiled::new(scenario);
+    let mut plan = plan(scenario, &case, cap)?;
+    let promise = case.rules().promise_percent;
+    let mut run = |plan: &Plan| case.run(plan, Keep::default(), &mut *watch);
+    let mut coarse = run(&plan)?;
+    let mut first = None;
+    for attempt in 0.. {
+        plan.multiple *= 2.0;
+        plan.local_tolerance *= 0.1;
+        let fine = run(&plan)?;
+        let difference = case
+            .results(&coarse.left)
+            .difference_percent(&case.results(&fine.left));
+        let error = difference.headline();
+        let first = *first.get_or_insert(error);
+        let done = error <= promise
+            || coarse.left.folded_at().is_some()
+            || scenario.numerics.step_us.is_some()
+            || attempt == MAX_ATTEMPTS;
+        if done {
+            let mut point = point(&case, &coarse);
+            point.check = Some(Check {
+                first,
+                tried: plan.step,
+                last: error,
+                good_step: plan.step * shortening(&plan, promise, first),
+            });
+            return Ok(point);
+        }
+        coarse = fine;
+    }
+    unreachable!("the last attempt is always taken")
+}
+
+/// The factor on the step that brings a step error to `promise`, both in %.
+fn shortening(plan: &Plan, promise: f64, error: f64) -> f64 {
+    share_for(promise, error, plan.integrator.method().order)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::paper::case::unwatched;
+
+    #[test]
+    fn both_checks_shorten_the_step_until_the_promise_is_kept() {
+        let scenario = CheckedScenario::default();
+        let promise = promise_percent(&scenario);
+        let stated = checked(&scenario, &mut unwatched).unwrap();
+        let check = stated.check.unwrap();
+        assert!(check.last <= promise && check.first >= check.last);
+        let free = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
+        let tight = compared(&scenario, Some(1e-6), &mut unwatched).unwrap();
+        assert!(tight.check.unwrap().first < free.check.unwrap().first);
+        for point in [&stated, &free] {
+            for (quantity, a) in point.values.present() {
+                let b = tight.values[quantity].unwrap();
+                assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_rough_step_is_refined_and_what_it_would_have_been_is_said() {
+        let promise = promise_percent(&CheckedScenario::default());
+        let mut scenario = Scenario::default();
+        scenario.numerics.integrator = Some(crate::scenario::Integrator::VelocityVerlet);
+        let point = compared(&scenario.check().unwrap(), Some(1.0), &mut unwatched).unwrap();
+        let check = point.check.unwrap();
+        assert!(check.first > promise && check.last <= promise);
+        let exact = compared(&CheckedScenario::default(), Some(1e-6), &mut unwatched).unwrap();
+        for (quantity, a) in point.values.present() {
+            let b = exact.values[quantity].unwrap();
+            assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_step_of_the_persons_own_stays() {
+        let mut scenario = Scenario::default();
+        scenario.numerics.step_us = Some(2.0);
+        let case = Compiled::new(&scenario.check().unwrap());
+        assert_eq!(plan(&scenario, &case, Some(1.0)).unwrap().step, 2e-6);
+    }
+}

@@ -1,0 +1,191 @@
+//! One thing for each result, and what is computed over all of them.
+
+use crate::answer::believed::Scene;
+use crate::answer::quantity::{Family, Leads, Quantity};
+use crate::models::left::Left;
+use std::ops::{Index, IndexMut};
+use strum::EnumCount;
+
+/// One `T` for each [`Quantity`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PerQuantity<T>([T; Quantity::COUNT]);
+
+/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such result.
+pub type Results = PerQuantity<Option<f64>>;
+
+impl<T> PerQuantity<T> {
+    /// What `of` gives for each.
+    pub fn from_fn(mut of: impl FnMut(Quantity) -> T) -> Self {
+        Self(std::array::from_fn(|i| of(Quantity::ALL[i])))
+    }
+
+    /// Each result with what belongs to it, in the order of the table.
+    pub fn iter(&self) -> impl Iterator<Item = (Quantity, &T)> {
+        Quantity::ALL.iter().copied().zip(&self.0)
+    }
+
+    /// The same for something else.
+    pub fn map<U>(&self, mut of: impl FnMut(Quantity, &T) -> U) -> PerQuantity<U> {
+        PerQuantity::from_fn(|quantity| of(quantity, &self[quantity]))
+    }
+}
+
+impl<T> Index<Quantity> for PerQuantity<T> {
+    type Output = T;
+
+    fn index(&self, quantity: Quantity) -> &T {
+        &self.0[quantity as usize]
+    }
+}
+
+impl<T> IndexMut<Quantity> for PerQuantity<T> {
+    fn index_mut(&mut self, quantity: Quantity) -> &mut T {
+        &mut self.0[quantity as usize]
+    }
+}
+
+impl Results {
+    /// All results of what a run of a scene left.
+    pub fn of(left: &Left, scene: &Scene) -> Self {
+        Self::from_fn(|quantity| quantity.of(left, scene))
+    }
+
+    /// The results that there are.
+    pub fn present(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        self.iter()
+            .filter_map(|(quantity, value)| Some((quantity, (*value)?)))
+    }
+
+    /// Those of them that lead: damage, apex displacement and, in general, the four node forces, the
+    /// peak pressure and the force of contact. The scene is known by the results that it has.
+    pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        let projectile = self[Quantity::Contact].is_some();
+        self.that_may_lead()
+            .filter(move |(quantity, _)| !projectile || quantity.row().leads == Leads::Always)
+    }
+
+    /// Those of them that lead in some scene: a node force does not where a projectile acts, but is listed all
+    /// the same.
+    pub(crate) fn that_may_lead(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        self.present()
+            .filter(|(quantity, _)| quantity.row().leads != Leads::Never)
+    }
+
+    /// Of errors: the largest of a leading result, and of which. One that is not a number is the
+    /// largest of all.
+    pub fn worst(&self) -> Option<(Quantity, f64)> {
+        largest(self.leading())
+    }
+
+    /// Of errors: the largest of a leading result, in %.
+    pub fn headline(&self) -> f64 {
+        self.worst().map_or(0.0, |(_, error)| error)
+    }
+
+    /// |self - b| in % of b for each result that both have; 0 where both are nothing but rounding.
+    /// Risks have none, what they rest on has; nor has what no error is stated of.
+    #[must_use]
+    pub fn difference_percent(&self, b: &Self) -> Self {
+        self.apart_percent(b, b)
+    }
+
+    /// |self - b| in % of `whole`, likewise.
+    #[must_use]
+    pub(crate) fn apart_percent(&self, b: &Self, whole: &Self) -> Self {
+        self.map(|quantity, a| {
+            let (a, b, whole) = ((*a)?, b[quantity]?, whole[quantity]?);
+            let row = quantity.row();
+            let difference = (a - b).abs();
+            (row.family != Family::Unstated).then(|| {
+                if difference == 0.0 || whole == 0.0 && difference < row.rounding {
+                    0.0
+                } else {
+                    100.0 * difference / whole.abs()
+                }
+            })
+        })
+    }
+
+    /// Of errors of `results`, in %: none is below what rounding does.
+    #[must_use]
+    pub(crate) fn no_finer_than_rounding(self, results: &Self) -> Self {
+        self.map(|quantity, error| {
+            let value = results[quantity].filter(|value| *value != 0.0);
+            let least = value.map_or(0.0, |value| 100.0 * quantity.row().rounding / value.abs());
+            // Unlike the maximum of the two, this keeps what is no number.
+            error.map(|error| if error < least { least } else { error })
+        })
+    }
+
+    /// Of errors of `results`: the largest of one that may lead and is more than rounding, and of which.
+    pub(crate) fn worst_listed(&self, results: &Results) -> Option<(Quantity, f64)> {
+        let counts = |(of, _): &(Quantity, f64)| !results[*of].is_some_and(|v| of.is_rounding(v));
+        largest(self.that_may_lead().filter(counts))
+    }
+
+    /// Of errors: none of `family` is below `share` of the worst of it. What is no number stays so.
+    #[must_use]
+    pub(crate) fn raised(mut self, family: Family, share: f64) -> Self {
+        let member = |quantity: Quantity| quantity.row().family == family;
+        let members = self.present().filter(|(quantity, _)| member(*quantity));
+        let least = share * members.map(|(_, error)| error).fold(0.0, f64::max);
+        for &quantity in Quantity::ALL.iter().filter(|q| member(**q)) {
+            if let Some(error) = &mut self[quantity]
+                && *error < least
+            {
+                *error = least;
+            }
+        }
+        self
+    }
+}
+
+/// The largest of some errors, and of which. One that is not a number is the largest of all.
+fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
+    let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
+    errors.reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, RuptureByPressure};
+
+    fn with(known: &[(Quantity, f64)]) -> Results {
+        Results::from_fn(|q| known.iter().find(|(of, _)| *of == q).map(|(_, v)| *v))
+    }
+
+    #[test]
+    fn node_forces_lead_unless_a_projectile_hits_even_where_its_error_is_zero() {
+        let mut errors = with(&[(Damage, 1.0), (Apex, 2.0), (ForceTop, 5.0)]);
+        assert_eq!(errors.worst(), Some((ForceTop, 5.0)));
+        errors[Contact] = Some(0.0);
+        assert_eq!(errors.worst(), Some((Apex, 2.0)));
+        errors[Pressure] = Some(3.0);
+        assert_eq!(errors.headline(), 3.0);
+        errors[Damage] = Some(f64::NAN);
+        assert!(errors.headline().is_nan());
+    }
+
+    #[test]
+    fn differences_are_of_what_both_have_and_not_of_risks() {
+        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (RuptureByPressure, 4.0)]);
+        let b = with(&[(Damage, 10.0), (Contact, 1.0), (RuptureByPressure, 8.0)]);
+        let difference = a.difference_percent(&b);
+        let found: Vec<(Quantity, f64)> = difference.present().collect();
+        assert_eq!(found, [(Damage, 10.0)]);
+        let rest = with(&[(ForceTop, 1e-10), (Damage, 0.0)]);
+        let nothing = with(&[(ForceTop, 0.0), (Damage, 0.0)]);
+        assert_eq!(rest.difference_percent(&nothing), nothing);
+    }
+
+    #[test]
+    fn a_family_is_raised_to_a_share_of_its_worst_and_others_stay() {
+        let errors = with(&[(Damage, 0.1), (ForceTop, 0.1), (ForceRight, 10.0)]);
+        let raised = errors.raised(Family::ShellForces, 0.03);
+        assert_eq!(
+            raised,
+            with(&[(Damage, 0.1), (ForceTop, 0.3), (ForceRight, 10.0)])
+        );
+    }
+}

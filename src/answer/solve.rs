@@ -1,0 +1,460 @@
+//! One scenario answered: results, their errors, and what limits them.
+//!
+//! The step error of each result comes from a second run with another step, see [`crate::answer::step_error`].
+
+use crate::answer::mesh_error::Limits;
+use crate::answer::quantity::{Quantity, Read};
+use crate::answer::results::Results;
+use crate::answer::step_error::{second_plan, stated};
+use crate::answer::validity::{Spoiled, spoiled, validity};
+use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
+use crate::models::axisymmetric::flags::END;
+use crate::models::compiled::{Compiled, Ran};
+use crate::models::left::Left;
+use crate::models::paper::case::{Refusal, Watch};
+use crate::models::paper::time::march::{Cost, Plan};
+use crate::run::flags::{Flag, FlagKind};
+use crate::run::kept::{Frame, Keep, Peak, Traces};
+use crate::run::raised::TwoRuns;
+use crate::run::rules::share_for;
+use crate::scenario::{CheckedScenario, Scenario};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// A shorter step helped if it brought the error below this share of the one before.
+const HELPED: f64 = 0.8;
+
+/// How far each result may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// By the time step, in % of each result.
+    pub time_step: Results,
+    /// By the mesh, in % of each result, once it has been estimated.
+    pub mesh: Option<Results>,
+    /// What finer meshes tend to, likewise.
+    pub limits: Option<Limits>,
+    /// Energy residual, in % of the work in.
+    pub energy_balance: f64,
+}
+
+impl Errors {
+    /// Largest step error of a leading result, in %.
+    pub fn time_step_percent(&self) -> f64 {
+        self.time_step.headline()
+    }
+
+    /// The same for the mesh, of those that have a limit.
+    pub fn mesh_percent(&self) -> Option<f64> {
+        Some(self.mesh.as_ref()?.worst()?.1)
+    }
+
+    /// The share of a result by which step and mesh may make it wrong, as far as they are known.
+    pub fn share(&self, of: Quantity) -> f64 {
+        let mesh = self.mesh.as_ref().and_then(|mesh| mesh[of]);
+        0.01 * (self.time_step[of].unwrap_or(0.0) + mesh.unwrap_or(0.0))
+    }
+
+    /// The results that have no limit as the mesh gets finer, or none that could be seen, once the mesh
+    /// error has been estimated.
+    pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
+        let errors = self.mesh.as_ref();
+        let unknown =
+            move |(quantity, _): &(Quantity, f64)| errors.is_some_and(|e| e[*quantity].is_none());
+        self.time_step
+            .present()
+            .filter(unknown)
+            .map(|(quantity, _)| quantity)
+    }
+}
+
+/// What a run that ended too early says of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cut {
+    /// It may still grow, and never falls.
+    AtLeast,
+    /// It may still grow or fall.
+    NotFinal,
+}
+
+/// A scenario's answer.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The scenario compiled: its eye, and what the engine moved.
+    pub case: Compiled,
+    /// The integrator and the step that were asked of it.
+    pub plan: Plan,
+    /// Longest step taken, in s; at the eye of revolution, whose steps follow the motion, the step at rest.
+    pub step: f64,
+    /// Largest stable step of the integrator, in s, of the eye at rest.
+    pub step_limit: f64,
+    /// The paper's index and its parts.
+    pub index: DamageIndex,
+    /// Largest values, for who asks for more than results.
+    pub left: Left,
+    /// Courses over time, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+    /// How far the results may be off.
+    pub errors: Errors,
+    /// What limits them.
+    pub flags: Vec<Flag>,
+    /// What the run cost.
+    pub cost: Cost,
+    /// Time simulated, in s: less than the window if all results were final before.
+    pub simulated: f64,
+    /// Springs or cells computed in the run.
+    pub element_evaluations: usize,
+    /// Time the run took, the mesh and the second run left out.
+    pub solve_time: Duration,
+    /// Time that everything took.
+    pub total_time: Duration,
+}
+
+impl Answer {
+    /// Every result.
+    pub fn results(&self) -> Results {
+        self.case.results(&self.left)
+    }
+
+    /// One result in its unit, if the scene has it.
+    pub fn result(&self, of: Quantity) -> Option<f64> {
+        of.of(&self.left, self.case.scene())
+    }
+
+    /// The peak that a result is, SI, with its time; none where it is a number without one.
+    pub fn peak(&self, of: Quantity) -> Option<Peak> {
+        of.peak(&self.left)
+    }
+
+    /// Simulated time that was asked for, in s.
+    pub fn window(&self) -> f64 {
+        self.case.window()
+    }
+
+    /// What the published injury curves say, beside the paper's index. An object that never
+    /// touched the eye has none.
+    pub fn risks(&self) -> Vec<Risk> {
+        if self.left.missed() {
+            return Vec::new();
+        }
+        assess(&self.measures())
+    }
+
+    /// What the curves run against, with the errors of step and mesh.
+    pub fn measures(&self) -> Measures {
+        let computed = |value: Option<f64>, of| {
+            let error = self.errors.share(of);
+            value.map(|value| Computed { value, error })
+        };
+        Measures {
+            blow: self.case.blow(),
+            pressure: computed(self.left.pressure(), Quantity::Pressure),
+            stress: computed(self.left.stress(), Quantity::ScleralStress),
+        }
+    }
+
+    /// Why nothing that was computed can be believed, and what to do about it, if that is so.
+    pub fn spoiled(&self) -> Option<Spoiled> {
+        spoiled(&self.flags, self.case.section().is_some())
+    }
+
+    /// What to believe of them: one verdict an injury.
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        let computed = [Quantity::Pressure, Quantity::ScleralStress];
+        let revolution = self.case.revolution();
+        let cut = revolution.map(|_| computed.into_iter().any(|of| self.at_least(of)));
+        self.verdicts_of(cut)
+    }
+
+    /// The same where it is known whether pressure or stress may still grow; none if there are none.
+    fn verdicts_of(&self, cut: Option<bool>) -> Vec<Verdict> {
+        let pig = self.case.scene().pig;
+        verdicts(&self.risks(), &validity(&self.flags, cut, pig))
+    }
+
+    /// The result that was computed for one, itself where it is no risk; none where inputs alone decide it.
+    pub fn rests_on(&self, of: Quantity) -> Option<Quantity> {
+        let measure = match of.row().read {
+            Read::Peak(_) | Read::Number(_) => return Some(of),
+            Read::Risk(_, measure) => measure,
+            Read::Believed(injury) => {
+                let verdicts = self.verdicts_of(Some(false));
+                let verdict = verdicts.iter().find(|verdict| verdict.injury == injury)?;
+                verdict.believed().next()?.curve.measure
+            }
+        };
+        match measure {
+            Measure::Pressure => Some(Quantity::Pressure),
+            Measure::Stress => Some(Quantity::ScleralStress),
+            Measure::NormalizedEnergy | Measure::KineticEnergy => None,
+        }
+    }
+
+    /// What the end of the run means for a result, if it came too early for it.
+    pub fn cut(&self, of: Quantity) -> Option<Cut> {
+        let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
+        let of = self.rests_on(of)?;
+        if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
+            // What goes back gives energy back, of which the index holds a share.
+            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
+            return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
+        }
+        let late = |of: Quantity| {
+            let peak = self.peak(of);
+            peak.is_some_and(|peak| peak.value > 0.0 && peak.time > END * self.simulated)
+        };
+        // The index grows with its parts.
+        let grows = match of {
+            Quantity::Damage => late(Quantity::ShellGrowth) || late(Quantity::MeridianGrowth),
+            of => late(of),
+        };
+        (grows && has(&[FlagKind::WindowShort])).then_some(Cut::AtLeast)
+    }
+
+    /// Whether the run ended while a result may still grow, which is then at least so large.
+    pub fn at_least(&self, of: Quantity) -> bool {
+        self.cut(of) == Some(Cut::AtLeast)
+    }
+}
+
+/// Answers `scenario` under the eyes of `watch`.
+///
+/// An automatic step is shortened until every leading result's step error is below 1 %, unless
+/// the mesh folds, where no step helps.
+///
+/// # Errors
+/// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
+/// watch stops.
+pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
+    solve_case(Compiled::new(scenario), scenario, keep, watch)
+}
+
+/// Answers `case`, which was compiled from `scenario`.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_case(
+    case: Compiled,
+    scenario: &Scenario,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Answer, Refusal> {
+    let begun = Instant::now();
+    let mut plan = case.plan(scenario)?;
+    let automatic = scenario.numerics.step_us.is_none();
+    let rule = &case.rules().refinement;
+    let mut attempts = if automatic { rule.attempts } else { 0 };
+    let mut best: Option<(Plan, Measured)> = None;
+    loop {
+        let share = match measured(&case, &plan, keep, watch) {
+            Ok(solved) => {
+                let before = best.as_ref().map(|(_, solved)| solved);
+                let share = shorter(&case, &plan, &solved, before);
+                // Where the mesh folded, a shorter step need not be the better one.
+                if before.is_none_or(|before| solved.is_better_than(before, rule.balance_percent)) {
+                    best = Some((plan, solved));
+                }
+                share
+            }
+            // The bound of the step is for the mesh as it was built; crushed, it can be stiffer.
+            Err(Refusal::Diverged(_)) if attempts > 0 => Some(0.5),
+            Err(Refusal::Diverged(_)) if best.is_some() => None,
+            Err(refusal) => return Err(refusal),
+        };
+        match share {
+            Some(share) if attempts > 0 => plan.step *= share,
+            _ => break,
+        }
+        attempts -= 1;
+    }
+    let Some((plan, solved)) = best else {
+        return Err(Refusal::Cancelled);
+    };
+    let mut answer = finish(case, plan, solved);
+    answer.total_time = begun.elapsed();
+    Ok(answer)
+}
+
+/// The share of its step that a run should have taken; none if it was good enough.
+///
+/// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
+/// runs before.
+fn shorter(
+    case: &Compiled,
+    plan: &Plan,
+    solved: &Measured,
+    before: Option<&Measured>,
+) -> Option<f64> {
+    let error = solved.errors.time_step_percent();
+    let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
+    let folded = solved.ran.left.folded_at().is_some();
+    let rule = &case.rules().refinement;
+    if solved.errors.energy_balance > rule.balance_percent {
+        Some(0.5)
+    } else if folded {
+        let worth = rule.folded_percent.is_some_and(|most| error > most);
+        (worth && helped).then_some(0.5)
+    } else if error > rule.error_percent {
+        let share = share_for(rule.error_percent, error, case.order(plan.integrator));
+        Some((0.8 * share).clamp(0.5, 0.8))
+    } else {
+        None
+    }
+}
+
+/// Answers `case` by exactly `plan`.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_by(
+    case: Compiled,
+    plan: Plan,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Answer, Refusal> {
+    let solved = measured(&case, &plan, keep, watch)?;
+    Ok(finish(case, plan, solved))
+}
+
+/// A run and its step error.
+struct Measured {
+    ran: Ran,
+    errors: Errors,
+    /// Largest difference between the leading results of the two runs, in %.
+    disagreement: f64,
+    time: Duration,
+    total_time: Duration,
+}
+
+impl Measured {
+    /// By its energy where one of them does not keep it to `balance_percent`, else by its step error.
+    fn is_better_than(&self, other: &Self, balance_percent: f64) -> bool {
+        let balance = |run: &Self| run.errors.energy_balance.max(balance_percent);
+        let error = |run: &Self| run.errors.time_step_percent();
+        (balance(self), error(self)) <= (balance(other), error(other))
+    }
+}
+
+fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
+    let started = Instant::now();
+    let (second, factor) = second_plan(case, plan);
+    let abandoned = AtomicBool::new(false);
+    // The second run needs nothing of the first, so both go side by side.
+    let (first, second, time) = thread::scope(|scope| {
+        let other = scope.spawn(|| {
+            case.run(&second, Keep::default(), &mut |_| {
+                if abandoned.load(Ordering::Relaxed) {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            })
+        });
+        let first = case.run(plan, keep, watch);
+        let time = started.elapsed();
+        if first.is_err() {
+            abandoned.store(true, Ordering::Relaxed);
+        }
+        let second = other.join().unwrap_or(Err(Refusal::Cancelled));
+        (first, second, time)
+    });
+    let ran = first?;
+    let results = case.results(&ran.left);
+    let difference = case.results(&second?.left).difference_percent(&results);
+    let disagreement = difference.headline();
+    let mut time_step = stated(case, plan, &results, (&difference, factor));
+    if ran.left.missed() {
+        // All of an eye that is not hit is exactly 0, but not how the object flies on.
+        let exact = |of| results[of] == Some(0.0);
+        time_step = time_step.map(|of, error| error.map(|e| if exact(of) { 0.0 } else { e }));
+    }
+    let errors = Errors {
+        time_step,
+        mesh: None,
+        limits: None,
+        energy_balance: 100.0 * ran.left.energy_residual(),
+    };
+    Ok(Measured {
+        ran,
+        errors,
+        disagreement,
+        time,
+        total_time: started.elapsed(),
+    })
+}
+
+fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
+    let Measured {
+        ran,
+        errors,
+        disagreement,
+        time,
+        total_time,
+    } = solved;
+    let results = case.results(&ran.left);
+    let two_runs = TwoRuns {
+        worst: errors.time_step.worst_listed(&results),
+        disagreement,
+    };
+    let flags = case.flags(&ran, Some(two_runs));
+    let Ran {
+        left,
+        traces,
+        frames,
+        cost,
+        simulated,
+    } = ran;
+    Answer {
+        step: case.longest_step(&plan),
+        step_limit: case.step_limit(plan.integrator),
+        index: left.index(),
+        left,
+        traces,
+        frames,
+        errors,
+        flags,
+        element_evaluations: cost.evaluations * case.elements_per_evaluation(),
+        cost,
+        simulated,
+        solve_time: time,
+        total_time,
+        plan,
+        case,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::paper::case::unwatched;
+    use crate::scenario::library::find;
+
+    #[test]
+    fn only_what_may_still_grow_at_the_end_of_the_run_is_at_least_so_large() {
+        let of = |window_ms, preset: &str| {
+            let mut scenario = find(preset).unwrap().scenario().unwrap();
+            scenario.window_ms = window_ms;
+            solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
+        };
+        let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));
+        let none = |of: &Quantity| !whole.at_least(*of);
+        assert!(Quantity::ALL.iter().all(none));
+        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::RuptureByStress));
+        assert!(!cut.at_least(Quantity::RuptureByEnergy));
+        // What bounces takes energy along.
+        assert_eq!(cut.cut(Quantity::Energy), Some(Cut::NotFinal));
+        assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
+        assert!(cut.verdicts()[0].at_least && !whole.verdicts()[0].at_least);
+        // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
+        let paper = of(0.21, "paper-300n");
+        assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));
+        assert!(!paper.at_least(Quantity::ForceTop));
+        assert!(
+            of(0.1, "paper-300n").at_least(Quantity::ForceTop),
+            "the pulse is cut"
+        );
+    }
+}

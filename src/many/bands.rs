@@ -1,0 +1,163 @@
+//! What the samples of an ensemble say together: bands, what drives them, and how they are counted.
+//!
+//! The bands hold every sample that ran. Those whose mesh folded are beyond the model's validity and
+//! are counted, but they stay: they are the hardest hit, so that bands without them would be too low.
+//!
+//! Left out: how sure the quantiles themselves are.
+
+use crate::answer::point::Point;
+use crate::answer::quantity::Quantity;
+use crate::many::ensemble::{Ensemble, PILOT, Sample};
+use crate::many::spreads::Input;
+use crate::many::statistics::{quantile, rank_correlation};
+
+/// A result that leaves its band by less than this share of it has not left it.
+const WIDTH_OF_NOTHING: f64 = 1e-3;
+/// A weaker rank correlation explains nothing.
+const SMALLEST_DRIVER: f64 = 0.1;
+
+/// Median and the band that holds nine in ten.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// One in twenty lies below.
+    pub low: f64,
+    /// Half lies below.
+    pub median: f64,
+    /// One in twenty lies above.
+    pub high: f64,
+}
+
+/// What the checks of the step error found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Checks {
+    /// Samples checked, unfolded.
+    pub count: usize,
+    /// How many of them had to take a shorter step.
+    pub refined: usize,
+    /// How many of those after the pilot, whose step was what the unchecked ones take.
+    pub missed: usize,
+    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked there.
+    pub first: Option<f64>,
+    /// Largest error at the step taken, in %.
+    pub last: f64,
+}
+
+impl Ensemble {
+    /// Whether it was stopped before the end.
+    pub fn stopped(&self) -> bool {
+        self.samples.len() < self.asked as usize
+    }
+
+    /// The samples that the bands hold: all that ran.
+    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
+        self.samples
+            .iter()
+            .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+    }
+
+    /// Which samples the bands hold, in words.
+    pub fn which(&self) -> String {
+        match self.folded() {
+            0 => "those that ran.".to_owned(),
+            folded => {
+                format!("those that ran. The mesh of {folded} folded, beyond the model's validity.")
+            }
+        }
+    }
+
+    /// Samples whose mesh folded.
+    pub fn folded(&self) -> usize {
+        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(Point::folded);
+        self.samples.iter().filter(folded).count()
+    }
+
+    /// What samples were flagged with or refused for, and how many of each, by name.
+    pub fn counts(&self) -> Vec<(String, usize)> {
+        let mut counts = std::collections::BTreeMap::new();
+        for sample in &self.samples {
+            match &sample.outcome {
+                Ok(point) => {
+                    for flag in &point.flags {
+                        *counts.entry(flag.name().to_owned()).or_insert(0) += 1;
+                    }
+                }
+                Err(name) => *counts.entry(format!("refused: {name}")).or_insert(0) += 1,
+            }
+        }
+        counts.into_iter().collect()
+    }
+
+    /// The values of one result over the valid samples; none where a sample has none.
+    pub fn values(&self, of: Quantity) -> Option<Vec<f64>> {
+        self.valid().map(|(_, point)| point.values[of]).collect()
+    }
+
+    /// The band of a result; none where the scene has no such result, or no sample.
+    pub fn band(&self, of: Quantity) -> Option<Band> {
+        let mut values = self.values(of)?;
+        values.sort_by(f64::total_cmp);
+        let finite = values.iter().all(|v| v.is_finite());
+        let of = |p| quantile(&values, p).filter(|_| finite);
+        Some(Band {
+            low: of(0.05)?,
+            median: of(0.5)?,
+            high: of(0.95)?,
+        })
+    }
+
+    /// Whether a result of the scenario as it stands lies outside its band, and the input that may be why:
+    /// of those that stand at an end of what they are drawn from, the one that drives the result most.
+    pub fn outside(&self, of: Quantity) -> Option<Option<&Input>> {
+        let (band, nominal) = (self.band(of)?, self.nominal.as_ref()?[of]?);
+        // What is not drawn has a band of no width, and rounding is no news.
+        let slack = WIDTH_OF_NOTHING * band.median.abs();
+        let inside = (band.low - slack..=band.high + slack).contains(&nominal);
+        let at_an_end = |(input, r): (usize, f64)| {
+            let input = &self.inputs[input];
+            (input.stands_at_an_end() && r.abs() >= SMALLEST_DRIVER).then_some(input)
+        };
+        (!inside).then(|| self.drivers(of).into_iter().find_map(at_an_end))
+    }
+
+    /// The results that have a band.
+    pub fn results(&self) -> Vec<Quantity> {
+        let has = |of: &Quantity| self.band(*of).is_some();
+        Quantity::ALL.iter().copied().filter(has).collect()
+    }
+
+    /// Rank correlation of each input with a result, the strongest first: index of the input and
+    /// correlation. None where the scene has no such result.
+    pub fn drivers(&self, of: Quantity) -> Vec<(usize, f64)> {
+        let Some(values) = self.values(of) else {
+            return Vec::new();
+        };
+        let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
+            .map(|input| {
+                let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();
+                (input, rank_correlation(&drawn, &values))
+            })
+            .collect();
+        found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        found
+    }
+
+    /// What the checks of unfolded samples found.
+    pub fn checks(&self) -> Checks {
+        let mut checks = Checks::default();
+        for (index, sample) in self.samples.iter().enumerate() {
+            let Ok(point) = &sample.outcome else { continue };
+            let (Some(check), false) = (point.check, point.folded()) else {
+                continue;
+            };
+            let refined = check.first > self.promise;
+            checks.count += 1;
+            checks.refined += usize::from(refined);
+            if index >= PILOT as usize {
+                checks.missed += usize::from(refined);
+                checks.first = Some(checks.first.unwrap_or(0.0).max(check.first));
+            }
+            checks.last = checks.last.max(check.last);
+        }
+        checks
+    }
+}

@@ -1,0 +1,475 @@
+//! How far the answer may be off because the inputs are not known: many runs over their spreads.
+//!
+//! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
+//! its inputs, one dimension an [`Input`]. What a sample gives depends on the scenario, the seed
+//! and its number alone, so the result is the same bits for any number of threads, a run that was
+//! stopped after k samples is an ensemble of k, and one that goes on from there is the whole.
+//!
+//! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
+//! gives the longest step that the others may take: a stiff eye that keeps the promise at its longest
+//! stable step says nothing of soft ones, which may take longer. Of the others every
+//! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`promise_percent`].
+//!
+//! What samples say together is a [`Band`](crate::many::bands::Band) for each result.
+//!
+//! Left out: the mesh error, which all samples share, and inputs that hang together.
+
+use crate::answer::believed::Scene;
+use crate::answer::point::{Point, compared, promise_percent, single};
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::injury::Standing;
+use crate::many::ordered;
+use crate::many::spreads::{Input, SLOPE, inputs};
+use crate::many::statistics::median;
+use crate::models::paper::case::Refusal;
+use crate::scenario::{CheckedScenario, Scenario};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// Fewest samples: a band of fewer says nothing.
+pub const FEWEST_SAMPLES: u32 = 8;
+/// Most samples that the sequence has for one seed.
+pub const MAX_SAMPLES: u32 = 1 << 16;
+/// Samples that are checked before all others.
+pub const PILOT: u32 = 8;
+/// One in so many of the others is checked.
+pub const CHECK_EVERY: u32 = 64;
+/// The share of the longest good step of the pilot that the others may take.
+const HEADROOM: f64 = 0.8;
+/// One in so many times the scenario itself is run too, for its time.
+const TIME_EVERY: usize = 50;
+
+/// One sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// What was drawn for each input.
+    pub drawn: Vec<f64>,
+    /// What came of it, or the name of what stood against it.
+    pub outcome: Result<Point, String>,
+}
+
+/// What the runs took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timing {
+    /// From the first sample to the last, in s.
+    pub wall: f64,
+    /// On all cores together, in s.
+    pub cores: f64,
+    /// A single run of the scenario itself, results only, in s: the median of runs among the samples.
+    pub single: Option<f64>,
+    /// Threads that shared the samples.
+    pub threads: usize,
+}
+
+/// Many runs of one scenario.
+#[derive(Clone)]
+pub struct Ensemble {
+    /// What was drawn.
+    pub inputs: Vec<Input>,
+    /// Results of the scenario as it stands.
+    pub nominal: Option<Results>,
+    /// The samples done, in their order.
+    pub samples: Vec<Sample>,
+    /// How many were asked for.
+    pub asked: u32,
+    /// The seed.
+    pub seed: u32,
+    /// The longest step that was allowed after the pilot, in s.
+    pub cap: Option<f64>,
+    /// The step error that its runs keep to, in %.
+    pub promise: f64,
+    /// What it took.
+    pub timing: Timing,
+}
+
+/// The scenario with sample number `index` in place of its nominal values.
+fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scenario, Vec<f64>) {
+    let mut changed = scenario.clone();
+    changed.doubt.clear();
+    let mut values = Vec::with_capacity(inputs.len());
+    for (dimension, input) in (0..).zip(inputs) {
+        // The sequence has 23 bits; the middle of its cell is never 0 or 1.
+        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
+        let value = input.value(u);
+        input.put(&mut changed, value);
+        values.push(value);
+    }
+    (changed, values)
+}
+
+/// Reads the risks of a scene that rest on an assumed slope again, with this one.
+fn put_slope(point: &mut Point, scene: &Scene, slope: f64) {
+    let computed = |of: Quantity| Some(point.values[of]? / of.row().factor);
+    let (pressure, stress) = (Quantity::Pressure, Quantity::ScleralStress);
+    let measures = scene.measures(computed(pressure), computed(stress));
+    for &quantity in Quantity::ALL {
+        let curve = quantity.curve(scene, &measures, point.is_spoiled());
+        // Of an eye that was missed it is 0 and stays so.
+        if let Some(value) = &mut point.values[quantity]
+            && *value > 0.0
+            && let Some(curve) = curve.filter(|c| c.standing == Standing::SlopeAssumed)
+        {
+            let factor = quantity.row().factor;
+            *value = curve.with_slope(*value / factor, slope) * factor;
+        }
+    }
+}
+
+/// What a refusal is counted under.
+fn name(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::Scenario(_) => "not_allowed",
+        Refusal::IntegratorUnfit { .. } => "integrator_unfit",
+        Refusal::StepAboveLimit { .. } => "step_above_limit",
+        Refusal::Through(_) => "went_through",
+        Refusal::Revolution(_) => "revolution",
+        Refusal::Diverged(_) => "diverged",
+        Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",
+        Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
+        Refusal::Cancelled => "cancelled",
+    }
+    .to_owned()
+}
+
+/// What every sample needs.
+struct Job<'a> {
+    scenario: &'a CheckedScenario,
+    inputs: &'a [Input],
+    seed: u32,
+    cap: Option<f64>,
+    stop: &'a AtomicBool,
+}
+
+impl Job<'_> {
+    fn watch(&self) -> impl FnMut(f64) -> ControlFlow<()> {
+        |_| {
+            if self.stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        }
+    }
+
+    /// Sample number `index`; nothing if it was stopped.
+    fn run(&self, index: u32) -> Option<Sample> {
+        let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
+        let checked = scenario.check().map_err(|error| {
+            let field = error.problems.first().map_or("", |p| p.field.as_str());
+            format!("{field} not allowed")
+        });
+        let checked = match checked {
+            Ok(checked) => checked,
+            Err(why) => {
+                let outcome = Err(why);
+                return Some(Sample { drawn, outcome });
+            }
+        };
+        let mut watch = self.watch();
+        let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
+        let run = if wants_check { compared } else { single };
+        let mut outcome = run(&checked, self.cap, &mut watch);
+        if let Err(Refusal::StepAboveLimit { .. }) = outcome {
+            // Left out, the stiff eyes would be missing from the bands.
+            scenario.numerics.step_us = None;
+            let free = scenario.check().map_err(Refusal::Scenario);
+            outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
+        }
+        let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
+        let outcome = outcome.map(|mut point| {
+            if let Some(place) = slope {
+                put_slope(&mut point, &Scene::of(&scenario), drawn[place]);
+            }
+            point
+        });
+        match outcome {
+            Err(Refusal::Cancelled) => None,
+            other => Some(Sample {
+                drawn,
+                outcome: other.map_err(|refusal| name(&refusal)),
+            }),
+        }
+    }
+}
+
+/// Told after each sample, on any thread, of the ensemble so far; may stop the rest.
+pub type Heard<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
+
+impl Job<'_> {
+    /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
+    fn gather(&self, to: u32, heard: Heard, into: &mut Ensemble) -> Vec<f64> {
+        let from = into.samples.len();
+        let mut singles = Vec::new();
+        let job = |index: usize| {
+            // Timed among the samples, so that a busy machine slows both alike.
+            let single = index.is_multiple_of(TIME_EVERY).then(|| {
+                let began = Instant::now();
+                let _ = single(self.scenario, None, &mut self.watch());
+                began.elapsed().as_secs_f64()
+            });
+            let began = Instant::now();
+            let sample = self.run(index as u32)?;
+            Some((sample, began.elapsed().as_secs_f64(), single))
+        };
+        let deliver = |index: usize, (sample, took, single): (Sample, f64, Option<f64>)| {
+            debug_assert_eq!(index, into.samples.len());
+            into.samples.push(sample);
+            into.timing.cores += took;
+            singles.extend(single);
+            heard(into)
+        };
+        ordered::run((from, to as usize), self.stop, job, deliver);
+        singles
+    }
+}
+
+/// The longest step that the pilot allows, in s: a little below those at which its samples would just
+/// keep `promise`, in %, of the samples that did not keep it at their longest stable step. Where all did,
+/// none longer than they took. Infinite if all have folded.
+fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
+    let checks = || {
+        let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
+        points.filter(|p| !p.folded()).filter_map(|p| p.check)
+    };
+    let tried = checks().map(|check| check.tried).reduce(f64::max);
+    checks()
+        .filter(|check| check.first > promise)
+        .map(|check| check.good_step)
+        .reduce(f64::min)
+        .or(tried)
+        .map_or(f64::INFINITY, |step| HEADROOM * step)
+}
+
+/// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed, lacks. Where
+/// `heard` breaks, or `stop` is set, the samples done so far are the result.
+///
+/// # Errors
+/// Whatever the scenario itself is refused for.
+pub fn run(
+    scenario: &CheckedScenario,
+    (count, seed): (u32, u32),
+    known: Option<Ensemble>,
+    stop: &AtomicBool,
+    heard: Heard,
+) -> Result<Ensemble, Refusal> {
+    let inputs = inputs(scenario);
+    let began = Instant::now();
+    let mut job = Job {
+        scenario,
+        inputs: &inputs,
+        seed,
+        // Nothing is known yet: the pilot takes the longest stable steps.
+        cap: Some(f64::INFINITY),
+        stop,
+    };
+    let count = count.min(MAX_SAMPLES);
+    let mut ensemble = match known {
+        Some(known) => Ensemble {
+            asked: count,
+            ..known
+        },
+        None => Ensemble {
+            inputs: inputs.clone(),
+            nominal: match single(scenario, None, &mut job.watch()) {
+                Err(Refusal::Cancelled) => None,
+                other => Some(other?.values),
+            },
+            samples: Vec::new(),
+            asked: count,
+            seed,
+            cap: None,
+            promise: promise_percent(scenario),
+            timing: Timing {
+                wall: 0.0,
+                cores: 0.0,
+                single: None,
+                threads: rayon::current_num_threads(),
+            },
+        },
+    };
+    let before = ensemble.timing.wall;
+    let pilot = count.min(PILOT);
+    let mut singles = job.gather(pilot, heard, &mut ensemble);
+    let first = ensemble.samples.len().min(pilot as usize);
+    let cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    job.cap = Some(cap);
+    ensemble.cap = Some(cap).filter(|cap| cap.is_finite());
+    if first == pilot as usize {
+        singles.extend(job.gather(count, heard, &mut ensemble));
+    }
+    ensemble.timing.single = median(singles).or(ensemble.timing.single);
+    ensemble.timing.wall = before + began.elapsed().as_secs_f64();
+    Ok(ensemble)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::point::Check;
+    use crate::scenario::set::set;
+
+    fn quick() -> Scenario {
+        let mut scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();
+        scenario
+    }
+
+    fn go(_: &Ensemble) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
+        run(
+            &scenario.check().unwrap(),
+            (count, seed),
+            None,
+            &AtomicBool::new(false),
+            &go,
+        )
+        .unwrap()
+    }
+
+    #[test]
+    fn any_number_of_threads_gives_the_same_bits() {
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let pool = pool.build().unwrap();
+            pool.install(|| ensemble(&quick(), 70, 3))
+        };
+        let one = on(1);
+        assert_eq!(one.samples.len(), 70);
+        for other in [on(2), on(3)] {
+            assert_eq!(one.samples, other.samples);
+            assert_eq!(one.cap, other.cap);
+        }
+    }
+
+    #[test]
+    fn a_stopped_one_is_a_smaller_one_and_goes_on_to_the_whole() {
+        let whole = ensemble(&quick(), 40, 1);
+        let scenario = quick().check().unwrap();
+        for most in [3, 8, 16] {
+            let early = |so_far: &Ensemble| {
+                if so_far.samples.len() >= most {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            let stop = AtomicBool::new(false);
+            let part = run(&scenario, (40, 1), None, &stop, &early).unwrap();
+            assert!(part.stopped() && !whole.stopped());
+            assert_eq!(part.samples, whole.samples[..most]);
+            let stop = AtomicBool::new(false);
+            let rest = run(&scenario, (40, 1), Some(part), &stop, &go).unwrap();
+            assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
+        }
+    }
+
+    #[test]
+    fn seeds_differ_and_what_is_known_for_sure_has_no_band() {
+        let mut sure = quick();
+        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
+            sure.doubt.insert(input.field.path.to_owned(), 0.0);
+        }
+        let first = ensemble(&sure, 8, 1);
+        assert_eq!(first.inputs.len(), 1);
+        let (a, b) = (ensemble(&sure, 8, 2), first.band(Quantity::Damage).unwrap());
+        assert_ne!(first.samples, a.samples);
+        assert!(b.low < b.median && b.median < b.high);
+        assert!(
+            first.drivers(Quantity::Damage)[0].1 > 0.99,
+            "more force, more damage"
+        );
+        sure.doubt.insert("impact.force_n".to_owned(), 0.0);
+        let none = ensemble(&sure, 8, 1).band(Quantity::Damage).unwrap();
+        assert!(none.low == none.median && none.median == none.high);
+    }
+
+    #[test]
+    fn a_result_outside_its_band_is_found_with_the_input_at_an_end_of_its_spread() {
+        let mut fat = quick();
+        fat.doubt.clear();
+        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
+            assert_eq!(
+                input.stands_at_an_end(),
+                ["eye.fat_kpa", "eye.lens_kpa"].contains(&input.field.path)
+            );
+            if input.field.path != "eye.fat_kpa" {
+                fat.doubt.insert(input.field.path.to_owned(), 0.0);
+            }
+        }
+        // Soft fat lets the eye go farther than the paper's own, which stands at the stiff end.
+        let soft = ensemble(&fat, 32, 1);
+        let apart = |of| {
+            soft.outside(of)
+                .map(|why| why.map(|input| input.field.path))
+        };
+        assert_eq!(apart(Quantity::Energy), Some(Some("eye.fat_kpa")));
+        let mut sure = fat;
+        sure.doubt.insert("eye.fat_kpa".to_owned(), 0.0);
+        sure.doubt.insert("impact.force_n".to_owned(), 20.0);
+        let mut forced = ensemble(&sure, 32, 1);
+        assert!(forced.outside(Quantity::Energy).is_none());
+        forced.nominal.as_mut().unwrap()[Quantity::Energy] = Some(1e3);
+        let why = forced.outside(Quantity::Energy);
+        assert!(
+            why.is_some_and(|why| why.is_none()),
+            "no input stands at an end"
+        );
+    }
+
+    #[test]
+    fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
+        let sample = |first, tried, good_step| Sample {
+            drawn: Vec::new(),
+            outcome: Ok(Point {
+                values: Results::from_fn(|_| None),
+                flags: Vec::new(),
+                check: Some(Check {
+                    first,
+                    tried,
+                    last: 0.01,
+                    good_step,
+                }),
+            }),
+        };
+        let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
+        let mixed = longest_step(&[stiff.clone(), soft], 0.1);
+        assert!((mixed / (HEADROOM * 5e-6) - 1.0).abs() < 1e-12);
+        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)], 0.1);
+        assert!((kept / (HEADROOM * 4e-6) - 1.0).abs() < 1e-12);
+        assert!(longest_step(&[], 0.1).is_infinite());
+    }
+
+    #[test]
+    fn drawn_scenes_keep_the_rest_and_every_input_moves() {
+        let scenario = quick();
+        let inputs = inputs(&scenario);
+        let (one, drawn_one) = drawn(&scenario, &inputs, 0, 1);
+        let (_, drawn_two) = drawn(&scenario, &inputs, 1, 1);
+        assert_eq!(one.window_ms, scenario.window_ms);
+        assert!(drawn_one.iter().zip(&drawn_two).all(|(a, b)| a != b));
+    }
+
+    #[test]
+    fn samples_that_may_not_be_are_counted_by_name() {
+        let mut scenario = quick();
+        set(&mut scenario, "impact.angle_deg", "40 ± 5").unwrap();
+        let ensemble = ensemble(&scenario, 16, 1);
+        let refused = "refused: impact.angle_deg not allowed";
+        let count = ensemble
+            .counts()
+            .iter()
+            .find(|(n, _)| n == refused)
+            .unwrap()
+            .1;
+        assert!((4..13).contains(&count), "{count}");
+        assert_eq!(ensemble.valid().count() + count, 16);
+    }
+}

@@ -1,0 +1,327 @@
+//! The results over two inputs: a square grid that is filled in from coarse to fine.
+//!
+//! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on, so that
+//! what is known spreads over the whole range at once. Each point holds every result of its run; a place
+//! is read off the nearest four points of the finest grid that is known round it, linearly in both
+//! directions.
+//!
+//! Left out: a step error for each point. They are single runs by the automatic step.
+
+use crate::answer::point::single;
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::many::ordered;
+use crate::many::sweep::spaced;
+use crate::models::paper::case::Refusal;
+use crate::scenario::fields::Field;
+use crate::scenario::{Scenario, set};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Points a side of a grid that is filled in while somebody looks on.
+pub const SIDE: usize = 33;
+
+/// One input and its range.
+#[derive(Clone, Copy)]
+pub struct Span {
+    /// The field; it holds a number.
+    pub field: &'static Field,
+    /// Its least value.
+    pub from: f64,
+    /// Its greatest.
+    pub to: f64,
+}
+
+impl PartialEq for Span {
+    fn eq(&self, other: &Self) -> bool {
+        (self.field.path, self.from, self.to) == (other.field.path, other.from, other.to)
+    }
+}
+
+impl std::fmt::Debug for Span {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}={}:{}", self.field.path, self.from, self.to)
+    }
+}
+
+/// What is known at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spot {
+    /// Every result.
+    Known(Results),
+    /// The same beyond the model's validity: the mesh folded.
+    Folded(Results),
+    /// The inputs are not allowed, or the run failed.
+    Refused,
+}
+
+impl Spot {
+    /// A result in its unit, if there is one.
+    pub fn value(&self, quantity: Quantity) -> Option<f64> {
+        match self {
+            Self::Known(results) | Self::Folded(results) => results[quantity],
+            Self::Refused => None,
+        }
+    }
+
+    /// Whether the mesh folded.
+    pub fn folded(&self) -> bool {
+        matches!(self, Self::Folded(_))
+    }
+}
+
+/// What is known of a result at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// The result in its unit; none where the inputs are not allowed.
+    pub value: Option<f64>,
+    /// Whether the mesh folded at the nearest point.
+    pub folded: bool,
+    /// Whether it was simulated there, not read off between points.
+    pub exact: bool,
+}
+
+/// A grid over two inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    side: usize,
+    /// By rows: x fastest.
+    spots: Vec<Option<Spot>>,
+}
+
+impl Grid {
+    /// A grid of so many points a side, 2^k + 1, of which nothing is known.
+    pub fn new(side: usize) -> Self {
+        Self {
+            side,
+            spots: vec![None; side * side],
+        }
+    }
+
+    /// Points a side.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
+    /// What is known at a point.
+    pub fn at(&self, (x, y): (usize, usize)) -> Option<&Spot> {
+        self.spots[y * self.side + x].as_ref()
+    }
+
+    /// Takes in what came of a point.
+    pub fn put(&mut self, (x, y): (usize, usize), spot: Spot) {
+        self.spots[y * self.side + x] = Some(spot);
+    }
+
+    /// Points that are known, and all.
+    pub fn known(&self) -> (usize, usize) {
+        let known = self.spots.iter().filter(|spot| spot.is_some());
+        (known.count(), self.spots.len())
+    }
+
+    /// The points, from coarse to fine.
+    pub fn order(&self) -> Vec<(usize, usize)> {
+        let mut every = self.side - 1;
+        let mut order = Vec::with_capacity(self.spots.len());
+        let on = |at: usize, every: usize| at.is_multiple_of(every);
+        while every > 0 {
+            let coarser = 2 * every;
+            for y in (0..self.side).step_by(every) {
+                for x in (0..self.side).step_by(every) {
+                    let first = every == self.side - 1;
+                    if first || !(on(x, coarser) && on(y, coarser)) {
+                        order.push((x, y));
+                    }
+                }
+            }
+            every /= 2;
+        }
+        order
+    }
+
+    /// The largest of a result over all points, in its unit; none where no point has it.
+    pub fn largest(&self, quantity: Quantity) -> Option<f64> {
+        let values = self.spots.iter().flatten();
+        values
+            .filter_map(|spot| spot.value(quantity))
+            .reduce(f64::max)
+    }
+
+    /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
+    pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<Reading> {
+        let last = (self.side - 1) as f64;
+        let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
+        let mut every = 1;
+        while every < self.side {
+            // The cell of that width round the place: its lower corner, and the share on from there.
+            let place = |at: f64| {
+                let cell =
+                    ((at / every as f64).floor() as usize * every).min(self.side - 1 - every);
+                (cell, (at - cell as f64) / every as f64)
+            };
+            let ((i, u), (j, v)) = (place(x), place(y));
+            let near = |share: f64| if share < 0.5 { 0 } else { every };
+            let here = self.at((i + near(u), j + near(v)));
+            let is_point = |share: f64| share == 0.0 || share == 1.0;
+            if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
+                return Some(Reading {
+                    value: spot.value(quantity),
+                    folded: spot.folded(),
+                    exact: true,
+                });
+            }
+            let corner = |a: usize, b: usize| self.at((i + a, j + b));
+            let corners =
+                [(0, 0), (every, 0), (0, every), (every, every)].map(|(a, b)| corner(a, b));
+            if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+                let value = || {
+                    let low = a.value(quantity)? * (1.0 - u) + b.value(quantity)? * u;
+                    let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
+                    Some(low * (1.0 - v) + high * v)
+                };
+                return Some(Reading {
+                    value: value(),
+                    folded: here.is_some_and(Spot::folded),
+                    exact: false,
+                });
+            }
+            every *= 2;
+        }
+        None
+    }
+}
+
+/// The scenario at a point of a grid of so many points a side.
+pub fn scenario_at(
+    scenario: &Scenario,
+    (x, y): (Span, Span),
+    (i, j): (usize, usize),
+    side: usize,
+) -> Scenario {
+    let mut changed = scenario.clone();
+    for (span, at) in [(x, i), (y, j)] {
+        let value = spaced(span.from, span.to, side)[at];
+        set::put_number(&mut changed, span.field, value);
+    }
+    changed
+}
+
+fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
+    let Ok(scenario) = scenario.check() else {
+        return Some(Spot::Refused);
+    };
+    let mut watch = |_: f64| {
+        if stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    match single(&scenario, None, &mut watch) {
+        Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
+        Ok(point) => Some(Spot::Known(point.values)),
+        Err(Refusal::Cancelled) => None,
+        Err(_) => Some(Spot::Refused),
+    }
+}
+
+/// Told after each point, on any thread, of the grid so far; may stop the rest.
+pub type Heard<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
+
+/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has.
+pub fn fill(
+    scenario: &Scenario,
+    spans: (Span, Span),
+    mut grid: Grid,
+    stop: &AtomicBool,
+    heard: Heard,
+) -> Grid {
+    let mut lacking = grid.order();
+    lacking.retain(|at| grid.at(*at).is_none());
+    let side = grid.side;
+    let job = |index: usize| spot(&scenario_at(scenario, spans, lacking[index], side), stop);
+    ordered::run((0, lacking.len()), stop, job, |index, spot| {
+        grid.put(lacking[index], spot);
+        heard(&grid)
+    });
+    grid
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::fields::find;
+
+    fn spans() -> (Span, Span) {
+        let span = |path, from, to| Span {
+            field: find(path).unwrap(),
+            from,
+            to,
+        };
+        (
+            span("impact.force_n", 50.0, 250.0),
+            span("impact.angle_deg", 0.0, 60.0),
+        )
+    }
+
+    #[test]
+    fn a_grid_is_filled_in_from_its_corners_and_goes_on_where_it_was_stopped() {
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        let of = Quantity::Damage;
+        let coarse = |grid: &Grid| {
+            // Nothing is said of a place before its corners are known.
+            let (known, _) = grid.known();
+            assert_eq!(grid.read(of, (0.3, 0.3)).is_some(), known >= 4);
+            if known == 9 {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        };
+        let part = fill(
+            &scenario,
+            spans(),
+            Grid::new(5),
+            &AtomicBool::new(false),
+            &coarse,
+        );
+        assert_eq!(part.known(), (9, 25));
+        let go = |_: &Grid| ControlFlow::Continue(());
+        let fresh = || AtomicBool::new(false);
+        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &go);
+        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &go));
+        assert_eq!(whole.known(), (25, 25));
+        for at in part.order().into_iter().take(9) {
+            assert_eq!(part.at(at), whole.at(at));
+        }
+        assert_eq!(
+            whole.at((0, 4)),
+            Some(&Spot::Refused),
+            "60 deg lies behind bone"
+        );
+        for of in [Quantity::Damage, Quantity::ForceFront] {
+            let value = |x| whole.at((x, 0)).unwrap().value(of).unwrap();
+            assert!((0..5).map(value).is_sorted());
+            let middle = whole.read(of, (0.125, 0.0)).unwrap();
+            assert!((middle.value.unwrap() / (0.5 * (value(0) + value(1))) - 1.0).abs() < 1e-9);
+            assert!(!middle.exact && whole.read(of, (0.25, 0.0)).unwrap().exact);
+            assert_eq!(whole.read(of, (0.5, 0.9)).unwrap().value, None);
+            assert!(whole.largest(of).unwrap() >= value(4));
+        }
+        assert_eq!(whole.largest(Quantity::Pressure), None);
+    }
+
+    #[test]
+    fn the_order_has_every_point_once_and_the_coarsest_first() {
+        let grid = Grid::new(SIDE);
+        let order = grid.order();
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(sorted.len(), SIDE * SIDE);
+        assert_eq!(order.len(), SIDE * SIDE);
+        assert!(order[..25].iter().all(|(x, y)| x % 8 == 0 && y % 8 == 0));
+    }
+}

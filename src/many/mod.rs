@@ -1,0 +1,13 @@
+//! What is built from many runs.
+
+pub mod bands;
+pub mod batch;
+pub mod comparison;
+pub mod ensemble;
+pub mod map;
+pub mod ordered;
+pub mod root;
+pub mod spreads;
+pub mod statistics;
+pub mod sweep;
+pub mod threshold;

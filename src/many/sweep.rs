@@ -1,0 +1,300 @@
+//! A grid of runs over some fields of a scenario.
+//!
+//! Rows are numbered from 0 with the last axis the fastest. Shard i of n (from 1) holds the rows r
+//! with r mod n = i - 1, so all shards together are the whole. Every row is checked for its step error
+//! and refined to [`crate::answer::point::promise_percent`]; what is refused is a row too.
+//!
+//! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
+
+use crate::answer::point::{Point, checked};
+use crate::answer::quantity::Quantity;
+use crate::injury::{Blow, Caution};
+use crate::models::paper::case::{Refusal, Watch};
+use crate::scenario::fields;
+use crate::scenario::load::to_ron;
+use crate::scenario::problem::{Problem, ScenarioError};
+use crate::scenario::set::{full_path, set};
+use crate::scenario::{CheckedScenario, Scenario};
+
+/// Most rows of a grid.
+pub const MAX_ROWS: usize = 10_000_000;
+/// Most values of one axis.
+pub const MAX_VALUES: usize = 100_000;
+
+/// One field and the values that it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Dotted path of the field.
+    pub path: String,
+    /// Its values, as they would be typed.
+    pub values: Vec<String>,
+}
+
+/// `from` to `to` in `count` equal steps, ends included, without the dust of binary fractions.
+pub fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
+    let at = |i: usize| {
+        let share = i as f64 / count.saturating_sub(1).max(1) as f64;
+        let value = from * (1.0 - share) + to * share;
+        // Twelve digits: more would show what 0.1 + 0.2 is.
+        format!("{value:.11e}").parse().unwrap_or(value)
+    };
+    (0..count).map(at).collect()
+}
+
+impl Axis {
+    /// Reads `path=from:to:n` or `path=a,b,c`.
+    ///
+    /// # Errors
+    /// Says what was expected.
+    pub fn read(typed: &str) -> Result<Self, String> {
+        let wanted = "expected FIELD=FROM:TO:COUNT or FIELD=A,B,C, as in impact.force_n=100:500:5";
+        let (path, text) = typed.split_once('=').ok_or(wanted)?;
+        let (path, text) = (path.trim().to_owned(), text.trim());
+        let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+        let values = match parts[..] {
+            [from, to, count] => {
+                let number = |text: &str| text.parse::<f64>().ok().filter(|n| n.is_finite());
+                let (Some(from), Some(to)) = (number(from), number(to)) else {
+                    return Err(wanted.to_owned());
+                };
+                let count = count.parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
+                let count = count.ok_or(format!("the count must be 1 to {MAX_VALUES}"))?;
+                if count == 1 && from != to {
+                    return Err("a count of 1 leaves no room for two ends".to_owned());
+                }
+                spaced(from, to, count).iter().map(f64::to_string).collect()
+            }
+            [list] => list.split(',').map(|v| v.trim().to_owned()).collect(),
+            _ => return Err(wanted.to_owned()),
+        };
+        let mut axis = Self { path, values };
+        if axis.path.is_empty() || axis.values.iter().any(String::is_empty) {
+            return Err(wanted.to_owned());
+        }
+        if axis.values.len() > MAX_VALUES {
+            return Err(format!("at most {MAX_VALUES} values"));
+        }
+        axis.values.shrink_to_fit();
+        Ok(axis)
+    }
+}
+
+/// A scenario and the axes of its grid.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    scenario: Scenario,
+    axes: Vec<Axis>,
+}
+
+/// One row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Its number.
+    pub number: usize,
+    /// The value of each axis.
+    pub values: Vec<String>,
+    /// What came of it, or why nothing did.
+    pub outcome: Result<Point, String>,
+    /// What speaks against its risks by energy.
+    pub caution: Option<Caution>,
+}
+
+impl Sweep {
+    /// A grid of checked axes. Values are written as the field itself writes them.
+    ///
+    /// # Errors
+    /// Where a field is not there or given twice, a value is not allowed by itself, or there are too
+    /// many rows.
+    pub fn new(scenario: Scenario, mut axes: Vec<Axis>) -> Result<Self, ScenarioError> {
+        let mut rows = 1_usize;
+        for i in 0..axes.len() {
+            let path = full_path(&scenario, &axes[i].path).to_owned();
+            axes[i].path.clone_from(&path);
+            if axes[..i].iter().any(|axis| axis.path == path) {
+                return Err(Problem::new(path, "is varied twice").into());
+            }
+            for value in &mut axes[i].values {
+                let mut changed = scenario.clone();
+                set(&mut changed, &path, value)?;
+                let plain = fields::find(&path).and_then(|field| field.text(&changed));
+                // The word for a curve that was recorded does not say which: there the name of its file stands.
+                let says_all = |plain: &String| {
+                    let mut again = scenario.clone();
+                    set(&mut again, &path, plain).is_ok() && again == changed
+                };
+                if let Some(plain) = plain.filter(says_all) {
+                    *value = plain;
+                }
+            }
+            rows = rows.saturating_mul(axes[i].values.len());
+        }
+        if rows > MAX_ROWS {
+            let paths: Vec<_> = axes.iter().map(|axis| axis.path.as_str()).collect();
+            let counts: Vec<_> = axes
+                .iter()
+                .map(|axis| axis.values.len().to_string())
+                .collect();
+            let (paths, counts) = (paths.join(" and "), counts.join(" x "));
+            let message = format!("{counts} = {rows} rows are too many: allowed up to {MAX_ROWS}");
+            return Err(Problem::new(paths, message).into());
+        }
+        Ok(Self { scenario, axes })
+    }
+
+    /// The axes.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// How many rows there are.
+    pub fn rows(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// The value of each axis in a row.
+    pub fn values(&self, row: usize) -> Vec<&str> {
+        let mut rest = row;
+        let mut values: Vec<&str> = self
+            .axes
+            .iter()
+            .rev()
+            .map(|axis| {
+                let value = &axis.values[rest % axis.values.len()];
+                rest /= axis.values.len();
+                value.as_str()
+            })
+            .collect();
+        values.reverse();
+        values
+    }
+
+    /// The scenario of a row.
+    ///
+    /// # Errors
+    /// Where the values together are not allowed.
+    pub fn scenario(&self, row: usize) -> Result<CheckedScenario, ScenarioError> {
+        let mut scenario = self.scenario.clone();
+        for (axis, value) in self.axes.iter().zip(self.values(row)) {
+            set(&mut scenario, &axis.path, value)?;
+        }
+        scenario.check()
+    }
+
+    /// Runs a row; nothing if the watch stopped it.
+    pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
+        let scenario = self.scenario(number);
+        let blow = scenario
+            .as_ref()
+            .ok()
+            .and_then(|scenario| Blow::of(scenario));
+        let caution = blow.and_then(|blow| blow.caution());
+        let outcome = match scenario {
+            Err(error) => Err(error.to_string()),
+            Ok(scenario) => match checked(&scenario, watch) {
+                Err(Refusal::Cancelled) => return None,
+                other => other.map_err(|refusal| refusal.to_string()),
+            },
+        };
+        Some(Row {
+            number,
+            values: self.values(number).into_iter().map(str::to_owned).collect(),
+            outcome,
+            caution,
+        })
+    }
+
+    /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and version.
+    pub fn fingerprint(&self) -> u64 {
+        let mut text = to_ron(&self.scenario);
+        for axis in &self.axes {
+            let axis = format!("{}={:?}\n", axis.path, axis.values);
+            text.push_str(&axis);
+        }
+        let keys = Quantity::ALL.iter().map(|quantity| quantity.key());
+        for part in keys.chain([env!("CARGO_PKG_VERSION")]) {
+            text += part;
+            text.push('\n');
+        }
+        text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::paper::case::unwatched;
+
+    fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
+        let axes = axes.iter().map(|a| Axis::read(a).unwrap()).collect();
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        Sweep::new(scenario, axes)
+    }
+
+    #[test]
+    fn axes_are_read_as_ranges_and_lists() {
+        let values = |text: &str| Axis::read(text).unwrap().values;
+        assert_eq!(values("a=0:0.3:4"), ["0", "0.1", "0.2", "0.3"]);
+        assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
+        assert_eq!(values("a=2:2:1"), ["2"]);
+        assert_eq!(values("a=x, y"), ["x", "y"]);
+        for bad in [
+            "a",
+            "a=",
+            "=1",
+            "a=1:2",
+            "a=1:2:0",
+            "a=1:2:x",
+            "a=1:2:1",
+            "a=1,,2",
+            "a=nan:1:2",
+        ] {
+            assert!(Axis::read(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn rows_go_through_the_grid_with_the_last_axis_fastest() {
+        let sweep = sweep(&[
+            "impact.force_n=100:300:3",
+            "impact.shape=triangle,half-sine",
+        ])
+        .unwrap();
+        assert_eq!(sweep.rows(), 6);
+        assert_eq!(sweep.values(0), ["100", "Triangle"]);
+        assert_eq!(sweep.values(3), ["200", "HalfSine"]);
+        let row = sweep.run(3, &mut unwatched).unwrap();
+        let point = row.outcome.unwrap();
+        assert!(point.values[Quantity::Damage].unwrap() > 0.0 && point.check.unwrap().last <= 0.1);
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused_at_once_and_what_only_clashes_is_a_row() {
+        let refused = |axes: &[&str]| sweep(axes).unwrap_err().to_string();
+        assert!(refused(&["impact.farce=1:2:2"]).contains("did you mean"));
+        assert!(refused(&["impact.force_n=0:1e9:2"]).contains("allowed 0 to 100000 N"));
+        assert!(refused(&["window_ms=1,2", "window=3"]).contains("twice"));
+        assert_eq!(
+            refused(&["window_ms=1:2:9999", "impact.force_n=1:2:9999"]),
+            "window_ms and impact.force_n: 9999 x 9999 = 99980001 rows are too many: allowed up to \
+             10000000"
+        );
+        let clash = sweep(&["impact.angle_deg=0,60"]).unwrap();
+        let row = clash.run(1, &mut unwatched).unwrap();
+        assert!(row.outcome.unwrap_err().contains("bone shields"));
+    }
+
+    #[test]
+    fn fingerprints_tell_sweeps_apart() {
+        let of = |axes: &[&str]| sweep(axes).unwrap().fingerprint();
+        let one = of(&["impact.force_n=100:300:3"]);
+        assert_eq!(one, of(&["impact.force_n=100, 200, 3e2"]));
+        assert_eq!(one, of(&["force=100:300:3"]));
+        assert_ne!(one, of(&["impact.force_n=100:300:4"]));
+        assert_ne!(one, of(&["window_ms=1:3:3"]));
+    }
+}

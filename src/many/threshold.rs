@@ -1,0 +1,647 @@
+//! Where a result reaches a value as one number of the scenario goes through a range.
+//!
+//! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it; wherever two
+//! neighbours lie on two sides of the value, the crossing between them is bracketed to [`WIDTH`] of itself (see [`crate::many::root`]). With e the error of the
+//! result there, as answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off
+//! by e / s: one figure for the step, one for the mesh. A risk has no error of its own; one by pressure has that
+//! of the pressure. The risk that is believed first carries the verdict there, and the range of the field over
+//! which what is believed may be the value (see [`crate::answer::believed`]).
+//!
+//! Left out: two crossings between neighbours of the grid, which leave no change of sign to be seen, and what
+//! the inputs that are not varied may be off by (see [`crate::many::ensemble`]).
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::answer::believed::{Scene, reaches};
+use crate::answer::mesh_error::add_mesh_error;
+use crate::answer::point::single;
+use crate::answer::quantity::{Quantity, Read};
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve};
+use crate::injury::{Blow, Caution, Measures, Risk};
+use crate::many::ordered;
+use crate::many::root::{Bracket, narrowed};
+use crate::many::sweep::spaced;
+use crate::models::paper::case::Refusal;
+use crate::run::flags::Flag;
+use crate::run::kept::Keep;
+use crate::scenario::Scenario;
+use crate::scenario::fields;
+use crate::scenario::fields::{Bounds, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::scenario::set::{full_path, set};
+
+/// How wide the bracket of a crossing is in the end, as a share of it.
+const WIDTH: f64 = 1e-4;
+/// Share of a crossing by which its slope is measured to each side.
+const STEP_ASIDE: f64 = 0.01;
+/// Intervals of the grid, at least, and the largest ratio of neighbours on it.
+const INTERVALS: usize = 24;
+const LARGEST_RATIO: f64 = 2.0;
+/// The grid goes down to this share of the present value, and then to the end of the range.
+const LEAST_SHARE: f64 = 1e-3;
+/// Of a range that nobody narrowed one value in so many is looked at first.
+const COARSE: usize = 4;
+/// The share of the work that looking at the grid is told as.
+const LOOKED: f64 = 0.6;
+/// Of a crossing nobody knows how many runs it takes: each is told as this share of what was left before.
+const PATIENCE: f64 = 0.85;
+/// A result that changes within a bracket by more than this share of its range on the grid jumps there.
+const JUMP: f64 = 0.05;
+
+/// What is asked: at which value of `field` the result reaches `target`.
+#[derive(Clone)]
+pub struct Question {
+    scenario: Scenario,
+    /// What is varied.
+    pub field: &'static Field,
+    bounds: Bounds,
+    /// From where to where.
+    pub range: (f64, f64),
+    /// Whether the person said so; else the range is all that the field may be.
+    narrow: bool,
+    /// The result.
+    pub quantity: Quantity,
+    /// The value that it is to reach, in its unit.
+    pub target: f64,
+}
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub struct Threshold {
+    /// Values of the field on the grid, and the result there or why there is none.
+    pub seen: Vec<(f64, Result<f64, String>)>,
+    /// Every crossing, from below.
+    pub crossings: Vec<Crossing>,
+}
+
+/// Values of the field, and the result there if there is one, or why nothing could be computed.
+type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
+
+/// A value of the field at which the result passes the target.
+#[derive(Debug, Clone)]
+pub struct Crossing {
+    /// The value.
+    pub at: f64,
+    /// Whether the result rises there.
+    pub rising: bool,
+    /// By how much it may be off for the time step; none where that is not known.
+    pub step: Option<f64>,
+    /// The same for the mesh.
+    pub mesh: Option<f64>,
+    /// From which value to which the result jumps there, if it does.
+    pub jump: Option<(f64, f64)>,
+    /// What limits the results there; nothing where inputs alone decide.
+    pub flags: Vec<Flag>,
+    /// What speaks against a risk by energy of this object.
+    pub caution: Option<Caution>,
+    /// Of a risk that is believed: what is believed there.
+    pub believed: Option<Believed>,
+}
+
+/// What is believed of an injury where its risk passes the target.
+#[derive(Debug, Clone)]
+pub struct Believed {
+    /// In words.
+    pub verdict: String,
+    /// From which to which value of the field what is believed may have the target, where it may at all.
+    pub range: (Option<f64>, Option<f64>),
+}
+
+impl Question {
+    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
+    ///
+    /// # Errors
+    /// Says why the field cannot be varied so, and what could.
+    pub fn read(
+        scenario: Scenario,
+        vary: &str,
+        (quantity, target): (Quantity, f64),
+    ) -> Result<Self, ScenarioError> {
+        let (path, ends) = match vary.split_once('=') {
+            Some((path, ends)) => (path.trim(), Some(ends)),
+            None => (vary.trim(), None),
+        };
+        let (field, bounds) = bounds(&scenario, path)?;
+        let range = match ends {
+            None => (bounds.min, bounds.max),
+            Some(ends) => self::range(field, &bounds, ends)?,
+        };
+        Ok(Self {
+            scenario,
+            field,
+            bounds,
+            range,
+            narrow: ends.is_some(),
+            quantity,
+            target,
+        })
+    }
+
+    /// The scenario with another value of the field.
+    fn at(&self, value: f64) -> Result<Scenario, ScenarioError> {
+        let mut scenario = self.scenario.clone();
+        set(&mut scenario, self.field.path, &plain(value))?;
+        Ok(scenario)
+    }
+
+    fn absent(&self) -> Refusal {
+        let message = "this scenario has no such result";
+        ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
+    }
+
+    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        solve(&scenario, Keep::default(), &mut |_| until(stop))
+    }
+
+    /// The value of the field now.
+    pub fn present(&self) -> f64 {
+        match &self.field.kind {
+            Kind::Number(_, place) => (place.get)(&self.scenario).copied(),
+            Kind::OptionalNumber(_, place) => (place.get)(&self.scenario).copied().flatten(),
+            _ => None,
+        }
+        .unwrap_or(f64::NAN)
+    }
+
+    /// The values that are looked at first: evenly where the range has both signs or is narrow, else by
+    /// ratios from the present value on.
+    fn grid(&self) -> Vec<f64> {
+        let (from, to) = self.range;
+        if from < 0.0 || to <= 4.0 * from || from == to {
+            return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
+        }
+        let middle = match self.present() {
+            present if present > 0.0 => present,
+            _ => LEAST_SHARE * to,
+        };
+        let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
+        let least = from.max(LEAST_SHARE * middle);
+        let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);
+        let three_digits = |x: f64| format!("{x:.2e}").parse().unwrap_or(x);
+        let ratios = |by: f64| (1..).map(move |k| three_digits(middle * by.powi(k)));
+        let mut grid = vec![from, middle, to];
+        grid.extend(ratios(ratio).take_while(|x| *x < to));
+        grid.extend(ratios(1.0 / ratio).take_while(|x| *x > least));
+        grid.sort_by(f64::total_cmp);
+        grid.dedup();
+        grid
+    }
+
+    /// Looks for every crossing. `heard` is told the share done.
+    ///
+    /// # Errors
+    /// Where the scenario has no such result or was stopped.
+    pub fn answer(
+        &self,
+        stop: &AtomicBool,
+        mut heard: impl FnMut(f64) + Send,
+    ) -> Result<Threshold, Refusal> {
+        let seen = self.looked_at(stop, &mut heard)?;
+        if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
+            let there = self.once(seen[0].0, stop)?;
+            let there: Vec<&str> = there.present().map(|(of, _)| of.key()).collect();
+            let risk = if self.quantity.is_risk() {
+                "; `contrecoup run` says why no measure of a risk is usable here"
+            } else {
+                ""
+            };
+            let message = format!(
+                "this scenario has no such result: allowed {}{risk}",
+                there.join(", ")
+            );
+            return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
+        }
+        let none = || "no such result there".to_owned();
+        let seen: Vec<(f64, Result<f64, String>)> = seen
+            .into_iter()
+            .map(|(at, result)| (at, result.and_then(|value| value.ok_or_else(none))))
+            .collect();
+        let brackets = self.brackets(&seen);
+        let mut crossings = Vec::new();
+        let values = || seen.iter().filter_map(|(_, result)| result.as_ref().ok());
+        let spread =
+            values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
+        for (i, bracket) in brackets.iter().enumerate() {
+            let each = (1.0 - LOOKED) / brackets.len() as f64;
+            let mut heard = |share: f64| heard(LOOKED + each * (i as f64 + share));
+            crossings.push(self.crossing(*bracket, spread, stop, &mut heard)?);
+        }
+        Ok(Threshold { seen, crossings })
+    }
+
+    /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th value is looked at
+    /// first, and others only between two of which one has no result, or where the target may lie. Each is one run:
+    /// its error matters at a crossing, where it is stated.
+    fn looked_at(&self, stop: &AtomicBool, heard: &mut (impl FnMut(f64) + Send)) -> Seen {
+        let grid = self.grid();
+        let last = grid.len() - 1;
+        let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
+        let coarse = if self.narrow { 1 } else { COARSE };
+        let first: Vec<usize> = (0..=last)
+            .filter(|i| i % coarse == 0 || *i == last)
+            .collect();
+        let mut done = 0;
+        let mut look = |at: &[usize], seen: &mut Vec<_>| {
+            let run = |i: usize| match self.once(grid[at[i]], stop) {
+                Err(Refusal::Cancelled) => None,
+                Err(refusal) => Some(Err(refusal.to_string())),
+                Ok(results) => Some(Ok(results[self.quantity])),
+            };
+            let begun = done;
+            ordered::run((0, at.len()), stop, run, |i, result| {
+                seen[at[i]] = Some(result);
+                done += 1;
+                heard(LOOKED * done as f64 / grid.len() as f64);
+                ControlFlow::Continue(())
+            });
+            if done < begun + at.len() {
+                return Err(Refusal::Cancelled);
+            }
+            Ok(())
+        };
+        look(&first, &mut seen)?;
+        let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
+        let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
+            (Some(a), Some(b)) => {
+                let slack = (a - b).abs();
+                (a.min(b) - slack..=a.max(b) + slack).contains(&self.target)
+            }
+            (a, b) => a.is_some() != b.is_some(),
+        };
+        let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
+        let between = pairs
+            .filter(|pair| worth(*pair))
+            .flat_map(|(a, b)| a + 1..b);
+        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        let pairs = grid.into_iter().zip(seen);
+        Ok(pairs
+            .filter_map(|(at, result)| Some((at, result?)))
+            .collect())
+    }
+
+    /// The results of one run at a value of the field.
+    fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        Ok(single(&scenario, None, &mut |_| until(stop))?.values)
+    }
+
+    /// Neighbours on two sides of the target.
+    fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
+        let pairs = seen.windows(2).filter_map(|pair| {
+            let [(a, Ok(low)), (b, Ok(high))] = pair else {
+                return None;
+            };
+            let bracket = Bracket {
+                low: (*a, low - self.target),
+                high: (*b, high - self.target),
+            };
+            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
+        });
+        pairs.collect()
+    }
+
+    fn crossing(
+        &self,
+        bracket: Bracket,
+        spread: f64,
+        stop: &AtomicBool,
+        heard: &mut dyn FnMut(f64),
+    ) -> Result<Crossing, Refusal> {
+        let rising = bracket.low.1 < 0.0;
+        let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
+        let mut left = 1.0;
+        let mut tell = || {
+            left *= PATIENCE;
+            heard(1.0 - left);
+        };
+        let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
+            let result = self.solved(value, stop)?.results()[self.quantity];
+            tell();
+            Ok(result.ok_or_else(|| self.absent())? - self.target)
+        })?;
+        let at = bracket.secant();
+        let jump = ((bracket.high.1 - bracket.low.1).abs() > JUMP * spread)
+            .then_some((bracket.low.1 + self.target, bracket.high.1 + self.target));
+        let scenario = self.at(at)?.check()?;
+        let mut crossing = Crossing {
+            at,
+            rising,
+            step: None,
+            mesh: None,
+            jump,
+            flags: Vec::new(),
+            caution: None,
+            believed: None,
+        };
+        let mut watch = |_| until(stop);
+        let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
+        tell();
+        let Some(of) = answer.rests_on(self.quantity) else {
+            // A risk by nothing but the inputs is as exact as they are.
+            (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
+            crossing.caution = Blow::of(&scenario).and_then(|blow| blow.caution());
+            let aside = self.aside(at).map(|end| self.at(end));
+            let [low, high] = aside.map(|end| Some(Scene::of(&end.ok()?).measures(None, None)));
+            crossing.believed = self.believed(&answer, at, low.zip(high));
+            return Ok(crossing);
+        };
+        add_mesh_error(&scenario, &mut answer, &mut watch)?;
+        tell();
+        crossing.flags.clone_from(&answer.flags);
+        if jump.is_none() {
+            let [low, high] = self.aside(at).map(|end| match self.solved(end, stop) {
+                Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
+                // Beyond there is nothing: the slope is not known.
+                solved => Ok(solved.ok()),
+            });
+            let ends = low?.zip(high?);
+            let measures = |answer: &Answer| answer.measures();
+            let both = ends
+                .as_ref()
+                .map(|(low, high)| (measures(low), measures(high)));
+            crossing.believed = self.believed(&answer, at, both);
+            let [from, to] = self.aside(at);
+            let slope = ends.map_or(f64::NAN, |(low, high)| {
+                let value = |answer: &Answer| answer.results()[of].unwrap_or(f64::NAN);
+                (value(&high) - value(&low)) / (to - from)
+            });
+            let value = answer.results()[of];
+            let errors = &answer.errors;
+            let off =
+                [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
+                    let off = errors?[of]? / 100.0 * value?.abs() / slope.abs();
+                    off.is_finite().then_some(off)
+                });
+            [crossing.step, crossing.mesh] = off;
+        }
+        Ok(crossing)
+    }
+
+    /// Two values on both sides of one, between which slopes are taken.
+    fn aside(&self, at: f64) -> [f64; 2] {
+        let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
+        [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
+    }
+
+    /// What is believed at a crossing, where a believed risk is asked for; `ends` holds what the curves run against
+    /// on both sides.
+    fn believed(
+        &self,
+        answer: &Answer,
+        at: f64,
+        ends: Option<(Measures, Measures)>,
+    ) -> Option<Believed> {
+        let Read::Believed(injury) = self.quantity.row().read else {
+            return None;
+        };
+        let mut verdicts = answer.verdicts().into_iter();
+        let verdict = verdicts.find(|verdict| verdict.injury == injury)?;
+        let [from, to] = self.aside(at);
+        // The power of the field that each measure goes with.
+        let power = |risk: &Risk| {
+            let value = |of: &Measures| Some(of.get(risk.curve.measure)?.value);
+            let (low, high) = ends.as_ref()?;
+            let power = libm::log(value(high)? / value(low)?) / libm::log(to / from);
+            power.is_finite().then_some(power)
+        };
+        let known = from * to > 0.0 && verdict.believed().all(|risk| power(risk).is_some());
+        let range = known.then(|| {
+            let power = |risk: &Risk| power(risk).unwrap_or_default();
+            reaches(
+                &verdict,
+                at,
+                self.target / self.quantity.row().factor,
+                power,
+            )
+        });
+        Some(Believed {
+            verdict: verdict.words(),
+            range: range.unwrap_or_default(),
+        })
+    }
+}
+
+fn until(stop: &AtomicBool) -> ControlFlow<()> {
+    if stop.load(Ordering::Relaxed) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
+/// The field of a path and its bounds, where it holds a number.
+fn bounds(scenario: &Scenario, path: &str) -> Result<(&'static Field, Bounds), ScenarioError> {
+    let path = full_path(scenario, path);
+    let Some(field) = fields::find(path) else {
+        // The words for a field that is not there; a group has none that fit.
+        let error = set(&mut scenario.clone(), path, "()").err();
+        let error = error.filter(|e| e.problems.iter().any(|p| p.line.is_none()));
+        let group = || Problem::new(path, "holds several fields: name one of them").into();
+        return Err(error.unwrap_or_else(group));
+    };
+    let Some(present) = field.text(scenario) else {
+        set(&mut scenario.clone(), path, "0")?;
+        return Err(Problem::new(path, "there is no such field in this scenario").into());
+    };
+    match &field.kind {
+        Kind::Number(bounds, _) | Kind::OptionalNumber(bounds, _) => Ok((field, *bounds)),
+        Kind::Integer(..) => {
+            let message =
+                format!("is a whole number, now {present}: `contrecoup sweep` lists its results");
+            Err(Problem::new(path, message).into())
+        }
+        _ => Err(Problem::new(path, format!("is no number but {present}")).into()),
+    }
+}
+
+fn range(field: &Field, bounds: &Bounds, ends: &str) -> Result<(f64, f64), ScenarioError> {
+    let allowed = || format!("FROM:TO within {}", field.allowed());
+    let refused = |complaint| Problem::refused(field.path, ends.trim(), complaint, allowed());
+    let (from, to) = ends.split_once(':').ok_or_else(|| refused("is no range"))?;
+    let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>()) else {
+        return Err(refused("is no range of numbers").into());
+    };
+    if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) {
+        return Err(refused("goes from no lower to no higher value").into());
+    }
+    if from < bounds.min || to > bounds.max {
+        return Err(refused("is out of range").into());
+    }
+    Ok((from, to))
+}
+
+/// Reads `RESULT = VALUE`; the unit may follow the value.
+///
+/// # Errors
+/// Says what makes no sense, and what would.
+pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
+    let refused = |value: &str, complaint: &str, allowed: &str| {
+        ScenarioError::from(Problem::refused("", value, complaint, allowed.to_owned()))
+    };
+    let example = "RESULT = VALUE, as in damage_percent = 50";
+    let Some((key, value)) = text.split_once('=') else {
+        return Err(refused(text, "has no =", example));
+    };
+    let (key, value) = (
+        key.trim().trim_end_matches('='),
+        value.trim_start_matches('=').trim(),
+    );
+    let keys = || Quantity::ALL.iter().map(|quantity| quantity.key());
+    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
+    let Some(quantity) = found else {
+        let near = suggestion(key, keys());
+        let all = keys().collect::<Vec<_>>().join(", ");
+        return Err(refused(key, &format!("is no result{near}"), &all));
+    };
+    // The index is no percentage for a reader, but its key says so.
+    let unit = match quantity.row().unit {
+        "" => "%",
+        unit => unit,
+    };
+    let number = value.strip_suffix(unit).unwrap_or(value);
+    match number.trim().parse::<f64>() {
+        Ok(target) if target.is_finite() => Ok((*quantity, target)),
+        _ => Err(refused(value, "is no number", example)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
+        let question = Question::read(scenario, vary, wanted(until).unwrap()).unwrap();
+        question.answer(&AtomicBool::new(false), |_| {}).unwrap()
+    }
+
+    fn short() -> Scenario {
+        Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        }
+    }
+
+    #[test]
+    fn a_crossing_is_where_the_result_has_the_value_and_its_errors_follow_the_slope() {
+        let threshold = found(short(), "impact.force_n=50:800", "apex_displacement_mm = 2");
+        let [crossing] = &threshold.crossings[..] else {
+            panic!("{threshold:?}")
+        };
+        let mut there = short();
+        set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
+        let there = there.check().unwrap();
+        let answer = solve(
+            &there,
+            Keep::default(),
+            &mut crate::models::paper::case::unwatched,
+        )
+        .unwrap();
+        let apex = answer.results()[Quantity::Apex].unwrap();
+        assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
+        // The apex is nearly proportional to the force, so their errors are of one share.
+        let error = answer.errors.time_step[Quantity::Apex].unwrap() / 100.0;
+        let share = crossing.step.unwrap() / crossing.at;
+        assert!((0.5..2.0).contains(&(share / error)), "{share} {error}");
+        assert!(crossing.mesh.unwrap() > crossing.step.unwrap());
+        assert!(crossing.rising && crossing.jump.is_none());
+    }
+
+    #[test]
+    fn one_that_falls_again_is_crossed_twice_and_one_beyond_reach_never() {
+        let angles = "impact.angle_deg=-40:40";
+        let below = found(short(), angles, "apex_displacement_mm = 1.5");
+        let ways: Vec<bool> = below.crossings.iter().map(|c| c.rising).collect();
+        assert_eq!(ways, [true, false], "{below:?}");
+        // The section is the same above and below.
+        let ends = below.crossings[0].at + below.crossings[1].at;
+        assert!(ends.abs() < 0.1, "{below:?}");
+        let never = found(short(), angles, "apex_displacement_mm = 50");
+        assert!(never.crossings.is_empty() && never.seen.len() > 20);
+    }
+
+    #[test]
+    fn a_risk_by_energy_alone_is_where_its_curve_says() {
+        let bb = crate::scenario::library::find("bb-56")
+            .unwrap()
+            .scenario()
+            .unwrap();
+        let until = "rupture_by_energy_percent=50 %";
+        let threshold = found(bb, "impact.speed_m_s=20:200", until);
+        let crossing = &threshold.crossings[0];
+        assert_eq!((crossing.step, crossing.mesh), (Some(0.0), Some(0.0)));
+        // 35.5 kJ/m^2 of a BB of 0.345 g and 4.5 mm; see the published curve.
+        assert!((40.0..80.0).contains(&crossing.at), "{}", crossing.at);
+    }
+
+    #[test]
+    fn a_believed_risk_carries_its_verdict_and_the_range_that_the_curves_leave_open() {
+        let preset = crate::scenario::library::find("bb-56").unwrap();
+        let bb = Scenario {
+            window_ms: 0.5,
+            ..preset.scenario().unwrap()
+        };
+        let until = "globe_rupture_percent = 50";
+        let anywhere = found(bb.clone(), "impact.speed_m_s", until);
+        let between = found(bb, "impact.speed_m_s=50:75", until);
+        let [one, other] = [&anywhere, &between].map(|found| &found.crossings[0]);
+        assert!(
+            (one.at / other.at - 1.0).abs() < 2.0 * WIDTH,
+            "{one:?} {other:?}"
+        );
+        let believed = one.believed.as_ref().unwrap();
+        assert!(
+            believed.verdict.contains("by scleral stress"),
+            "{believed:?}"
+        );
+        let (from, to) = (believed.range.0.unwrap(), believed.range.1.unwrap());
+        // Far more than the errors of step and mesh: the slope and the point of the curve are in it.
+        assert!(from < 0.9 * one.at && to > 1.1 * one.at, "{believed:?}");
+        assert!(to - one.at > one.mesh.unwrap());
+        // The coarse look leaves out what is far away.
+        assert!(anywhere.seen.len() < 20 && between.seen.len() > 20);
+    }
+
+    #[test]
+    fn what_is_refused_on_the_way_is_told_and_does_not_end_the_search() {
+        let threshold = found(short(), "impact.angle_deg", "apex_displacement_mm = 1.5");
+        let refused = threshold.seen.iter().filter(|(_, r)| r.is_err()).count();
+        assert!(refused > 0 && refused < threshold.seen.len());
+    }
+
+    #[test]
+    fn questions_that_make_no_sense_are_refused_in_words() {
+        let refused = |vary: &str| {
+            let question = Question::read(short(), vary, (Quantity::Damage, 50.0));
+            question.err().unwrap().to_string()
+        };
+        assert!(refused("impact.farce_n").contains("did you mean"));
+        assert!(refused("impact.shape").contains("is no number"));
+        assert!(refused("eye").contains("holds several fields"));
+        let by_end = Question::read(short(), "force", (Quantity::Damage, 50.0)).unwrap();
+        assert_eq!(by_end.field.path, "impact.force_n");
+        assert!(refused("eye.level").contains("whole number"));
+        assert!(refused("impact.speed_m_s").contains("which has no"));
+        assert!(refused("impact.force_n=9:1").contains("goes from"));
+        assert!(refused("impact.force_n=9").contains("is no range"));
+        assert!(refused("impact.force_n=0:1e9").contains("out of range"));
+        let unread = |until: &str| wanted(until).unwrap_err().to_string();
+        assert!(unread("damage=50").contains("did you mean damage_percent"));
+        assert!(unread("damage_percent>50").contains("has no ="));
+        assert!(unread("damage_percent=x").contains("is no number"));
+        assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);
+        let until = (Quantity::Pressure, 1.0);
+        let question = Question::read(short(), "impact.force_n=100:200", until).unwrap();
+        let error = question
+            .answer(&AtomicBool::new(false), |_| {})
+            .unwrap_err();
+        let error = error.to_string();
+        assert!(
+            error.contains("has no such result: allowed damage_percent, "),
+            "{error}"
+        );
+        assert!(!error.contains("contrecoup run"), "{error}");
+    }
+}

@@ -1,0 +1,436 @@
+use crate::answer::mesh_error::add_mesh_error;
+use crate::answer::quantity::Quantity;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve};
+use crate::models::axisymmetric::case::RevolutionCase;
+use crate::models::left::Left;
+use crate::models::paper::case::{Refusal, unwatched};
+use crate::run::flags::FlagKind;
+use crate::run::kept::Keep;
+use crate::scenario::set::set;
+use crate::scenario::{
+    ForcePulse, Impact, Model, Outline, Physiological, Projectile, Scenario, Surface,
+};
+use std::ops::ControlFlow;
+
+fn scene(shot: Projectile) -> Scenario {
+    Scenario {
+        model: Model::Physiological(Physiological::default()),
+        impact: Impact::Projectile(shot),
+        window_ms: 1.0,
+        ..Scenario::default()
+    }
+}
+
+fn bb(speed_m_s: f64) -> Projectile {
+    Projectile {
+        mass_g: 0.345,
+        diameter_mm: 4.5,
+        speed_m_s,
+        ..Projectile::default()
+    }
+}
+
+fn solved(scenario: &Scenario) -> Answer {
+    let checked = scenario.check().unwrap();
+    solve(&checked, Keep::default(), &mut unwatched).unwrap()
+}
+
+fn case(answer: &Answer) -> &RevolutionCase {
+    answer.case.revolution().unwrap()
+}
+
+#[test]
+fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
+    let of = |modulus_mpa| {
+        let surface = Surface::Elastic { modulus_mpa };
+        solved(&scene(Projectile {
+            surface,
+            ..bb(30.0)
+        }))
+    };
+    let crushed = |answer: &Answer| {
+        let flags = answer.flags.iter();
+        flags.filter(|f| f.kind == FlagKind::SurfaceCrushed).count()
+    };
+    let (softer, soft, hard) = (of(0.001), of(0.002), of(1e3));
+    assert_eq!(
+        (crushed(&soft), crushed(&softer), crushed(&hard)),
+        (1, 1, 0)
+    );
+    // What is behind it is hard, whatever the surface was.
+    let force = |answer: &Answer| answer.result(Quantity::Contact).unwrap();
+    assert!((force(&soft) / force(&softer) - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
+    let refused = |shot: Projectile| {
+        let checked = scene(shot).check().unwrap();
+        let refusal = solve(&checked, Keep::default(), &mut unwatched).unwrap_err();
+        assert!(refusal.is_of_input());
+        refusal.to_string()
+    };
+    let grain = refused(Projectile {
+        mass_g: 1e-3,
+        diameter_mm: 0.1,
+        ..bb(62.5)
+    });
+    assert!(
+        grain.starts_with("impact.diameter_mm: 0.10 mm is narrower"),
+        "{grain}"
+    );
+    assert!(
+        grain.contains("allowed 1.36 mm or more, or a finer mesh"),
+        "{grain}"
+    );
+    let heavy = refused(Projectile {
+        mass_g: 10.0,
+        diameter_mm: 3.0,
+        ..bb(62.5)
+    });
+    assert!(
+        heavy.starts_with("impact.speed_m_s: 62.5 m/s is too fast"),
+        "{heavy}"
+    );
+}
+
+#[test]
+fn its_own_step_may_be_asked_for_but_no_other_integrator() {
+    use crate::scenario::Integrator;
+    let mut scenario = scene(bb(56.0));
+    scenario.window_ms = 0.2;
+    let plain = solved(&scenario);
+    scenario.numerics.integrator = Some(Integrator::VelocityVerlet);
+    scenario.numerics.step_us = Some(0.5 * plain.step * 1e6);
+    let finer = solved(&scenario);
+    assert!((finer.step / plain.step - 0.5).abs() < 1e-9);
+    let steps = finer.cost.steps as f64 / plain.cost.steps as f64;
+    assert!((1.8..2.2).contains(&steps), "{steps}");
+    assert!(finer.errors.time_step_percent() < plain.errors.time_step_percent());
+    scenario.numerics.step_us = Some(1.01 * plain.step_limit * 1e6);
+    let refused = |scenario: &Scenario| {
+        let checked = scenario.check().unwrap();
+        solve(&checked, Keep::default(), &mut unwatched).unwrap_err()
+    };
+    assert!(matches!(refused(&scenario), Refusal::StepAboveLimit { .. }));
+    scenario.numerics.integrator = Some(Integrator::Rk4);
+    let unfit = refused(&scenario).to_string();
+    assert!(unfit.contains("allowed Auto, VelocityVerlet"), "{unfit}");
+}
+
+#[test]
+fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy() {
+    let mut answer = solved(&scene(bb(56.0)));
+    let results = answer.results();
+    let missing: Vec<_> = Quantity::ALL
+        .iter()
+        .filter(|of| results[**of].is_none())
+        .collect();
+    assert_eq!(missing, [&Quantity::StoredEnergy]);
+    let (pressure, stress) = (
+        results[Quantity::Pressure].unwrap(),
+        results[Quantity::ScleralStress].unwrap(),
+    );
+    assert!((0.3..2.0).contains(&pressure), "{pressure} MPa");
+    assert!((5.0..30.0).contains(&stress), "{stress} MPa");
+    assert!(answer.errors.energy_balance < 1.0);
+    assert!(answer.errors.time_step_percent() < 5.0);
+    assert!(answer.flags.iter().all(|f| f.kind != FlagKind::MeshFolded));
+    add_mesh_error(&scene(bb(56.0)), &mut answer, &mut unwatched).unwrap();
+    let mesh = answer.errors.mesh.unwrap();
+    assert!(mesh[Quantity::Pressure].unwrap() < 30.0);
+    assert_eq!(mesh[Quantity::RuptureByPressure], None);
+}
+
+#[test]
+fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
+    use crate::models::axisymmetric::time::run::run;
+    for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
+        let mut scenario = scene(Projectile { angle_deg, ..shot });
+        scenario.window_ms = 0.5;
+        let answer = solved(&scenario);
+        let case = case(&answer);
+        let exact = run(
+            &case.eye,
+            &case.load,
+            case.window,
+            0.06,
+            Keep::default(),
+            &mut unwatched,
+        )
+        .unwrap();
+        let exact = Results::of(&Left::Revolution(exact.extremes), &case.scene);
+        let off = exact.difference_percent(&answer.results());
+        for (of, off) in off.leading() {
+            let stated = answer.errors.time_step[of].unwrap();
+            assert!(off <= stated, "{}: {off} of {stated}", of.key());
+        }
+    }
+}
+
+#[test]
+fn a_pulse_acts_on_it_too_and_has_no_result_of_an_object() {
+    let mut scenario = scene(bb(1.0));
+    scenario.impact = Scenario::default().impact;
+    let answer = solved(&scenario);
+    let results = answer.results();
+    for none in [Quantity::Contact, Quantity::Intrusion, Quantity::Rebound] {
+        assert_eq!(results[none], None);
+    }
+    assert!(results[Quantity::Pressure].unwrap() > 0.01);
+}
+
+#[test]
+fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
+    let mut scenario = scene(Projectile {
+        angle_deg: 50.0,
+        ..bb(20.0)
+    });
+    scenario.window_ms = 0.05;
+    let answer = solved(&scenario);
+    let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
+    assert!(kinds.contains(&FlagKind::AngleBeyondTrust), "{kinds:?}");
+    assert!(kinds.contains(&FlagKind::ContactCut), "{kinds:?}");
+    assert!(kinds.contains(&FlagKind::WindowShort), "{kinds:?}");
+}
+
+#[test]
+fn a_surface_that_gives_way_lowers_the_pressure() {
+    let ball = Projectile {
+        mass_g: 24.0,
+        diameter_mm: 40.0,
+        speed_m_s: 20.0,
+        ..Projectile::default()
+    };
+    let hard = solved(&scene(ball.clone())).results();
+    let soft = solved(&scene(Projectile {
+        surface: Surface::Inflated {
+            kpa: 150.0,
+            modulus_mpa: 3.0,
+        },
+        ..ball
+    }));
+    let soft = soft.results();
+    let of = Quantity::Pressure;
+    assert!(soft[of].unwrap() < 0.7 * hard[of].unwrap());
+}
+
+fn short() -> Scenario {
+    Scenario {
+        window_ms: 0.1,
+        ..scene(bb(30.0))
+    }
+}
+
+#[test]
+fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
+    use crate::many::ensemble::{PILOT, run};
+    use std::sync::atomic::AtomicBool;
+    let mut scenario = short();
+    set(&mut scenario, "model.sclera_mpa", "138 ± 20").unwrap();
+    set(&mut scenario, "impact.speed_m_s", "30 ± 2").unwrap();
+    let checked = scenario.check().unwrap();
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().unwrap();
+        let stop = AtomicBool::new(false);
+        pool.install(|| {
+            run(&checked, (16, 1), None, &stop, &|_| {
+                ControlFlow::Continue(())
+            })
+        })
+        .unwrap()
+    };
+    let ensemble = on(2);
+    assert_eq!(ensemble.samples, on(1).samples);
+    assert_eq!(ensemble.samples.len(), 16);
+    for of in [
+        Quantity::Contact,
+        Quantity::ScleralStress,
+        Quantity::Rebound,
+    ] {
+        let band = ensemble.band(of).unwrap();
+        assert!(band.low < band.median && band.median < band.high, "{of:?}");
+    }
+    let checks = ensemble.checks();
+    assert_eq!(checks.count, PILOT as usize);
+    assert!(checks.last <= ensemble.promise, "{checks:?}");
+}
+
+#[test]
+fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
+    use crate::many::map::{Grid, Span, Spot, fill};
+    use crate::many::sweep::{Axis, Sweep};
+    use crate::scenario::fields::find;
+    use std::sync::atomic::AtomicBool;
+    let axis = |text: &str| Axis::read(text).unwrap();
+    let axes = vec![
+        axis("model.support=Orbit,Free"),
+        axis("impact.speed_m_s=20,40"),
+    ];
+    let sweep = Sweep::new(short(), axes).unwrap();
+    let row = |i| sweep.run(i, &mut unwatched).unwrap().outcome.unwrap();
+    let (slow, fast) = (row(0), row(1));
+    let of = Quantity::BackPressure;
+    assert!(slow.values[of].unwrap() < fast.values[of].unwrap());
+    assert!(slow.check.unwrap().last <= 1.0);
+    assert!(row(3).values[Quantity::StoredEnergy].is_none());
+
+    let span = |path, from, to| Span {
+        field: find(path).unwrap(),
+        from,
+        to,
+    };
+    let spans = (
+        span("impact.speed_m_s", 10.0, 40.0),
+        span("impact.angle_deg", 0.0, 100.0),
+    );
+    let go = |_: &Grid| ControlFlow::Continue(());
+    let grid = fill(&short(), spans, Grid::new(3), &AtomicBool::new(false), &go);
+    let value = |at| {
+        grid.at(at)
+            .and_then(|spot| spot.value(Quantity::ScleralStress))
+    };
+    assert!(value((0, 0)).unwrap() < value((2, 0)).unwrap());
+    assert_eq!(grid.at((0, 2)), Some(&Spot::Refused), "beyond 90 degrees");
+}
+
+#[test]
+fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
+    use crate::answer::accuracy::measure;
+    use crate::models::compiled::{Compiled, Element};
+    let checked = short().check().unwrap();
+    let report = measure(&checked, 2, &mut unwatched).unwrap();
+    assert_eq!(report.element, Element::Cell);
+    assert!(report.points.len() >= 4 && !report.folded);
+    let limit = Compiled::new(&checked).step_limit(report.reference.integrator);
+    let of_each: Vec<_> = report
+        .points
+        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator)
+        .collect();
+    assert_eq!(of_each.len(), 2);
+    for points in of_each {
+        for pair in points.windows(2) {
+            assert!(pair[1].step < pair[0].step && pair[0].step < limit);
+            assert!(pair[1].evaluations > pair[0].evaluations);
+        }
+        let (first, last) = (&points[0], points.last().unwrap());
+        assert!(last.error() < 0.5 * first.error());
+    }
+    let (coarse, fine) = (&report.levels[0], &report.levels[1]);
+    assert!(coarse.errors[Quantity::Pressure].unwrap() > 0.0);
+    assert!(fine.element_evaluations > coarse.element_evaluations);
+}
+
+#[test]
+fn a_crushed_front_says_how_many_cells_folded_and_where() {
+    let mut narrow = short();
+    narrow.window_ms = 0.03;
+    narrow.impact = Impact::ForcePulse(ForcePulse {
+        force_n: 3000.0,
+        duration_ms: 0.02,
+        half_width_deg: 3.0,
+        ..ForcePulse::default()
+    });
+    let answer = solve(&narrow.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+    let fold = answer.left.fold().expect("3 kN on 1 mm folds cells");
+    assert!(fold.quads > 0 && fold.quads < fold.of / 4, "{fold:?}");
+    assert!(fold.front_angle().to_degrees() < 15.0 && fold.radius() < 12e-3);
+    assert!(fold.lasted > 0.0 && fold.since + fold.lasted <= 0.03e-3 + 1e-12);
+    let flag = answer.flags.iter().find(|f| f.kind == FlagKind::MeshFolded);
+    let said = flag.unwrap().whole();
+    assert!(said.contains(&format!("{} of {} cells", fold.quads, fold.of)));
+    assert!(said.contains("by the front, inside the globe"), "{said}");
+}
+
+#[test]
+fn neighbouring_angles_have_neighbouring_stresses_where_the_sclera_comes_under_the_object() {
+    let stress = |angle_deg: f64| {
+        let mut turned = scene(Projectile {
+            angle_deg,
+            ..bb(62.5)
+        });
+        turned.window_ms = 0.4;
+        let value = solved(&turned).result(Quantity::ScleralStress);
+        value.unwrap()
+    };
+    let stresses: Vec<f64> = (0..=20)
+        .map(|i| stress(24.0 + 0.25 * f64::from(i)))
+        .collect();
+    for pair in stresses.windows(2) {
+        assert!((pair[1] / pair[0] - 1.0).abs() < 0.02, "{stresses:?}");
+    }
+}
+
+#[test]
+fn what_bone_or_the_cup_keeps_off_the_eye_does_nothing_and_is_said_to() {
+    let mut wide = scene(Projectile {
+        mass_g: 8.0,
+        diameter_mm: 50.0,
+        speed_m_s: 34.0,
+        outline: Outline::Cylinder { edge_mm: 4.0 },
+        ..Projectile::default()
+    });
+    set(&mut wide, "model.support", "Gelatin").unwrap();
+    let answer = solved(&wide);
+    for quantity in [
+        Quantity::Damage,
+        Quantity::Energy,
+        Quantity::Pressure,
+        Quantity::Contact,
+    ] {
+        assert_eq!(answer.result(quantity), Some(0.0), "{quantity:?}");
+    }
+    assert!(answer.errors.time_step_percent() < 0.1);
+    for kind in [FlagKind::RimStops, FlagKind::EyeMissed] {
+        assert!(answer.flags.iter().any(|f| f.kind == kind), "{kind:?}");
+    }
+}
+
+#[test]
+fn a_tolerance_chooses_level_and_step_or_says_why_it_cannot() {
+    use crate::answer::choose::within;
+    let checked = short().check().unwrap();
+    let keep = Keep::default();
+    let chosen = within(&checked, 60.0, keep, &mut unwatched).unwrap();
+    let of = Quantity::Damage;
+    let step = chosen.answer.errors.time_step[of].unwrap();
+    let mesh = chosen.answer.errors.mesh.unwrap()[of].unwrap();
+    assert!(step + mesh <= 60.0 && !chosen.reasons.is_empty());
+    let refused = within(&checked, 0.01, keep, &mut unwatched).unwrap_err();
+    assert!(refused.to_string().contains("levels 1 to 5"), "{refused}");
+}
+
+#[test]
+fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
+    use crate::run::kept::Spacing;
+    let checked = short().check().unwrap();
+    let keep = Keep {
+        traces: true,
+        frames: Some(Spacing::even(7e-6)),
+    };
+    let answer = solve(&checked, keep, &mut unwatched).unwrap();
+    assert_eq!(answer.frames.len(), 15);
+    for (i, frame) in answer.frames.iter().enumerate() {
+        assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);
+        assert_eq!(frame.cells.len(), case(&answer).eye.cells.len());
+    }
+    let mut streamed = Vec::new();
+    let take = &mut |frame| {
+        streamed.push(frame);
+        ControlFlow::Continue(())
+    };
+    let spacing = Spacing::even(7e-6);
+    answer.case.frames(&answer.plan, spacing, take).unwrap();
+    assert_eq!(streamed, answer.frames);
+    let traces = answer.traces.as_ref().unwrap();
+    for &of in Quantity::ALL {
+        let (Some(peak), Some(trace)) = (answer.peak(of), of.row().trace) else {
+            continue;
+        };
+        let largest = (trace.values)(traces).iter().copied().fold(0.0, f64::max);
+        let share = largest / peak.value;
+        assert!((0.97..1.0 + 1e-9).contains(&share), "{} {share}", of.key());
+    }
+}

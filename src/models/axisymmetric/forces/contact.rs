@@ -1,0 +1,214 @@
+//! Contact between an object and the shell, without friction, and the load of a pulse.
+//!
+//! Each segment carries four points of its area at rest; a point below the object's surface is pushed
+//! out along its normal by the foundation's traction, so force and energy are exact to each other.
+//! What is larger than the opening of the orbit meets the bone around it ([`Face`]).
+
+use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::forces::face::Face;
+use crate::models::axisymmetric::forces::object::{Flight, Object};
+use std::f64::consts::PI;
+
+/// Points in a segment.
+const POINTS: usize = 4;
+/// Mass per area that a point of contact moves at least, in kg/m2: a shell of 0.4 mm.
+const SHELL_AREAL: f64 = 0.44;
+/// And its share of what lies behind, per length of a segment, in kg/m3.
+const ENTRAINED: f64 = 0.1 * 1000.0;
+/// Courant number of contact over that of the cells.
+const COURANT: f64 = 0.4 / 0.6;
+/// The same where the object loses energy: the loss is told from velocities half a step old.
+const DAMPED: f64 = 0.5;
+
+/// The shell as contact sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Target {
+    /// Area of each point at rest, m2, segment by segment.
+    area: Vec<[f64; POINTS]>,
+    /// Areal mass of each segment, kg/m2.
+    areal: Vec<f64>,
+    face: Option<Face>,
+}
+
+/// What contact does at some instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touch {
+    /// Along the flight, on the eye, N.
+    pub force: f64,
+    /// On the object by the rim, N.
+    pub rim: f64,
+    /// Stored, J.
+    pub energy: f64,
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Largest traction, Pa.
+    pub traction: f64,
+    /// Largest share of what gives way of the object's surface that is used up.
+    pub used_up: f64,
+    /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
+    pub loss: f64,
+    /// Segments of the shell that were looked at.
+    pub segments: usize,
+}
+
+/// Where the points lie along a segment, as shares of it.
+pub(crate) fn share(point: usize) -> f64 {
+    (point as f64 + 0.5) / POINTS as f64
+}
+
+impl Target {
+    pub fn new(eye: &RevolutionEye) -> Self {
+        let mut target = Self {
+            area: Vec::new(),
+            areal: Vec::new(),
+            face: eye.rim().map(|(x, r)| Face::beyond(x, r)),
+        };
+        for ends in eye.mesh.shell.windows(2) {
+            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = libm::hypot(xb - xa, rb - ra);
+            target.area.push(std::array::from_fn(|i| {
+                let radius = ra + share(i) * (rb - ra);
+                2.0 * PI * radius * length / POINTS as f64
+            }));
+            target.areal.push(SHELL_AREAL + ENTRAINED * length);
+        }
+        target
+    }
+
+    /// Where the front of an object is as it first touches the front pole at `pole` or the rim, m.
+    pub fn first_touch(&self, object: &Object, pole: f64) -> f64 {
+        /// Halvings that leave nothing of the way back.
+        const HALVINGS: usize = 60;
+        let overlaps = |front: f64| {
+            let face = self.face.as_ref();
+            face.is_some_and(|face| face.overlaps(object, front - object.reach()))
+        };
+        if !overlaps(pole) {
+            return pole;
+        }
+        let (mut clear, mut touching) = (pole - 2.0 * object.outline.radius(), pole);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (clear + touching);
+            if overlaps(middle) {
+                touching = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        clear
+    }
+
+    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the flight's.
+    pub fn forces(
+        &self,
+        object: &Object,
+        flight: &mut Flight,
+        (x, r): (&[f64], &[f64]),
+        (vx, vr): (&[f64], &[f64]),
+        (fx, fr): (&mut [f64], &mut [f64]),
+    ) -> Touch {
+        let mut touch = Touch {
+            force: 0.0,
+            rim: 0.0,
+            energy: 0.0,
+            limit: f64::INFINITY,
+            traction: 0.0,
+            used_up: 0.0,
+            loss: 0.0,
+            segments: 0,
+        };
+        let centre = flight.x[0];
+        let near = object.near();
+        let front = centre + object.reach() + near;
+        let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
+        for (i, areas) in self.area.iter().enumerate() {
+            if x[i].min(x[i + 1]) > front {
+                continue;
+            }
+            touch.segments += 1;
+            let (mut steepest, mut damping): (f64, f64) = (0.0, 0.0);
+            for (point, area) in areas.iter().enumerate() {
+                let s = share(point);
+                let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
+                let (gap, nx, nr) = object.gap(px - centre, pr);
+                if gap <= -near {
+                    continue;
+                }
+                let pressed = object.surface.at(gap.max(0.0));
+                let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
+                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
+                let slope = object.surface.steepest(gap, pressed.slope, closing);
+                steepest = steepest.max(slope);
+                whole_slope += area * slope;
+                if gap <= 0.0 {
+                    continue;
+                }
+                let (left, change) = object.surface.hysteresis(object.speed, closing);
+                damping = damping.max(change * pressed.traction);
+                whole_damping += area * change * pressed.traction;
+                let force = area * pressed.traction * left;
+                let lossy = area * pressed.traction * (left - 1.0);
+                touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
+                flight.lossy[0] -= lossy * nx;
+                touch.energy += area * pressed.energy;
+                touch.traction = touch.traction.max(pressed.traction * left);
+                touch.used_up = touch.used_up.max(object.surface.used_up(gap));
+                touch.force += force * nx;
+                fx[i] += (1.0 - s) * force * nx;
+                fr[i] += (1.0 - s) * force * nr;
+                fx[i + 1] += s * force * nx;
+                fr[i + 1] += s * force * nr;
+            }
+            if steepest > 0.0 {
+                let stable = COURANT * (self.areal[i] / steepest).sqrt();
+                touch.limit = touch.limit.min(stable);
+            }
+            if damping > 0.0 {
+                touch.limit = touch.limit.min(DAMPED * self.areal[i] / damping);
+            }
+        }
+        // The object's own mass may be less than that of what it presses.
+        if whole_slope > 0.0 {
+            let stable = (flight.mass[0] / whole_slope).sqrt();
+            touch.limit = touch.limit.min(COURANT * stable);
+        }
+        if whole_damping > 0.0 {
+            touch.limit = touch.limit.min(DAMPED * flight.mass[0] / whole_damping);
+        }
+        flight.force[0] -= touch.force;
+        if let Some(face) = &self.face {
+            let push = face.push(object, flight);
+            touch.rim = -push.force;
+            touch.energy += push.energy;
+            touch.limit = touch.limit.min(push.limit);
+        }
+        touch
+    }
+
+    /// Share of a pulse that each node of the shell takes: the area at rest within the front angle
+    /// `half_width` (rad), a uniform traction along the axis. They add up to 1.
+    pub fn shares(eye: &RevolutionEye, half_width: f64) -> Vec<f64> {
+        /// Pieces of a segment, each loaded or not.
+        const PIECES: usize = 1000;
+        let mut shares = vec![0.0; eye.mesh.shell.len()];
+        for (i, ends) in eye.mesh.shell.windows(2).enumerate() {
+            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = libm::hypot(xb - xa, rb - ra);
+            for piece in 0..PIECES {
+                let s = (piece as f64 + 0.5) / PIECES as f64;
+                let (x, r) = (xa + s * (xb - xa), ra + s * (rb - ra));
+                if libm::atan2(r, -x) < half_width {
+                    shares[i] += (1.0 - s) * r * length;
+                    shares[i + 1] += s * r * length;
+                }
+            }
+        }
+        let total: f64 = shares.iter().sum();
+        if total > 0.0 {
+            for share in &mut shares {
+                *share /= total;
+            }
+        }
+        shares
+    }
+}

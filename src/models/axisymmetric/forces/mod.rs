@@ -1,0 +1,12 @@
+//! What acts on the nodes: cells, shell, the object and bone.
+
+pub mod cell;
+pub mod contact;
+pub mod face;
+pub mod nodes;
+pub mod object;
+pub mod plain;
+pub mod quads;
+pub mod rows;
+pub mod shell;
+pub mod state;

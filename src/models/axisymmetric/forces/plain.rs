@@ -1,0 +1,113 @@
+//! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`] and the baseline of the benchmarks.
+
+use crate::models::axisymmetric::eye::{Region, RevolutionEye};
+use crate::models::axisymmetric::forces::cell::Rest;
+use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::recording::sensor;
+
+/// Cells with lists of corners.
+#[derive(Debug, Clone)]
+pub(crate) struct Plain {
+    eye: RevolutionEye,
+    cells: Vec<(Rest, [usize; 4])>,
+    /// Of each cell in the mean pressure and in the sensor's.
+    weights: Vec<(f64, f64)>,
+    pressures: Vec<f64>,
+}
+
+impl Plain {
+    pub fn new(eye: &RevolutionEye) -> Self {
+        let cells: Vec<_> = eye
+            .cells
+            .iter()
+            .map(|cell| (Rest::new(eye, cell), cell.corners))
+            .collect();
+        Self {
+            weights: sensor::weights(eye),
+            pressures: vec![0.0; cells.len()],
+            cells,
+            eye: eye.clone(),
+        }
+    }
+}
+
+impl Plain {
+    /// Elastic energy with node n at `at(n)`, J.
+    pub fn energy(&self, at: impl Fn(usize) -> (f64, f64)) -> f64 {
+        let stored = |(rest, corners): &(Rest, [usize; 4])| rest.energy(corners.map(&at));
+        self.cells.iter().map(stored).sum()
+    }
+}
+
+impl Cells for Plain {
+    fn rest(&self) -> State {
+        let mesh = &self.eye.mesh;
+        let free = |i: usize| {
+            if self.eye.fixed[i] {
+                0.0
+            } else {
+                1.0 / self.eye.mass[i]
+            }
+        };
+        let n = mesh.x.len();
+        State {
+            x: mesh.x.clone(),
+            r: mesh.r.clone(),
+            vx: vec![0.0; n],
+            vr: vec![0.0; n],
+            fx: vec![0.0; n],
+            fr: vec![0.0; n],
+            free_x: (0..n).map(free).collect(),
+            free_r: (0..n)
+                .map(|i| if mesh.r[i] == 0.0 { 0.0 } else { free(i) })
+                .collect(),
+            shell: mesh.shell[0]..mesh.shell[0] + mesh.shell.len(),
+        }
+    }
+
+    fn place(&self, node: usize) -> usize {
+        node
+    }
+
+    fn forces(&mut self, state: &mut State) -> Sums {
+        let mut sums = Sums {
+            limit: f64::INFINITY,
+            loss: 0.0,
+            pressure: 0.0,
+            sensor: 0.0,
+            volume: 0.0,
+            least_triangle: f64::INFINITY,
+        };
+        state.fx.fill(0.0);
+        state.fr.fill(0.0);
+        for (i, (rest, corners)) in self.cells.iter().enumerate() {
+            let response = rest.respond(
+                corners.map(|n| (state.x[n], state.r[n])),
+                corners.map(|n| (state.vx[n], state.vr[n])),
+            );
+            for (&node, force) in corners.iter().zip(response.force) {
+                state.fx[node] += force.0;
+                state.fr[node] += force.1;
+            }
+            self.pressures[i] = response.pressure;
+            let (mean, sensor) = self.weights[i];
+            sums.pressure += mean * response.pressure;
+            sums.sensor += sensor * response.pressure;
+            if self.eye.cells[i].region == Region::Globe {
+                sums.volume += response.volume;
+            }
+            sums.limit = sums.limit.min(response.limit);
+            sums.loss += response.loss;
+            sums.least_triangle = sums.least_triangle.min(response.least_triangle);
+        }
+        sums
+    }
+
+    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+        state.advance(kick, drift);
+    }
+
+    fn pressures(&self) -> Vec<f64> {
+        self.pressures.clone()
+    }
+}

@@ -1,0 +1,321 @@
+//! The cells laid out in rows, so that their corners are neighbours in memory.
+//!
+//! Each block of the mesh is one run of places, row after row. The cell at place s has its corners at
+//! s, s + 1, s + 1 + c and s + c, where c is the number of nodes in a row; so a vector of cells loads
+//! vectors of nodes and no list of corners is needed. Where a row ends, the cell that would span to
+//! the next is absent: all of its stiffness is zero. Cells store the forces on their corners by place, and
+//! each node then adds what the four cells around it left.
+//!
+//! A node on the border of two blocks has a place in both. Its forces are added up, and both places move alike.
+
+use crate::models::axisymmetric::eye::{Region, RevolutionEye};
+use crate::models::axisymmetric::forces::cell;
+use crate::models::axisymmetric::forces::cell::Rest;
+use crate::models::axisymmetric::forces::nodes;
+use crate::models::axisymmetric::forces::quads;
+use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::recording::sensor;
+use crate::models::paper::forces::aligned::Aligned;
+use fearless_simd::{Level, dispatch};
+use std::f64::consts::FRAC_PI_3;
+
+/// Places that a group of constants covers.
+pub(crate) const LANES: usize = 8;
+
+/// Eight neighbouring values.
+pub(crate) type Lane = [f64; LANES];
+
+/// What is constant of a cell.
+pub(crate) mod field {
+    /// m3 over pi/3.
+    pub const VOLUME: usize = 0;
+    /// Of the corner triangles, m3 over pi/3.
+    pub const TRIANGLE: usize = 1;
+    pub const INVERSE_TRIANGLE: usize = 5;
+    /// Inverse of the matrix of the diagonals, row by row.
+    pub const DIAGONAL: usize = 9;
+    pub const INVERSE_RADIUS: usize = 13;
+    /// 1/(2 area).
+    pub const INVERSE_DET: usize = 14;
+    /// Least 2 area that counts.
+    pub const LEAST_DET: usize = 15;
+    pub const BULK: usize = 16;
+    /// Shear modulus times volume, J.
+    pub const SHEAR: usize = 17;
+    /// Twice the viscosity.
+    pub const VISCOSITY: usize = 18;
+    /// A sixth of the stiffness against folding, Pa.
+    pub const SUBZONAL: usize = 19;
+    /// Artificial viscosity per length and rate.
+    pub const LINEAR: usize = 20;
+    /// The same per square of each.
+    pub const QUADRATIC: usize = 21;
+    /// Half the viscosity of the corners per length.
+    pub const CORNER: usize = 22;
+    /// Squared speed of sound.
+    pub const BULK_SPEED: usize = 23;
+    /// What other stiffness adds to it.
+    pub const OTHER_SPEED: usize = 24;
+    /// Viscous speed that does not depend on the state.
+    pub const CONSTANT_SPEED: usize = 25;
+    /// Kinematic viscosity.
+    pub const KINEMATIC: usize = 26;
+    /// Of the viscous speed, per length and rate.
+    pub const QUADRATIC_SPEED: usize = 27;
+    /// Weight in the mean pressure of the globe.
+    pub const MEAN: usize = 28;
+    /// Weight in the pressure at the back.
+    pub const SENSOR: usize = 29;
+    /// 1 for a cell of the globe.
+    pub const GLOBE: usize = 30;
+    /// Longest steps over the time in which a triangle would be gone.
+    pub const SHRINKING: usize = 31;
+    /// 0, or so much that a triangle is never the least.
+    pub const ABSENT: usize = 32;
+    pub const COUNT: usize = 33;
+}
+
+/// The constants of one cell, by [`field`].
+type Constants = [f64; field::COUNT];
+
+/// The constants of eight neighbouring cells, by [`field`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Group(pub [Lane; field::COUNT]);
+
+/// A run of rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Run {
+    /// First place of the nodes.
+    pub nodes: usize,
+    /// First place of the cells in the constants and in the pressures.
+    pub cells: usize,
+    /// First place of the cells in the forces of corners, which have a row of zeros before them.
+    pub corners: usize,
+    /// Nodes in a row.
+    pub columns: usize,
+    /// Places of cells, whole groups.
+    pub cell_places: usize,
+    /// Places of nodes, whole groups.
+    pub node_places: usize,
+}
+
+/// Forces on the corners of cells, by corner.
+pub(crate) type Corners = [(Aligned, Aligned); 4];
+
+/// The cells of an eye in rows.
+#[derive(Debug, Clone)]
+pub(crate) struct Rows {
+    pub runs: Vec<Run>,
+    pub groups: Vec<Group>,
+    pub corners: Corners,
+    pub pressures: Aligned,
+    /// The machine's vectors.
+    level: Level,
+    rest: State,
+    /// Place of each node, the last one where there are two.
+    places: Vec<usize>,
+    /// Place of each cell.
+    cells: Vec<usize>,
+    /// Pairs of places of one node; the second is the one found in `places`.
+    twins: Vec<(usize, usize)>,
+}
+
+impl Rows {
+    pub fn new(eye: &RevolutionEye) -> Self {
+        Self::with_level(eye, Level::new())
+    }
+
+    pub fn with_level(eye: &RevolutionEye, level: Level) -> Self {
+        let (mut runs, mut places, mut twins) =
+            (Vec::new(), vec![usize::MAX; eye.mass.len()], Vec::new());
+        let (mut nodes, mut cells, mut corners) = (0, 0, 0);
+        let mut owners = Vec::new();
+        for (index, block) in eye.mesh.blocks.iter().enumerate() {
+            let columns = block.columns;
+            let run = Run {
+                nodes,
+                cells,
+                corners: corners + (columns + 1).next_multiple_of(LANES),
+                columns,
+                cell_places: (block.nodes.len() - columns).next_multiple_of(LANES),
+                node_places: block.nodes.len().next_multiple_of(LANES),
+            };
+            for (i, &node) in block.nodes.iter().enumerate() {
+                let place = nodes + i;
+                if places[node] == usize::MAX {
+                    places[node] = place;
+                } else if index == 1 {
+                    // The shell's and the globe's layers are the ones to be found.
+                    twins.push((places[node], place));
+                    places[node] = place;
+                } else {
+                    twins.push((place, places[node]));
+                }
+                owners.push(Some(node));
+            }
+            owners.resize(nodes + run.node_places, None);
+            nodes += run.node_places;
+            cells += run.cell_places;
+            corners = run.corners + run.node_places + LANES;
+            runs.push(run);
+        }
+        // Cells reach a row and a vector beyond the last node.
+        let widest = runs.iter().map(|r| r.columns).max().unwrap_or(0);
+        owners.resize((nodes + widest + 1 + LANES).next_multiple_of(LANES), None);
+
+        let mut rows = Self {
+            groups: Vec::new(),
+            corners: std::array::from_fn(|_| (Aligned::zeros(corners), Aligned::zeros(corners))),
+            pressures: Aligned::zeros(cells),
+            level,
+            rest: rest(eye, &owners, places[eye.mesh.shell[0]]),
+            places,
+            cells: Vec::new(),
+            twins,
+            runs,
+        };
+        rows.put_cells(eye);
+        rows
+    }
+
+    /// Brings both places of a node together.
+    #[cfg(test)]
+    pub fn share(&self, state: &mut State) {
+        for &(twin, place) in &self.twins {
+            for of in [&mut state.x, &mut state.r, &mut state.vx, &mut state.vr] {
+                of[twin] = of[place];
+            }
+        }
+    }
+
+    fn put_cells(&mut self, eye: &RevolutionEye) {
+        let weights = sensor::weights(eye);
+        // A place without a cell has the shape of some cell, so that all stays finite.
+        let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
+        let group = Group(std::array::from_fn(|f| [empty[f]; LANES]));
+        self.groups = vec![group; self.pressures.len() / LANES];
+        let mut cell = 0;
+        for (run, block) in self.runs.iter().zip(&eye.mesh.blocks) {
+            for low in 0..block.nodes.len() - run.columns {
+                if low % run.columns == run.columns - 1 {
+                    continue;
+                }
+                let place = run.cells + low;
+                let mut one = constants(&Rest::new(eye, &eye.cells[cell]));
+                (one[field::MEAN], one[field::SENSOR]) = weights[cell];
+                if eye.cells[cell].region == Region::Globe {
+                    one[field::GLOBE] = FRAC_PI_3;
+                }
+                for (lanes, value) in self.groups[place / LANES].0.iter_mut().zip(one) {
+                    lanes[place % LANES] = value;
+                }
+                self.cells.push(place);
+                cell += 1;
+            }
+        }
+    }
+}
+
+fn constants(rest: &Rest) -> Constants {
+    let mut c = [0.0; field::COUNT];
+    let density = rest.density;
+    let sound = (rest.bulk / density).sqrt();
+    let corner_sound = (cell::SUBZONAL_BULK / density).sqrt();
+    c[field::VOLUME] = rest.volume / FRAC_PI_3;
+    for i in 0..4 {
+        c[field::TRIANGLE + i] = rest.triangles[i] / FRAC_PI_3;
+        c[field::INVERSE_TRIANGLE + i] = 1.0 / c[field::TRIANGLE + i];
+        c[field::DIAGONAL + i] = rest.diagonals[i];
+    }
+    c[field::INVERSE_RADIUS] = 1.0 / rest.radius;
+    c[field::INVERSE_DET] = 0.5 / rest.area;
+    c[field::LEAST_DET] = cell::FLAT * 2.0 * rest.area;
+    c[field::BULK] = rest.bulk;
+    c[field::SHEAR] = rest.shear * rest.volume;
+    c[field::VISCOSITY] = 2.0 * rest.viscosity;
+    c[field::SUBZONAL] = rest.subzonal / 6.0;
+    c[field::LINEAR] = cell::LINEAR * density * sound;
+    c[field::QUADRATIC] = cell::QUADRATIC * density;
+    c[field::CORNER] = 0.5 * cell::SUBZONAL_VISCOSITY * density * corner_sound;
+    c[field::BULK_SPEED] = rest.bulk / density;
+    c[field::OTHER_SPEED] = (4.0 / 3.0 * rest.shear + rest.subzonal) / density;
+    c[field::CONSTANT_SPEED] = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
+    c[field::KINEMATIC] = rest.viscosity / density;
+    c[field::QUADRATIC_SPEED] = cell::QUADRATIC;
+    c[field::SHRINKING] = 1.0 / cell::LOSS_IN_STEP;
+    c
+}
+
+/// The same shape with nothing in it.
+fn absent(mut c: Constants) -> Constants {
+    for value in &mut c[field::BULK..] {
+        *value = 0.0;
+    }
+    for value in &mut c[field::INVERSE_TRIANGLE..field::INVERSE_TRIANGLE + 4] {
+        *value = 0.0;
+    }
+    c[field::ABSENT] = f64::MAX;
+    c
+}
+
+fn rest(eye: &RevolutionEye, owners: &[Option<usize>], shell: usize) -> State {
+    let mesh = &eye.mesh;
+    let read = |of: &dyn Fn(usize) -> f64, none: f64| {
+        owners
+            .iter()
+            .map(|o| o.map_or(none, of))
+            .collect::<Vec<f64>>()
+    };
+    let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
+    let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
+    let zeros = vec![0.0; owners.len()];
+    State {
+        x: read(&|i| mesh.x[i], 0.0),
+        // Off the axis, as radii are divided by.
+        r: read(&|i| mesh.r[i], eye.parameters.radius),
+        vx: zeros.clone(),
+        vr: zeros.clone(),
+        fx: zeros.clone(),
+        fr: zeros,
+        free_x: read(&free, 0.0),
+        free_r: read(&off_axis, 0.0),
+        shell: shell..shell + mesh.shell.len(),
+    }
+}
+
+impl Cells for Rows {
+    fn rest(&self) -> State {
+        self.rest.clone()
+    }
+
+    fn place(&self, node: usize) -> usize {
+        self.places[node]
+    }
+
+    fn forces(&mut self, state: &mut State) -> Sums {
+        let level = self.level;
+        let sums = dispatch!(level, simd => quads::forces(simd, self, state));
+        for &(twin, place) in &self.twins {
+            state.fx[place] += state.fx[twin];
+            state.fr[place] += state.fr[twin];
+        }
+        sums
+    }
+
+    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+        for &(twin, place) in &self.twins {
+            state.fx[twin] = state.fx[place];
+            state.fr[twin] = state.fr[place];
+        }
+        let level = self.level;
+        dispatch!(level, simd => nodes::advance(simd, state, kick, drift));
+    }
+
+    fn pressures(&self) -> Vec<f64> {
+        self.cells
+            .iter()
+            .map(|&place| self.pressures[place])
+            .collect()
+    }
+}

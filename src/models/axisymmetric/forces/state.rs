@@ -1,0 +1,65 @@
+//! Positions, velocities and forces of the nodes, and what moves them.
+
+use std::ops::Range;
+
+/// The moving eye. Positions belong to full steps, velocities to half steps.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct State {
+    /// m.
+    pub x: Vec<f64>,
+    pub r: Vec<f64>,
+    /// m/s.
+    pub vx: Vec<f64>,
+    pub vr: Vec<f64>,
+    /// N.
+    pub fx: Vec<f64>,
+    pub fr: Vec<f64>,
+    /// 1/kg, 0 where a node is held.
+    pub free_x: Vec<f64>,
+    pub free_r: Vec<f64>,
+    /// Nodes of the shell, from front to back.
+    pub shell: Range<usize>,
+}
+
+/// What the cells say at some instant, beside their forces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sums {
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Lost to viscosity, W.
+    pub loss: f64,
+    /// Mean pressure of the globe, Pa.
+    pub pressure: f64,
+    /// Mean pressure of the cells at the sensor, Pa.
+    pub sensor: f64,
+    /// Volume of the globe, m3.
+    pub volume: f64,
+    /// Smallest corner triangle over its volume at rest.
+    pub least_triangle: f64,
+}
+
+/// The cells of an eye, in one form of computing them or another.
+pub(crate) trait Cells {
+    /// A state at rest.
+    fn rest(&self) -> State;
+    /// Where a node of the eye is found in the state.
+    fn place(&self, node: usize) -> usize;
+    /// Sets the forces of all nodes to those of the cells.
+    fn forces(&mut self, state: &mut State) -> Sums;
+    /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
+    fn advance(&self, state: &mut State, kick: f64, drift: f64);
+    /// Pressure of each cell of the eye after `forces`, Pa.
+    fn pressures(&self) -> Vec<f64>;
+}
+
+impl State {
+    /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
+    pub fn advance(&mut self, kick: f64, drift: f64) {
+        for i in 0..self.x.len() {
+            self.vx[i] += kick * self.fx[i] * self.free_x[i];
+            self.vr[i] += kick * self.fr[i] * self.free_r[i];
+            self.x[i] += drift * self.vx[i];
+            self.r[i] += drift * self.vr[i];
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Motion of the body of revolution: explicit, Lagrangian, as hydrocodes are.
+//!
+//! `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them out, `nodes` moves what is between
+//! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them, `face` the
+//! bone beside them; `run` is the leapfrog through the window, `record`, `frames` and `sensor` read off what `results` keeps.
+
+pub mod case;
+pub mod eye;
+pub mod flags;
+pub mod forces;
+pub mod recording;
+pub mod time;
+
+pub use crate::models::axisymmetric::forces::object::{BallSpring, HARD, Object, Outline, Surface};
+pub use crate::models::axisymmetric::recording::results::{Energy, Extremes, Run};
+pub use crate::models::axisymmetric::recording::sensor::monitored;
+pub use crate::models::axisymmetric::time::run::{
+    Blow, Form, Refusal, STEP_SHARE, Steps, run, run_as, run_through, step_limit,
+};
+#[cfg(test)]
+mod case_tests;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! What a run leaves: extremes over every step, and its balance of energy.
+
+use crate::run::fold::Fold;
+use crate::run::kept::{Frame, Peak, Traces};
+
+/// Largest values over every step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremes {
+    /// Force of contact or of the pulse on the eye, along the blow, N.
+    pub force: Peak,
+    /// Its mean over the 100 us before, N.
+    pub mean_force: Peak,
+    /// Force of the orbit's front edge on the object, N.
+    pub rim_force: Peak,
+    /// Mean pressure of the globe through a low pass of 20 us, Pa.
+    pub pressure: Peak,
+    /// Pressure at the back, through the same, Pa, as a sensor may show it.
+    pub back_pressure: Peak,
+    /// The same as a mean over the 150 us before, Pa.
+    pub mean_back_pressure: Peak,
+    /// Tension of the sclera, along or around, whichever is larger, each through a low pass of 20 us, Pa.
+    pub scleral_stress: Peak,
+    /// Front angle of the place of that stress, rad.
+    pub stress_angle: f64,
+    /// Loss of the distance between the poles over the diameter at rest.
+    pub shortening: Peak,
+    /// Growth of the largest radius over that at rest.
+    pub equator_growth: Peak,
+    /// Growth of the meridian's length over that at rest.
+    pub meridian_growth: Peak,
+    /// Way of the object's surface from the first touch, m.
+    pub intrusion: Peak,
+    /// Way of the front pole, m.
+    pub apex: Peak,
+    /// Way of the lens's centre of mass along the axis, m.
+    pub lens: Peak,
+    /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
+    pub node_force: [Peak; 4],
+    /// Volume of the globe over that at rest.
+    pub least_volume: f64,
+    /// Volume of the globe over that at rest.
+    pub most_volume: f64,
+    /// Smallest corner triangle over its volume at rest: below 0 the mesh has folded.
+    pub least_triangle: f64,
+    /// Of cells with such a triangle.
+    pub fold: Option<Fold>,
+    /// Energy that the eye was given, J.
+    pub energy_imparted: f64,
+    /// When the object's surface was first crushed through to its hard core, s.
+    pub crushed_at: Option<f64>,
+    /// Whether the object touched the eye at the end.
+    pub touching: bool,
+    /// Speed at which the object ends, away from the eye, m/s.
+    pub rebound: Option<f64>,
+    /// Largest error of the balance of energy over the energy that came in.
+    pub energy_residual: f64,
+}
+
+impl Extremes {
+    /// Of an eye that nothing has happened to.
+    pub fn at_rest() -> Self {
+        let zero = Peak::default();
+        Self {
+            force: zero,
+            mean_force: zero,
+            rim_force: zero,
+            pressure: zero,
+            back_pressure: zero,
+            mean_back_pressure: zero,
+            scleral_stress: zero,
+            stress_angle: 0.0,
+            shortening: zero,
+            equator_growth: zero,
+            meridian_growth: zero,
+            intrusion: zero,
+            apex: zero,
+            lens: zero,
+            node_force: [zero; 4],
+            least_volume: 1.0,
+            most_volume: 1.0,
+            least_triangle: 1.0,
+            fold: None,
+            energy_imparted: 0.0,
+            crushed_at: None,
+            touching: false,
+            rebound: None,
+            energy_residual: 0.0,
+        }
+    }
+
+    /// Whether an object never touched the eye, as one that bone caught.
+    pub fn missed(&self) -> bool {
+        self.rebound.is_some() && self.force.value == 0.0
+    }
+
+    /// When one of them last grew, s.
+    pub(crate) fn last_growth(&self) -> f64 {
+        let node = self.node_force.iter().map(|p| p.time);
+        [
+            self.force,
+            self.pressure,
+            self.back_pressure,
+            self.mean_back_pressure,
+            self.scleral_stress,
+            self.shortening,
+            self.equator_growth,
+            self.meridian_growth,
+            self.intrusion,
+            self.apex,
+            self.lens,
+        ]
+        .iter()
+        .map(|p| p.time)
+        .chain(node)
+        .fold(0.0, f64::max)
+    }
+}
+
+/// Where the energy is at some instant, in J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Of the nodes.
+    pub kinetic: f64,
+    /// In cells and shell.
+    pub elastic: f64,
+    /// In the contact.
+    pub contact: f64,
+    /// Kinetic and in the spring of the object.
+    pub object: f64,
+    /// Lost to all viscosities of the eye so far.
+    pub lost: f64,
+    /// Lost within the object so far.
+    pub lost_in_object: f64,
+    /// Work of a pulse so far.
+    pub work: f64,
+}
+
+impl Energy {
+    /// All of it, less what a pulse put in.
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.contact + self.object + self.lost + self.lost_in_object
+            - self.work
+    }
+}
+
+/// One run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Over every step.
+    pub extremes: Extremes,
+    /// If they were asked for.
+    pub traces: Option<Traces>,
+    /// If they were asked for.
+    pub frames: Vec<Frame>,
+    /// At the end.
+    pub energy: Energy,
+    /// Along the blow at the end, of eye and object, kg m/s.
+    pub momentum: f64,
+    /// Steps taken.
+    pub steps: usize,
+    /// Simulated time, s.
+    pub simulated: f64,
+    /// Whether the run ended before its window because nothing had grown for long: a rule, not a proof.
+    pub settled: bool,
+    /// Evaluations of cells.
+    pub cell_evaluations: usize,
+    /// Evaluations of segments of the shell that an object came near to.
+    pub contact_evaluations: usize,
+}

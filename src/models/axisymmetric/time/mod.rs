@@ -1,0 +1,3 @@
+//! Through the window: a leapfrog whose step follows the stability bounds.
+
+pub mod run;

@@ -1,0 +1,545 @@
+//! Through the window: a leapfrog whose step follows the stability bounds.
+//!
+//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2) h(n).
+//! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most. Semi-implicit Euler, for
+//! comparison, kicks by h(n) instead.
+//!
+//! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of the whole is
+//! above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s), which a test compares
+//! with the eigenvalues of every cell at rest, and l^2/(4 nu) of its viscosity. Half of the time in which a
+//! corner triangle would be gone at its present rate: the stiffness of a squeezed corner is not in the
+//! bound, so none is passed over in a step. Of each segment of the shell, and of each segment in contact, a
+//! Courant number with the mass that moves along with it, which was found by trial; random objects, their
+//! balance of energy and a quarter of the step watch over it.
+
+use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::forces::contact::{Target, Touch};
+use crate::models::axisymmetric::forces::object::{Flight, Object};
+use crate::models::axisymmetric::forces::plain::Plain;
+use crate::models::axisymmetric::forces::rows::Rows;
+use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
+use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::recording::frames::FrameTaker;
+use crate::models::axisymmetric::recording::results::{Energy, Extremes, Run};
+use crate::models::axisymmetric::recording::sensor::{
+    Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
+};
+use crate::models::paper::forces::load::{Piece, Pulse, Segment};
+use crate::run::fold::FoldWatch;
+use crate::run::kept::{Frame, Keep, Spacing, Traces};
+use crate::scenario::Integrator;
+use fearless_simd::Level;
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+/// Share of the stability bound that steps take unless asked otherwise.
+pub const STEP_SHARE: f64 = 0.75;
+/// Most a step grows.
+const GROWTH: f64 = 1.05;
+/// Balances of energy taken over a window.
+const BALANCES: f64 = 100.0;
+/// Values of a trace that a window is divided into.
+const TRACE_POINTS: f64 = 1000.0;
+/// A run may end when nothing has grown for a whole swing of the eye after its object has gone this far, in
+/// m, or its pulse is over.
+const GONE: f64 = 0.5e-3;
+/// Steps between two looks at the watch.
+const WATCH_EVERY: usize = 256;
+
+/// What acts on the eye.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Blow {
+    /// It touches the front pole at the start, or the rim if that is nearer.
+    Object(Object),
+    /// A force against time, as a uniform traction along the axis on the area within a front angle (rad).
+    Pulse(Pulse, f64),
+}
+
+/// How the cells are computed.
+#[derive(Debug, Clone, Copy)]
+pub enum Form {
+    /// One by one.
+    Plain,
+    /// In rows, many at once.
+    Rows,
+    /// The same with certain vectors.
+    Vectors(Level),
+}
+
+/// A run without a result.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Refusal {
+    /// The motion left the finite numbers.
+    #[error("the motion is no longer finite at {:.6} ms", .0 * 1e3)]
+    NotFinite(f64),
+    /// The object's centre came to lie behind the shell: such a thing bursts or flattens, or the eye does.
+    #[error("the object went through the front of the eye at {:.6} ms", .0 * 1e3)]
+    Through(f64),
+    /// The watch stopped it.
+    #[error("stopped at {:.6} ms", .0 * 1e3)]
+    Stopped(f64),
+}
+
+/// How long steps are and how they are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steps {
+    /// Share of the stability bound.
+    pub share: f64,
+    /// Velocity Verlet, here a leapfrog, or semi-implicit Euler, whose kick is as long as the drift that follows.
+    pub integrator: Integrator,
+}
+
+impl From<f64> for Steps {
+    fn from(share: f64) -> Self {
+        let integrator = Integrator::VelocityVerlet;
+        Self { share, integrator }
+    }
+}
+
+impl Steps {
+    /// How long forces act on a step of `step` s after one of `before` s.
+    fn kick(&self, before: f64, step: f64) -> f64 {
+        match self.integrator {
+            Integrator::SemiImplicitEuler => step,
+            _ => 0.5 * (before + step),
+        }
+    }
+}
+
+/// Told of the share of the window that is done, it may stop the run.
+pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
+
+/// Takes frames as they come, and may stop the run.
+pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
+
+/// The longest stable step of an eye that nothing has moved yet, in s.
+pub fn step_limit(eye: &RevolutionEye, blow: &Blow) -> f64 {
+    let mut motion = Motion::new(eye, Rows::new(eye), blow, Keep::default(), 1.0);
+    motion.forces(0.0).limit
+}
+
+/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a share
+/// of the stability bound.
+///
+/// # Errors
+/// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
+pub fn run(
+    eye: &RevolutionEye,
+    blow: &Blow,
+    window: f64,
+    steps: impl Into<Steps>,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Run, Refusal> {
+    run_as(Form::Rows, eye, blow, window, steps, keep, watch)
+}
+
+/// The same with the cells computed in a certain form.
+///
+/// # Errors
+/// See [`run`].
+pub fn run_as(
+    form: Form,
+    eye: &RevolutionEye,
+    blow: &Blow,
+    window: f64,
+    steps: impl Into<Steps>,
+    keep: Keep,
+    watch: Watch,
+) -> Result<Run, Refusal> {
+    let steps = steps.into();
+    let mut frames = Vec::new();
+    let take = &mut |frame| {
+        frames.push(frame);
+        ControlFlow::Continue(())
+    };
+    let run = match form {
+        Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(steps, watch, take),
+        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(steps, watch, take),
+        Form::Vectors(level) => {
+            let rows = Rows::with_level(eye, level);
+            Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
+        }
+    };
+    Ok(Run { frames, ..run? })
+}
+
+/// The same as [`run`], with each frame handed on when it is due and nothing kept.
+///
+/// # Errors
+/// See [`run`]; stopped by `take` too.
+pub fn run_through(
+    eye: &RevolutionEye,
+    blow: &Blow,
+    window: f64,
+    steps: impl Into<Steps>,
+    spacing: Spacing,
+    take: Take,
+) -> Result<(), Refusal> {
+    let keep = Keep {
+        traces: false,
+        frames: Some(spacing),
+    };
+    let watch = &mut |_| ControlFlow::Continue(());
+    let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
+    motion.go(steps.into(), watch, take).map(|_| ())
+}
+
+/// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
+/// in s. What a blow left then is smaller by what viscosity took: a rule, which tests compare with whole
+/// windows, not a proof.
+fn swing(eye: &RevolutionEye) -> f64 {
+    let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
+    let stiffness = stiffness / eye.segments.len() as f64;
+    let p = &eye.parameters;
+    2.0 * PI * (p.vitreous.density * p.radius.powi(3) / stiffness).sqrt()
+}
+
+/// The load of a pulse on the shell's nodes.
+pub(crate) struct Load {
+    pulse: Pulse,
+    segments: Vec<Segment>,
+    shares: Vec<f64>,
+}
+
+impl Load {
+    fn force(&self, time: f64) -> f64 {
+        let now = self
+            .segments
+            .iter()
+            .find(|s| time >= s.start && time <= s.end);
+        now.map_or(0.0, |s| self.pulse.force(s.piece, time))
+    }
+}
+
+pub(crate) struct Motion<'a, C> {
+    pub eye: &'a RevolutionEye,
+    pub cells: C,
+    /// For the elastic energy.
+    pub balance: Plain,
+    pub mass: Vec<f64>,
+    pub state: State,
+    pub shell: Shell,
+    pub target: Target,
+    pub object: Option<(Object, Flight)>,
+    pub load: Option<Load>,
+    /// Node and share of the lens's mass.
+    pub lens: Vec<(usize, f64)>,
+    pub lens_rest: f64,
+    pub globe_volume: f64,
+    /// s.
+    pub swing: f64,
+    pub accelerometers: Accelerometers,
+    pub force_mean: RunningMean,
+    pub back_mean: RunningMean,
+    /// Tension of the sclera in each segment, along and around, Pa, and through a low pass.
+    pub tension: Vec<[f64; 2]>,
+    pub tension_passed: Vec<[LowPass; 2]>,
+    /// The largest of those that passed, Pa.
+    pub stress: f64,
+    /// Of the mean pressure and of that at the back.
+    pub filters: [LowPass; 2],
+    pub window: f64,
+    /// When what acts was last seen to be gone, s.
+    pub over_since: Option<f64>,
+    pub contact_evaluations: usize,
+    pub keep: Keep,
+    pub energy_before: f64,
+    /// Most energy that has come in, and most that the balance was off, J.
+    pub came: f64,
+    pub missing: f64,
+    pub energy: Energy,
+    pub extremes: Extremes,
+    pub fold: FoldWatch,
+    pub traces: Traces,
+    pub frame_taker: Option<FrameTaker>,
+}
+
+/// What all parts say at some instant.
+pub(crate) struct Instant {
+    pub sums: Sums,
+    pub shell: ShellState,
+    pub touch: Option<Touch>,
+    pub force: f64,
+    pub loss_in_object: f64,
+    pub limit: f64,
+}
+
+impl<'a, C: Cells> Motion<'a, C> {
+    fn new(eye: &'a RevolutionEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
+        let target = Target::new(eye);
+        let (object, load) = match blow {
+            Blow::Object(object) => {
+                let front = target.first_touch(object, -eye.parameters.radius);
+                let flight = Flight::new(object, front);
+                (Some((*object, flight)), None)
+            }
+            Blow::Pulse(pulse, half_width) => {
+                let shares = Target::shares(eye, *half_width);
+                let pulse = pulse.clone();
+                let load = Load {
+                    segments: pulse.segments(window),
+                    pulse,
+                    shares,
+                };
+                (None, Some(load))
+            }
+        };
+        let mut lens = vec![0.0; eye.mass.len()];
+        for cell in eye.cells.iter().filter(|c| c.lens > 0.0) {
+            for node in cell.corners {
+                lens[node] += cell.lens * eye.mass[node];
+            }
+        }
+        let total: f64 = lens.iter().sum();
+        let lens: Vec<(usize, f64)> = lens
+            .iter()
+            .enumerate()
+            .filter(|(_, m)| **m > 0.0)
+            .map(|(node, m)| (cells.place(node), m / total))
+            .collect();
+        let state = cells.rest();
+        let mut mass = vec![0.0; state.x.len()];
+        for (node, m) in eye.mass.iter().enumerate() {
+            mass[cells.place(node)] = *m;
+        }
+        let mut balance = Plain::new(eye);
+        let globe_volume = balance.forces(&mut balance.rest()).volume;
+        Self {
+            lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
+            lens,
+            globe_volume,
+            swing: swing(eye),
+            accelerometers: Accelerometers::new(eye, |n| cells.place(n)),
+            balance,
+            shell: Shell::new(eye),
+            target,
+            eye,
+            cells,
+            mass,
+            state,
+            energy_before: object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
+            object,
+            load,
+            force_mean: RunningMean::over(FORCE_MEAN_S),
+            back_mean: RunningMean::over(BACK_MEAN_S),
+            tension: vec![[0.0; 2]; eye.segments.len()],
+            tension_passed: vec![[LowPass::default(); 2]; eye.segments.len()],
+            stress: 0.0,
+            filters: [LowPass::default(); 2],
+            window,
+            over_since: None,
+            contact_evaluations: 0,
+            keep,
+            came: 0.0,
+            missing: 0.0,
+            energy: Energy::default(),
+            extremes: Extremes::at_rest(),
+            fold: FoldWatch::new(eye.cells.len()),
+            traces: Traces::default(),
+            frame_taker: keep.frames.map(FrameTaker::new),
+        }
+    }
+
+    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<Run, Refusal> {
+        let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
+        let (mut next_trace, mut next_balance) = (0.0, 0.0);
+        let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
+        loop {
+            if steps % WATCH_EVERY == 0 && watch(time / self.window).is_break() {
+                return Err(Refusal::Stopped(time));
+            }
+            let now = self.forces(time);
+            let most = by.share * now.limit;
+            let before = step;
+            step = if steps == 0 {
+                most
+            } else {
+                most.min(GROWTH * before)
+            };
+            let kick = by.kick(before, step);
+            let forces = self.look(&now, time, before);
+            let settled = steps % WATCH_EVERY == 0 && self.settled(time);
+            let last = time >= self.window || settled;
+            let due = |next: &mut f64, every: Option<f64>| match every {
+                Some(every) if time >= *next || last => {
+                    *next = every * ((time / every).floor() + 1.0);
+                    true
+                }
+                _ => false,
+            };
+            let trace = due(&mut next_trace, trace_every);
+            let balance = due(&mut next_balance, Some(self.window / BALANCES));
+            if balance || trace {
+                self.take_balance(&now, kick);
+                if balance {
+                    self.audit();
+                }
+                if !self.energy.total().is_finite() {
+                    return Err(Refusal::NotFinite(time));
+                }
+            }
+            if trace {
+                self.take_trace(&now, time, forces);
+            }
+            if !step.is_finite() || step <= 0.0 {
+                return Err(Refusal::NotFinite(time));
+            }
+            self.through(time)?;
+            if last {
+                let settled = time < self.window;
+                return Ok(self.finish(time, steps, settled));
+            }
+            step = step.min(self.window - time).max(f64::MIN_POSITIVE);
+            let kick = by.kick(before, step);
+            self.energy.lost += now.sums.loss * kick;
+            self.energy.lost_in_object += now.loss_in_object * kick;
+            if let Some(load) = &self.load {
+                let shell = self.state.shell.clone();
+                let speed: f64 = load
+                    .shares
+                    .iter()
+                    .zip(shell)
+                    .map(|(share, i)| {
+                        let after = kick * self.state.fx[i] * self.state.free_x[i];
+                        share * (self.state.vx[i] + 0.5 * after)
+                    })
+                    .sum();
+                self.energy.work += now.force * speed * kick;
+            }
+            self.cells.advance(&mut self.state, kick, step);
+            if let Some((_, flight)) = &mut self.object {
+                self.energy.lost_in_object += flight.advance(kick, step);
+            }
+            time += step;
+            steps += 1;
+            for frame in self.take_frames(time, step) {
+                if take(frame).is_break() {
+                    return Err(Refusal::Stopped(time));
+                }
+            }
+        }
+    }
+
+    /// Forces of everything where it is now.
+    fn forces(&mut self, time: f64) -> Instant {
+        let sums = self.cells.forces(&mut self.state);
+        let at = self.state.shell.clone();
+        let (x, r) = (&self.state.x[at.clone()], &self.state.r[at.clone()]);
+        let v = (&self.state.vx[at.clone()], &self.state.vr[at.clone()]);
+        let fx = &mut self.state.fx[at.clone()];
+        let fr = &mut self.state.fr[at];
+        let shell = self
+            .shell
+            .forces((x, r), (&mut *fx, &mut *fr), &mut self.tension);
+        let mut limit = sums.limit.min(self.shell.limit);
+        let (mut force, mut loss_in_object) = (0.0, 0.0);
+        let mut touch = None;
+        if let Some((object, flight)) = &mut self.object {
+            flight.inner();
+            let touched = self.target.forces(object, flight, (x, r), v, (fx, fr));
+            loss_in_object = touched.loss;
+            limit = limit.min(flight.limit).min(touched.limit);
+            force = touched.force;
+            self.contact_evaluations += touched.segments;
+            touch = Some(touched);
+        }
+        if let Some(load) = &self.load {
+            force = load.force(time);
+            for (f, share) in fx.iter_mut().zip(&load.shares) {
+                *f += force * share;
+            }
+        }
+        Instant {
+            sums,
+            shell,
+            touch,
+            force,
+            loss_in_object,
+            limit,
+        }
+    }
+
+    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
+    fn settled(&mut self, time: f64) -> bool {
+        if self.keep != Keep::default() {
+            return false;
+        }
+        let over = match (&self.object, &self.load) {
+            (Some((object, flight)), _) => {
+                let apex = self.state.shell.start;
+                let away = self.state.x[apex] - flight.x[0] - object.reach();
+                let slowest = flight.velocity().max(flight.v[0]);
+                away > GONE && slowest < self.state.vx[apex].min(0.0)
+            }
+            (_, Some(load)) => load
+                .segments
+                .iter()
+                .any(|s| s.piece == Piece::Nothing && time > s.start),
+            _ => false,
+        };
+        // An eye that was let go swings back: its growth may begin only now.
+        let since = if over {
+            *self.over_since.get_or_insert(time)
+        } else {
+            self.over_since = None;
+            time
+        };
+        over && self.extremes.last_growth().max(since) < time - self.swing
+    }
+
+    /// Whether the centre of the object lies behind the shell, on the axis or off it.
+    fn through(&self, time: f64) -> Result<(), Refusal> {
+        let Some((object, flight)) = &self.object else {
+            return Ok(());
+        };
+        let apex = self.state.x[self.state.shell.start];
+        let centre = match object.outline {
+            crate::models::axisymmetric::forces::object::Outline::Sphere(_) => flight.x[0],
+            crate::models::axisymmetric::forces::object::Outline::Cylinder(radius, _) => {
+                flight.x[0] - radius
+            }
+        };
+        if centre > apex {
+            return Err(Refusal::Through(time));
+        }
+        Ok(())
+    }
+
+    fn finish(mut self, time: f64, steps: usize, settled: bool) -> Run {
+        let eye: f64 = self
+            .mass
+            .iter()
+            .zip(&self.state.vx)
+            .map(|(m, v)| m * v)
+            .sum();
+        let object = self.object.as_ref().map_or(0.0, |(_, f)| f.momentum());
+        if self.came > 0.0 {
+            self.extremes.energy_residual = self.missing / self.came;
+        }
+        self.extremes.fold = self.fold.fold();
+        self.extremes.touching = self.energy.contact > 0.0;
+        self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
+        if self.extremes.missed() {
+            // What an eye that nothing touched shows is rounding.
+            self.extremes = Extremes {
+                rim_force: self.extremes.rim_force,
+                rebound: self.extremes.rebound,
+                energy_residual: self.extremes.energy_residual,
+                ..Extremes::at_rest()
+            };
+        }
+        Run {
+            extremes: self.extremes,
+            traces: self.keep.traces.then_some(self.traces),
+            frames: Vec::new(),
+            energy: self.energy,
+            momentum: eye + object,
+            steps,
+            simulated: time,
+            settled,
+            cell_evaluations: (steps + 1) * self.eye.cells.len(),
+            contact_evaluations: self.contact_evaluations,
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The places that results refer to: the shell in order, the apex, the meridian, the monitored nodes.
+//!
+//! All are nodes of level 1, so they exist at every level (level k has the node (i, j) of level 1
+//! at (k i, k j)). What is measured at them is measured over their hats, see [`crate::models::paper::eye::hats`].
+
+use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
+use crate::models::paper::eye::mesh::Mesh;
+
+/// One of the four nodes whose force is followed (paper, "Static plots").
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Monitor {
+    /// 1.33 mm from the centre of the eye, 45 degrees up and back.
+    Centre,
+    /// On the cornea, 5 degrees above the anterior pole.
+    Front,
+    /// On the retina, 5 degrees above the posterior pole.
+    Right,
+    /// On the shell, 5 degrees behind 12 o'clock.
+    Top,
+}
+
+impl Monitor {
+    /// All four, in the paper's order.
+    pub const ALL: [Self; 4] = [Self::Centre, Self::Front, Self::Right, Self::Top];
+
+    /// Lower-case name, as used in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Centre => "centre",
+            Self::Front => "front",
+            Self::Right => "right",
+            Self::Top => "top",
+        }
+    }
+
+    /// Column and row of the node in the mesh of level 1.
+    fn grid(self) -> (usize, usize) {
+        match self {
+            Self::Centre => (8, 8),
+            Self::Front => (3, 8),
+            Self::Right => (12, 8),
+            Self::Top => (8, 12),
+        }
+    }
+}
+
+/// Indices of the nodes that results refer to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Landmarks {
+    /// The shell, anticlockwise, from just above the posterior pole.
+    pub shell: Vec<usize>,
+    /// The monitored nodes, in the order of [`Monitor::ALL`].
+    pub monitors: [usize; 4],
+    /// The two shell nodes beside the corneal apex, upper first.
+    pub apex: [usize; 2],
+    /// The ends of the vertical diameter, upper first.
+    pub meridian: [usize; 2],
+    /// What each monitored node stands for: weights of the forces on the nodes around it.
+    pub monitor_hats: [Hat; 4],
+    /// The corners of the paper's shell in order: weights of the positions along the shell.
+    pub shell_hats: Vec<Hat>,
+    /// The two nodes beside the corneal apex: weights of the displacements around them.
+    pub apex_hats: [Hat; 2],
+    /// The ends of the vertical diameter, likewise.
+    pub meridian_hats: [Hat; 2],
+}
+
+pub(crate) fn find(mesh: &Mesh, level: u32) -> Landmarks {
+    let k = level as usize;
+    let at = |(i, j): (usize, usize)| {
+        mesh.node_at(i * k, j * k)
+            .expect("the globe is never cut by the opening")
+    };
+    let mirrored = |(i, j): (usize, usize)| (i, 15 - j);
+    let (front, top) = (Monitor::Front.grid(), Monitor::Top.grid());
+    let (apex, meridian) = ([front, mirrored(front)], [top, mirrored(top)]);
+
+    let mut shell: Vec<usize> = (0..mesh.nodes.len())
+        .filter(|&i| mesh.nodes[i].region.on_shell())
+        .collect();
+    let angle = |i: usize| {
+        let p = mesh.nodes[i].position;
+        libm::atan2(p.y, p.x).rem_euclid(std::f64::consts::TAU)
+    };
+    shell.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)));
+
+    let on_paper = |&i: &usize| {
+        let (column, row) = mesh.nodes[i].grid;
+        column % k == 0 && row % k == 0
+    };
+    let first = shell.iter().position(on_paper).unwrap_or(0);
+    let k = k.cast_signed();
+    let mean = |grid| of_displacement(mesh, k, grid);
+    Landmarks {
+        shell_hats: along_shell(&shell, k, first),
+        shell,
+        monitors: Monitor::ALL.map(|m| at(m.grid())),
+        apex: apex.map(at),
+        meridian: meridian.map(at),
+        monitor_hats: Monitor::ALL.map(|m| of_force(mesh, k, m.grid())),
+        apex_hats: apex.map(mean),
+        meridian_hats: meridian.map(mean),
+    }
+}

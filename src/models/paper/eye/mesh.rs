@@ -1,0 +1,250 @@
+//! Nodes: a square mesh mapped to a disc, cut into globe, shell, fat and orbit.
+//!
+//! Node (i, j) of the square has u = i - (n-1)/2, v = j - (n-1)/2 and ring r = max(|u|, |v|). The
+//! concentric map puts it at radius r d and angle pi/4 v/u (where |u| >= |v|, plus pi for u < 0) or
+//! pi/2 - pi/4 u/v (plus pi for v < 0), with d = 12 mm / (4.5 k). Level k has n = 15k + 1, so level
+//! 1 is the paper's 16 x 16 mesh and every level holds the nodes of level 1.
+//!
+//! The paper draws the mapping without a formula; the concentric map keeps rings of the square as
+//! circles, which its figure 5 shows.
+
+use crate::models::paper::eye::lens;
+use crate::scenario::EyeInput;
+use nalgebra::Point2;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// Radius of the globe, in m.
+pub const GLOBE_RADIUS_M: f64 = 12e-3;
+/// Radius of the bony orbit, in m.
+pub const ORBIT_RADIUS_M: f64 = 20e-3;
+
+/// Ring index of the shell at level 1, in mesh units.
+const SHELL_RING: f64 = 4.5;
+/// Finer levels have nodes exactly on the edge of the opening.
+const ANGLE_TOLERANCE_RAD: f64 = 1e-9 * PI / 180.0;
+
+/// Which part of the section a node belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Region {
+    /// Inside the shell, lens apart: vitreous and aqueous.
+    Interior,
+    /// Inside the lens, whose springs may have a modulus of their own.
+    Lens,
+    /// Corneoscleral shell outside the retina's span.
+    Shell,
+    /// Shell with retina behind it.
+    Retina,
+    /// Orbital fat.
+    Fat,
+    /// Bone, rigid.
+    Orbit,
+}
+
+impl Region {
+    /// Whether the node is part of the globe, shell included.
+    pub fn in_globe(self) -> bool {
+        !matches!(self, Self::Fat | Self::Orbit)
+    }
+
+    /// Whether the node lies on the shell.
+    pub fn on_shell(self) -> bool {
+        matches!(self, Self::Shell | Self::Retina)
+    }
+
+    /// Lower-case name, as used in exports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Interior => "interior",
+            Self::Lens => "lens",
+            Self::Shell => "shell",
+            Self::Retina => "retina",
+            Self::Fat => "fat",
+            Self::Orbit => "orbit",
+        }
+    }
+}
+
+/// A point mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// Column and row in the square mesh.
+    pub grid: (usize, usize),
+    /// Rest position, in m.
+    pub position: Point2<f64>,
+    /// The part it belongs to.
+    pub region: Region,
+    /// Mass, in kg (that of a fat node for orbit nodes, which never move).
+    pub mass: f64,
+    /// Drag on its velocity, in N s/m.
+    pub drag: f64,
+}
+
+impl Node {
+    /// Whether the node never moves.
+    pub fn fixed(&self) -> bool {
+        self.region == Region::Orbit
+    }
+
+    /// Angle from the anterior pole, positive above, in radians.
+    pub fn front_angle(&self) -> f64 {
+        front_angle(self.position)
+    }
+}
+
+/// Angle of a point from the anterior pole, positive above, in radians.
+fn front_angle(p: Point2<f64>) -> f64 {
+    libm::atan2(p.y, -p.x)
+}
+
+/// Nodes a side of the square mesh at level `level`.
+pub fn side_at_level(level: u32) -> usize {
+    15 * level as usize + 1
+}
+
+pub(crate) struct Mesh {
+    pub side: usize,
+    pub nodes: Vec<Node>,
+    pub quads: Vec<[usize; 4]>,
+    /// Index into `nodes` of each place of the square mesh, if the opening leaves it.
+    pub at: Vec<Option<usize>>,
+}
+
+impl Mesh {
+    pub fn node_at(&self, i: usize, j: usize) -> Option<usize> {
+        self.at[j * self.side + i]
+    }
+}
+
+/// Concentric square-to-disc map of mesh coordinates to a point in units of the mesh.
+fn to_disc(u: f64, v: f64) -> Point2<f64> {
+    let ring = u.abs().max(v.abs());
+    if ring == 0.0 {
+        return Point2::origin();
+    }
+    let angle = if u.abs() >= v.abs() {
+        FRAC_PI_4 * (v / u) + if u < 0.0 { PI } else { 0.0 }
+    } else {
+        FRAC_PI_2 - FRAC_PI_4 * (u / v) + if v < 0.0 { PI } else { 0.0 }
+    };
+    Point2::new(ring * libm::cos(angle), ring * libm::sin(angle))
+}
+
+/// The map applied to one quadrant and reflected, so that mirror images agree to the last bit.
+fn to_disc_symmetric(u: f64, v: f64) -> Point2<f64> {
+    let p = to_disc(u.abs(), v.abs());
+    Point2::new(p.x.copysign(u), p.y.copysign(v))
+}
+
+pub(crate) fn build(input: &EyeInput) -> Mesh {
+    let k = f64::from(input.level);
+    let side = side_at_level(input.level);
+    let spacing = GLOBE_RADIUS_M / (SHELL_RING * k);
+    let half = (side - 1) as f64 / 2.0;
+    let opening = input.opening_deg.to_radians() + ANGLE_TOLERANCE_RAD;
+    let retina = input.retina_deg.to_radians() + ANGLE_TOLERANCE_RAD;
+    let globe_nodes = (9.0 * k + 1.0) * (9.0 * k + 1.0);
+    let mass = input.globe_mass_g * 1e-3 / globe_nodes;
+    // Drag follows node mass, so that the decay rate c/m is the same at every level.
+    let refinement = 100.0 / globe_nodes;
+
+    let mut nodes = Vec::with_capacity(side * side);
+    let mut at = vec![None; side * side];
+    for j in 0..side {
+        for i in 0..side {
+            let (u, v) = (i as f64 - half, j as f64 - half);
+            let ring = u.abs().max(v.abs());
+            let position = to_disc_symmetric(u, v) * spacing;
+            let region = if ring > SHELL_RING * k {
+                if front_angle(position).abs() <= opening {
+                    continue;
+                }
+                if ring < 7.5 * k {
+                    Region::Fat
+                } else {
+                    Region::Orbit
+                }
+            } else if ring == SHELL_RING * k {
+                if PI - front_angle(position).abs() <= retina {
+                    Region::Retina
+                } else {
+                    Region::Shell
+                }
+            } else if lens::holds(position) {
+                Region::Lens
+            } else {
+                Region::Interior
+            };
+            let drag = if region.in_globe() {
+                input.globe_drag_ns_m
+            } else {
+                input.fat_drag_ns_m
+            };
+            at[j * side + i] = Some(nodes.len());
+            nodes.push(Node {
+                grid: (i, j),
+                position,
+                region,
+                mass,
+                drag: drag * refinement,
+            });
+        }
+    }
+
+    let mut mesh = Mesh {
+        side,
+        nodes,
+        quads: Vec::new(),
+        at,
+    };
+    for j in 0..side - 1 {
+        for i in 0..side - 1 {
+            let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+            let found: Vec<usize> = corners
+                .iter()
+                .filter_map(|&(p, q)| mesh.node_at(p, q))
+                .collect();
+            if let Ok(quad) = found.try_into() {
+                mesh.quads.push(quad);
+            }
+        }
+    }
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shell_is_a_circle_of_equal_steps() {
+        let mesh = build(&EyeInput::default());
+        let mut angles: Vec<f64> = mesh
+            .nodes
+            .iter()
+            .filter(|n| n.region.on_shell())
+            .map(|n| {
+                assert!((n.position.coords.norm() - GLOBE_RADIUS_M).abs() < 1e-15);
+                n.front_angle().to_degrees()
+            })
+            .collect();
+        angles.sort_by(f64::total_cmp);
+        for (i, angle) in angles.iter().enumerate() {
+            assert!((angle - (-175.0 + 10.0 * i as f64)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_opening_keeps_nothing_in_front_but_the_globe() {
+        for level in 1..=4 {
+            let mesh = build(&EyeInput {
+                level,
+                ..EyeInput::default()
+            });
+            for node in &mesh.nodes {
+                if !node.region.in_globe() {
+                    assert!(node.front_angle().to_degrees().abs() > 40.0 + 1e-10);
+                }
+            }
+        }
+    }
+}

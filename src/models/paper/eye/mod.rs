@@ -1,0 +1,175 @@
+//! Anatomy to mesh: nodes, springs and landmarks of the eye in its orbit. No time in it.
+//!
+//! The sagittal section lies in the plane with +x from the cornea to the back of the eye and +y
+//! up. The centre of the globe is the origin. Positions are in m, stiffness in N/m, mass in kg,
+//! drag in N s/m.
+//!
+//! Source: Sathyanarayanan, Mahadas and Hung (2013), Methods. Left out, as in the paper: iris,
+//! ciliary body, optic nerve and muscles, which the 16 x 16 mesh cannot resolve.
+
+pub mod hats;
+pub mod landmarks;
+pub mod lens;
+pub mod mesh;
+pub mod springs;
+
+use crate::scenario::EyeInput;
+use landmarks::Landmarks;
+use mesh::Node;
+use nalgebra::{Point2, Vector2};
+use springs::Spring;
+
+/// Twice the signed area of the triangle a, b, c: positive when it turns anticlockwise.
+pub(crate) fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
+    let (p, q): (Vector2<f64>, Vector2<f64>) = (b - a, c - a);
+    p.perp(&q)
+}
+
+/// Depth of the section, in m.
+const UNIT_DEPTH_M: f64 = 1.0;
+
+/// The eye at rest: a mesh of nodes joined by springs, with the places that results refer to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Eye {
+    /// Refinement level k.
+    pub level: u32,
+    /// Nodes a side of the square mesh, 15k + 1.
+    pub side: usize,
+    /// Half-angle of the front opening, in radians.
+    pub opening_rad: f64,
+    /// The nodes that the front opening leaves, row by row.
+    pub nodes: Vec<Node>,
+    /// Indices into `nodes` of each quad's corners, anticlockwise from its lower left.
+    pub quads: Vec<[usize; 4]>,
+    /// Every spring, the filaments last.
+    pub springs: Vec<Spring>,
+    /// Nodes with a name.
+    pub landmarks: Landmarks,
+}
+
+impl Eye {
+    /// Builds the eye that `input` asks for. The input must have been validated.
+    pub fn build(input: &EyeInput) -> Self {
+        let mesh = mesh::build(input);
+        let landmarks = landmarks::find(&mesh, input.level);
+        let springs = springs::build(input, &mesh, &landmarks.shell);
+        Self {
+            level: input.level,
+            side: mesh.side,
+            opening_rad: input.opening_deg.to_radians(),
+            nodes: mesh.nodes,
+            quads: mesh.quads,
+            springs,
+            landmarks,
+        }
+    }
+
+    /// Number of nodes that move.
+    pub fn free_nodes(&self) -> usize {
+        self.nodes.iter().filter(|n| !n.fixed()).count()
+    }
+
+    /// Number of springs with at least one end that moves: those that cost work.
+    pub fn live_springs(&self) -> usize {
+        self.springs
+            .iter()
+            .filter(|s| s.stiffness > 0.0 && !(self.nodes[s.a].fixed() && self.nodes[s.b].fixed()))
+            .count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::springs::SpringKind;
+    use super::*;
+
+    fn level(level: u32) -> Eye {
+        Eye::build(&EyeInput {
+            level,
+            ..EyeInput::default()
+        })
+    }
+
+    #[test]
+    fn level_one_has_the_papers_counts() {
+        let eye = level(1);
+        assert_eq!(eye.nodes.len(), 220);
+        assert_eq!(eye.free_nodes(), 174);
+        let count = |kind| eye.springs.iter().filter(|s| s.kind == kind).count();
+        assert_eq!(count(SpringKind::Rest), 299);
+        assert_eq!(count(SpringKind::Fat), 433);
+        assert_eq!(count(SpringKind::Sclera), 40);
+        assert_eq!(count(SpringKind::Lens), 3);
+        assert_eq!(count(SpringKind::Filament), 108);
+        assert_eq!(eye.springs.len(), 883);
+        assert_eq!(eye.live_springs(), 838);
+        let globe = eye.nodes.iter().filter(|n| n.region.in_globe()).count();
+        assert_eq!(globe, 100);
+        assert_eq!(eye.landmarks.shell.len(), 36);
+    }
+
+    #[test]
+    fn filament_stiffness_times_length_is_the_shells() {
+        let eye = level(1);
+        let ea: Vec<f64> = eye
+            .springs
+            .iter()
+            .filter(|s| s.kind == SpringKind::Filament)
+            .map(|s| s.stiffness * s.rest_length)
+            .collect();
+        assert_eq!(ea.len(), 108);
+        for value in ea {
+            assert!((value - 1.1505e4).abs() < 0.5, "{value}");
+        }
+    }
+
+    #[test]
+    fn finer_levels_contain_every_node_of_level_one() {
+        let coarse = level(1);
+        for k in 2..=4 {
+            let fine = level(k);
+            for node in &coarse.nodes {
+                let near = fine
+                    .nodes
+                    .iter()
+                    .find(|f| f.grid == (node.grid.0 * k as usize, node.grid.1 * k as usize))
+                    .unwrap_or_else(|| panic!("level {k} lacks {:?}", node.grid));
+                assert!((near.position - node.position).norm() < 1e-15);
+                assert_eq!(near.region, node.region);
+            }
+        }
+    }
+
+    #[test]
+    fn the_globes_mass_is_the_same_at_every_level() {
+        for k in 1..=4 {
+            let mass: f64 = level(k)
+                .nodes
+                .iter()
+                .filter(|n| n.region.in_globe())
+                .map(|n| n.mass)
+                .sum();
+            assert!((mass - 7.5e-3).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_mesh_is_its_own_mirror_image() {
+        for k in 1..=3 {
+            let eye = level(k);
+            for spring in &eye.springs {
+                let mirror = |i: usize| {
+                    let (gx, gy) = eye.nodes[i].grid;
+                    (gx, eye.side - 1 - gy)
+                };
+                let (a, b) = (mirror(spring.a), mirror(spring.b));
+                let twin = eye.springs.iter().find(|t| {
+                    let (p, q) = (eye.nodes[t.a].grid, eye.nodes[t.b].grid);
+                    t.kind == spring.kind && ((p, q) == (a, b) || (p, q) == (b, a))
+                });
+                let twin = twin.unwrap_or_else(|| panic!("level {k}: no twin of {spring:?}"));
+                assert!((twin.stiffness / spring.stiffness - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Positions, velocities and accelerations in the kernel's rows, and its working space.
+
+use crate::models::paper::forces::aligned::Aligned;
+use crate::models::paper::forces::coupled::{Coupled, Readings};
+use crate::models::paper::forces::kernel;
+use crate::models::paper::forces::kernel::Survey;
+use crate::models::paper::forces::load::Piece;
+use crate::models::paper::forces::system::{LANES, Place, System};
+use nalgebra::{Point2, Vector2};
+
+/// The eye at one instant.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// Time, in s.
+    pub time: f64,
+    pub(crate) x: Aligned,
+    pub(crate) y: Aligned,
+    pub(crate) vx: Aligned,
+    pub(crate) vy: Aligned,
+    /// Acceleration by springs and load, drag left out.
+    pub(crate) ax: Aligned,
+    pub(crate) ay: Aligned,
+    /// Work done by the load so far, in J.
+    pub work: f64,
+    /// Energy lost to drag so far, in J.
+    pub dissipated: f64,
+    /// Of the projectile, where the scene has one.
+    pub readings: Readings,
+    pub(crate) scratch: Scratch,
+}
+
+/// Space that the kernel writes before it reads.
+#[derive(Debug, Clone)]
+pub(crate) struct Scratch {
+    /// Forces from the row below.
+    pub up_x: Aligned,
+    pub up_y: Aligned,
+    /// Forces from filaments and load; zero but on the shell.
+    pub extra_x: Aligned,
+    pub extra_y: Aligned,
+    /// The gathered ring.
+    pub ring_x: Aligned,
+    pub ring_y: Aligned,
+    /// Forces of the filaments on their first ends, a run for each hop count.
+    pub hop_fx: Aligned,
+    pub hop_fy: Aligned,
+}
+
+impl State {
+    /// `system` at rest, at time 0.
+    pub fn at_rest(system: &System) -> Self {
+        let len = system.rest_x.len();
+        let zeros = || Aligned::zeros(len);
+        let ring = || Aligned::zeros(system.ring.padded_len());
+        let hops = || Aligned::zeros(system.ring.hops_len());
+        Self {
+            time: 0.0,
+            x: system.rest_x.clone(),
+            y: system.rest_y.clone(),
+            vx: zeros(),
+            vy: zeros(),
+            ax: zeros(),
+            ay: zeros(),
+            work: 0.0,
+            dissipated: 0.0,
+            readings: system
+                .coupled()
+                .map_or_else(Readings::default, Coupled::at_rest),
+            scratch: Scratch {
+                up_x: zeros(),
+                up_y: zeros(),
+                extra_x: zeros(),
+                extra_y: zeros(),
+                ring_x: ring(),
+                ring_y: ring(),
+                hop_fx: hops(),
+                hop_fy: hops(),
+            },
+        }
+    }
+
+    /// A state of nothing, to stand in while another is moved out.
+    pub fn empty() -> Self {
+        let none = || Aligned::zeros(0);
+        Self {
+            time: 0.0,
+            x: none(),
+            y: none(),
+            vx: none(),
+            vy: none(),
+            ax: none(),
+            ay: none(),
+            work: 0.0,
+            dissipated: 0.0,
+            readings: Readings::default(),
+            scratch: Scratch {
+                up_x: none(),
+                up_y: none(),
+                extra_x: none(),
+                extra_y: none(),
+                ring_x: none(),
+                ring_y: none(),
+                hop_fx: none(),
+                hop_fy: none(),
+            },
+        }
+    }
+
+    /// Takes over the time, positions, velocities and accelerations of `other`, a state of the same
+    /// `system`.
+    pub fn copy_motion(&mut self, system: &System, other: &Self) {
+        self.time = other.time;
+        let moved = system.first_row * system.stride..;
+        for (to, from) in [
+            (&mut self.x, &other.x),
+            (&mut self.y, &other.y),
+            (&mut self.vx, &other.vx),
+            (&mut self.vy, &other.vy),
+            (&mut self.ax, &other.ax),
+            (&mut self.ay, &other.ay),
+        ] {
+            to[moved.clone()].copy_from_slice(&from[moved.clone()]);
+        }
+        self.readings = other.readings;
+    }
+
+    /// Brings the acceleration up to date by the load law `piece`.
+    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
+        let force = system.load().pulse.force(piece, self.time);
+        if let Some(coupled) = system.coupled() {
+            return self.evaluate_coupled(system, coupled, force);
+        }
+        kernel::evaluate(system, self, force, 0.0)
+    }
+
+    /// Position of the node at `place`, in m.
+    pub fn position(&self, place: Place) -> Point2<f64> {
+        Point2::new(self.x[place.slot], place.sign() * self.y[place.slot])
+    }
+
+    /// Velocity of the node at `place`, in m/s.
+    pub fn velocity(&self, place: Place) -> Vector2<f64> {
+        Vector2::new(self.vx[place.slot], place.sign() * self.vy[place.slot])
+    }
+
+    /// Acceleration of the node at `place`, drag included, in m/s^2.
+    pub fn acceleration(&self, system: &System, place: Place) -> Vector2<f64> {
+        let drag = system.decay_at(place.slot);
+        Vector2::new(
+            self.ax[place.slot] - drag * self.vx[place.slot],
+            place.sign() * (self.ay[place.slot] - drag * self.vy[place.slot]),
+        )
+    }
+
+    /// Moves the node at `place` and sets its velocity: for tests and for starting off rest.
+    pub fn set(&mut self, place: Place, position: Point2<f64>, velocity: Vector2<f64>) {
+        self.x[place.slot] = position.x;
+        self.y[place.slot] = place.sign() * position.y;
+        self.vx[place.slot] = velocity.x;
+        self.vy[place.slot] = place.sign() * velocity.y;
+    }
+
+    /// Speed that the load works on: the sum of share times velocity along the force, in m/s.
+    pub(crate) fn load_speed(&self, system: &System) -> f64 {
+        system
+            .load()
+            .work
+            .iter()
+            .map(|&(slot, wx, wy)| wx * self.vx[slot] + wy * self.vy[slot])
+            .sum()
+    }
+}
+
+impl System {
+    /// Decay rate c/m at a slot, in 1/s.
+    pub(crate) fn decay_at(&self, slot: usize) -> f64 {
+        let fat = self.groups[slot / LANES].fat[slot % LANES];
+        if fat > 0.0 {
+            self.decay[1]
+        } else {
+            self.decay[0]
+        }
+    }
+}

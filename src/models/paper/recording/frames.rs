@@ -1,0 +1,111 @@
+//! Frames: where every node is, and the force on it, at chosen instants, for replay and export.
+//!
+//! A frame falls between two step ends; positions come from dense output and forces from one
+//! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
+
+use crate::models::paper::eye::Eye;
+use crate::models::paper::forces::load::Piece;
+use crate::models::paper::forces::state::State;
+use crate::models::paper::forces::system::System;
+use crate::models::paper::recording::dense::Path;
+use crate::models::paper::recording::shot;
+use crate::run::kept::{Frame, Spacing};
+
+/// The place of the frame nearest to a time, in s.
+#[cfg(feature = "app")]
+pub fn nearest(frames: &[Frame], time: f64) -> usize {
+    let after = frames.partition_point(|frame| frame.time < time);
+    let before = after.saturating_sub(1);
+    let apart = |place: usize| {
+        let frame: Option<&Frame> = frames.get(place);
+        frame.map_or(f64::INFINITY, |frame| (frame.time - time).abs())
+    };
+    if apart(after) < apart(before) {
+        after
+    } else {
+        before
+    }
+}
+
+/// Collects frames during a march.
+#[derive(Debug, Clone)]
+pub struct FrameTaker {
+    spacing: Spacing,
+    nodes: usize,
+    masses: Vec<f64>,
+    probe: State,
+    taken: usize,
+    /// What has been taken, and not been taken away.
+    pub frames: Vec<Frame>,
+}
+
+impl FrameTaker {
+    /// Frames of the motion of `eye`.
+    pub fn new(spacing: Spacing, eye: &Eye, system: &System) -> Self {
+        Self {
+            spacing,
+            nodes: eye.nodes.len(),
+            masses: eye
+                .nodes
+                .iter()
+                .map(|n| if n.fixed() { 0.0 } else { n.mass })
+                .collect(),
+            probe: State::at_rest(system),
+            taken: 0,
+            frames: Vec::new(),
+        }
+    }
+
+    fn due(&self) -> f64 {
+        self.spacing.due(self.taken)
+    }
+
+    /// Takes the frame at the very start.
+    pub fn begin(&mut self, system: &System, state: &State) {
+        if self.taken == 0 {
+            self.keep(system, state);
+        }
+    }
+
+    /// Takes the frames that fall in the step from `before` to `after`.
+    pub fn step(&mut self, system: &System, (before, after): (&State, &State), piece: Piece) {
+        let h = after.time - before.time;
+        // The frame at the end of the window must not be lost to rounding.
+        while self.due() <= after.time + 1e-9 * self.spacing.every {
+            let share = ((self.due() - before.time) / h).min(1.0);
+            let mut probe = std::mem::replace(&mut self.probe, State::empty());
+            probe.time = before.time + share * h;
+            for node in 0..self.nodes {
+                let place = system.place(node);
+                if !place.mirrored {
+                    let path = Path::between(system, before, after, node);
+                    probe.set(place, path.position(share), path.velocity(share));
+                }
+            }
+            probe.readings = after.readings;
+            probe.readings.body.position = shot::centre(before, after, share);
+            probe.evaluate(system, piece);
+            self.keep(system, &probe);
+            self.probe = probe;
+        }
+    }
+
+    fn keep(&mut self, system: &System, state: &State) {
+        self.frames.push(Frame {
+            time: self.due(),
+            positions: (0..self.nodes)
+                .map(|n| state.position(system.place(n)))
+                .collect(),
+            forces: (0..self.nodes)
+                .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
+                .collect(),
+            cells: Vec::new(),
+            projectile: system
+                .coupled()
+                .map(|_| state.readings.body.position + state.readings.body.shift * 0.5),
+            squeezed: state.readings.body.shift.norm(),
+            pressure: None,
+        });
+        self.taken += 1;
+    }
+}

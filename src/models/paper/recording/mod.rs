@@ -1,0 +1,81 @@
+//! What a march leaves behind: extremes over every step, traces, frames.
+//!
+//! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
+
+pub mod dense;
+pub mod frames;
+pub mod lengths;
+pub mod recorder;
+pub mod settling;
+pub mod shot;
+
+use crate::run::fold::Fold;
+use crate::run::kept::{Frame, Peak, Traces};
+use shot::ShotExtremes;
+
+/// Largest values over every step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremes {
+    /// |sum w m a| over the hats of the monitored nodes, in N; at level 1 |m a| of the node.
+    pub force: [Peak; 4],
+    /// Corneal apex displacement, in m.
+    pub apex: Peak,
+    /// Growth of the closed shell's length, as a share of its length.
+    pub shell_growth: Peak,
+    /// Growth of the vertical diameter, as a share of it.
+    pub meridian_growth: Peak,
+    /// Work done by the load, in J; by a projectile: the kinetic energy it has given up.
+    pub work: f64,
+    /// Energy stored in all springs, in J, at step ends.
+    pub elastic: Peak,
+    /// Largest strain of a spring, |l/l0 - 1|.
+    pub strain: Peak,
+    /// Smallest ratio of a quad's signed area to its area at rest.
+    pub least_quad_ratio: f64,
+    /// Of quads whose signed area reached zero.
+    pub fold: Option<Fold>,
+    /// Largest |work in - kinetic - elastic - dissipated| as a share of the work in.
+    pub energy_residual: f64,
+    /// Whether a growth was largest at the very end of the window.
+    pub still_rising: bool,
+    /// Whether the energy left at the end of the window could still raise a force or the growth of
+    /// the shell; if not, those are proven final.
+    pub could_rise: bool,
+    /// Whether a load was so small that all it does is rounding, and was taken as nothing.
+    pub lost_in_rounding: bool,
+    /// What the projectile did, where the scene has one.
+    pub shot: Option<ShotExtremes>,
+}
+
+impl Extremes {
+    /// Whether a projectile never touched the eye.
+    pub fn missed(&self) -> bool {
+        self.shot.is_some_and(|shot| shot.contact.is_none())
+    }
+
+    /// Nothing acted on the eye: what it seems to have done is rounding. The rim gives back all that it
+    /// takes of a projectile, so what is missing is an error.
+    fn forget_rounding(&mut self) {
+        let nothing = Peak::floor(0.0);
+        self.force = [nothing; 4];
+        self.apex = nothing;
+        self.shell_growth = nothing;
+        self.meridian_growth = nothing;
+        self.elastic = nothing;
+        self.strain = nothing;
+        self.work = 0.0;
+        let missing = |shot: ShotExtremes| (shot.energy / shot.energy_before).abs();
+        self.energy_residual = self.shot.map_or(0.0, missing);
+    }
+}
+
+/// Everything kept of one march.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// Largest values over every step.
+    pub extremes: Extremes,
+    /// Values at step ends, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+}

@@ -1,0 +1,166 @@
+//! When a result is final: what the energy that is left could still do.
+//!
+//! After the load, the energy E = kinetic + elastic only falls. At any later time
+//!
+//! * by Cauchy-Schwarz the springs at a node pull with at most `sqrt(sum k) sqrt(2 E_elastic)` and
+//!   its drag with `c sqrt(2 E_kinetic / m)`, together at most `sqrt(sum k + c^2/m) sqrt(2 E)`;
+//! * the shell is longer than at rest by at most `sqrt(sum 1/k) sqrt(2 E)` over the springs along it;
+//! * no spring is strained by more than `sqrt(2 E / (k l0^2))`.
+//!
+//! Of a hat with weights w the force is at most `sqrt(sum k d^2 + sum w^2 c^2/m) sqrt(2 E)`, with d the
+//! difference of the weights at the ends of a spring.
+//!
+//! Drag takes the integral of c v^2 from that energy, so over the time T that is left the weighted sum
+//! of some displacements changes by at most the integral of sum w |v| <= `sqrt(sum w^2/c) sqrt(T E)`.
+//! The line through the hats along the shell can grow without any spring along the shell being stretched,
+//! where bends straighten out. Its rate of growth is the sum over its corners of v . (e - e'), with e and e'
+//! the directions of the sides before and after; |e - e'| is now at most some b, and with every corner
+//! moving by less than D it stays below b + 8 D over the shortest side.
+//! This holds in any shape, without linearising.
+//!
+//! Once all of it stays below what has been recorded, the rest of the window need not be computed.
+//! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
+
+use crate::models::paper::eye::Eye;
+use crate::models::paper::eye::hats::Hat;
+use crate::models::paper::eye::springs::SpringKind;
+use crate::models::paper::recording::dense::tugs;
+use std::collections::BTreeMap;
+
+/// A bound that grows with the root of the energy: this times `sqrt(2 E)`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reach(f64);
+
+impl Reach {
+    /// The largest value that `energy` J can still cause.
+    pub fn reach(self, energy: f64) -> f64 {
+        self.0 * (2.0 * energy).sqrt()
+    }
+}
+
+/// A bound of the way that remains: this times `sqrt(E T)`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Travel(f64);
+
+impl Travel {
+    /// The farthest that `energy` J can move it in `time` s, in m.
+    pub fn travel(self, energy: f64, time: f64) -> f64 {
+        self.0 * (energy * time.max(0.0)).sqrt()
+    }
+}
+
+/// A bound of the growth of the shell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum ShellBound {
+    /// Of its growth over its length at rest, where every node is a corner.
+    Stretch(Reach),
+    /// Of its growth from now on, where its corners are hats: of the sum of the ways of all corners, and
+    /// of the way of any one.
+    Change(Travel, Travel),
+}
+
+/// How sharply a closed line bends.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bend {
+    /// Largest |e - e'| of the directions of two neighbouring sides.
+    pub sharpest: f64,
+    /// Length of the shortest side, in m.
+    pub shortest: f64,
+}
+
+impl Bend {
+    /// Any bend at all.
+    pub const UNKNOWN: Self = Self {
+        sharpest: 2.0,
+        shortest: 0.0,
+    };
+
+    /// How much a line that bends like this can still grow, in m, by the two bounds of its corners.
+    pub fn growth(self, all: Travel, one: Travel, energy: f64, left: f64) -> f64 {
+        let later = self.sharpest + 8.0 * one.travel(energy, left) / self.shortest;
+        // Two directions never differ by more than 2. A side of no length says nothing.
+        (if later < 2.0 { later } else { 2.0 }) * all.travel(energy, left)
+    }
+}
+
+/// The bounds of all results of one eye.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bounds {
+    /// Force at each monitored node, N.
+    pub force: [Reach; 4],
+    /// Growth of the shell, m.
+    pub shell: ShellBound,
+    /// Strain of any spring.
+    pub strain: Reach,
+    /// Mean displacement of the two nodes at the apex, m.
+    pub apex: Travel,
+    /// Growth of the vertical diameter, m.
+    pub meridian: Travel,
+}
+
+impl Bounds {
+    pub fn new(eye: &Eye) -> Self {
+        let marks = &eye.landmarks;
+        let weakest = eye
+            .springs
+            .iter()
+            .filter(|s| !(eye.nodes[s.a].fixed() && eye.nodes[s.b].fixed()))
+            .map(|s| s.stiffness * s.rest_length * s.rest_length)
+            .fold(f64::INFINITY, f64::min);
+        Self {
+            force: std::array::from_fn(|m| force(eye, &marks.monitor_hats[m])),
+            shell: shell(eye),
+            strain: Reach((1.0 / weakest).sqrt()),
+            apex: travel(eye, marks.apex_hats.iter().flatten(), 0.5),
+            meridian: travel(eye, marks.meridian_hats.iter().flatten(), 1.0),
+        }
+    }
+}
+
+fn force(eye: &Eye, hat: &Hat) -> Reach {
+    let stiffness: f64 = tugs(eye, hat).iter().map(|tug| tug.squared).sum();
+    let drag = |&(n, weight): &(usize, f64)| {
+        let node = &eye.nodes[n];
+        weight * weight * (node.drag * node.drag / node.mass)
+    };
+    Reach((stiffness + hat.iter().map(drag).sum::<f64>()).sqrt())
+}
+
+/// Of the sum of the mean displacements over some hats, each times `weight`.
+fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f64) -> Travel {
+    let mut weights: BTreeMap<usize, f64> = BTreeMap::new();
+    for &(node, share) in hats {
+        *weights.entry(node).or_default() += weight * share;
+    }
+    let sum: f64 = weights
+        .iter()
+        .map(|(&n, w)| w * w / eye.nodes[n].drag)
+        .sum();
+    Travel(sum.sqrt())
+}
+
+fn shell(eye: &Eye) -> ShellBound {
+    let count = eye.landmarks.shell.len();
+    let hats = &eye.landmarks.shell_hats;
+    if hats.len() < count {
+        let one = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
+        return ShellBound::Change(
+            travel(eye, hats.iter().flatten(), 1.0),
+            Travel(one.fold(0.0, f64::max)),
+        );
+    }
+    let mut order = vec![usize::MAX; eye.nodes.len()];
+    for (i, &n) in eye.landmarks.shell.iter().enumerate() {
+        order[n] = i;
+    }
+    let compliance: f64 = eye
+        .springs
+        .iter()
+        .filter(|s| {
+            let (a, b) = (order[s.a], order[s.b]);
+            s.kind == SpringKind::Sclera && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
+        })
+        .map(|s| 1.0 / s.stiffness)
+        .sum();
+    ShellBound::Stretch(Reach(compliance.sqrt()))
+}

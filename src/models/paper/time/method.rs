@@ -1,0 +1,296 @@
+//! What each integrator is: one row each, coefficients included.
+//!
+//! Everything that asks something of an integrator asks its row: the march, the stability limit, the
+//! command line, the forms, the plots of accuracy and the tests. A further one is a name in
+//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability and
+//! energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta method
+//! needs a [`Stepper`] of its own as well.
+//!
+//! The paper prints v = (a - `a_previous`) dt, which gives zero under constant acceleration; its
+//! scheme is read as v += a dt, x += v dt.
+//!
+//! Sources: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330; J. R. Dormand and
+//! P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26.
+
+use crate::models::paper::forces::system::System;
+use crate::models::paper::time::composition::Composition;
+use crate::models::paper::time::march::Plan;
+use crate::models::paper::time::runge_kutta::{RungeKutta, Tableau};
+use crate::models::paper::time::stepper::Stepper;
+use crate::scenario::Integrator;
+
+/// One integrator.
+#[derive(Debug)]
+pub struct Method {
+    /// Name as typed on the command line.
+    pub name: &'static str,
+    /// The capital that stands for it on plots.
+    pub letter: char,
+    /// What it is, for people, in one sentence.
+    pub about: &'static str,
+    /// Order of convergence: the error falls with this power of the step.
+    pub order: i32,
+    /// Largest stable angular frequency times step with a little drag; a test scans it.
+    pub stability_limit: f64,
+    /// Angular frequency times step where an undamped oscillator first grows, where that is a gap
+    /// below the limit.
+    pub first_gap: Option<f64>,
+    /// How drag is treated.
+    pub drag: Drag,
+    /// How a step is made.
+    pub(crate) scheme: Scheme,
+}
+
+/// How a method treats the drag, which decides what it costs in step length; see
+/// [`crate::models::paper::time::stability`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drag {
+    /// Solved exactly within each drift.
+    Exact,
+    /// Added to the kick at the start of the step.
+    WithKick,
+    /// Part of the acceleration at every stage.
+    InRates,
+}
+
+/// How a step is made.
+#[derive(Debug)]
+pub(crate) enum Scheme {
+    /// Kicks and drifts in turn, in shares of the step; the kicks are one more than the drifts.
+    Composition {
+        kicks: &'static [f64],
+        drifts: &'static [f64],
+    },
+    /// An explicit Runge-Kutta method.
+    RungeKutta(Tableau),
+}
+
+impl Method {
+    /// Force evaluations a step, with one that consecutive steps share counted once.
+    pub fn evaluations(&self) -> usize {
+        match &self.scheme {
+            Scheme::Composition { drifts, .. } => drifts.len(),
+            Scheme::RungeKutta(tableau) => tableau.nodes.len(),
+        }
+    }
+
+    /// Whether it chooses its own steps.
+    pub fn adaptive(&self) -> bool {
+        matches!(&self.scheme, Scheme::RungeKutta(tableau) if !tableau.error.is_empty())
+    }
+
+    /// A stepper for `system` by this method.
+    pub(crate) fn stepper<'a>(
+        &'static self,
+        system: &'a System,
+        plan: &Plan,
+    ) -> Box<dyn Stepper + 'a> {
+        match &self.scheme {
+            Scheme::Composition { kicks, drifts } => {
+                Box::new(Composition::new(system, kicks, drifts, self.drag))
+            }
+            Scheme::RungeKutta(tableau) => Box::new(RungeKutta::new(system, tableau, plan)),
+        }
+    }
+}
+
+impl Integrator {
+    /// All that is known of it, from the one table.
+    pub fn method(self) -> &'static Method {
+        match self {
+            Self::SemiImplicitEuler => &SEMI_IMPLICIT_EULER,
+            Self::VelocityVerlet => &VELOCITY_VERLET,
+            Self::Srkn6b => &SRKN6B,
+            Self::Srkn11b => &SRKN11B,
+            Self::Rk4 => &RK4,
+            Self::Dopri5 => &DOPRI5,
+        }
+    }
+
+    /// Name as typed on the command line.
+    pub fn name(self) -> &'static str {
+        self.method().name
+    }
+}
+
+static SEMI_IMPLICIT_EULER: Method = Method {
+    name: "semi-implicit-euler",
+    letter: 'E',
+    about: "The paper's scheme: v += a dt, x += v dt.",
+    order: 1,
+    stability_limit: 2.0,
+    first_gap: None,
+    drag: Drag::WithKick,
+    scheme: Scheme::Composition {
+        kicks: &[1.0, 0.0],
+        drifts: &[1.0],
+    },
+};
+
+static VELOCITY_VERLET: Method = Method {
+    name: "velocity-verlet",
+    letter: 'A',
+    about: "Half a kick, a drift, half a kick: the cheapest where 1 % will do.",
+    order: 2,
+    stability_limit: 2.0,
+    first_gap: None,
+    drag: Drag::Exact,
+    scheme: Scheme::Composition {
+        kicks: &[0.5, 0.5],
+        drifts: &[1.0],
+    },
+};
+
+static SRKN6B: Method = Method {
+    name: "srkn6b",
+    letter: 'B',
+    about: "Blanes and Moan's symmetric composition of six stages: takes most answers.",
+    order: 4,
+    stability_limit: 5.026,
+    first_gap: Some(3.163),
+    drag: Drag::Exact,
+    scheme: {
+        const B: [f64; 3] = [
+            0.082_984_406_417_405_2,
+            0.396_309_801_498_368,
+            -0.039_056_304_922_348_6,
+        ];
+        const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
+        const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
+        const A3: f64 = 0.5 - A[0] - A[1];
+        Scheme::Composition {
+            kicks: &[B[0], B[1], B[2], B4, B[2], B[1], B[0]],
+            drifts: &[A[0], A[1], A3, A3, A[1], A[0]],
+        }
+    },
+};
+
+static SRKN11B: Method = Method {
+    name: "srkn11b",
+    letter: 'N',
+    about: "Blanes and Moan's symmetric composition of eleven stages: the most accurate.",
+    order: 6,
+    stability_limit: 9.07,
+    first_gap: Some(3.135),
+    drag: Drag::Exact,
+    scheme: {
+        const B: [f64; 5] = [
+            0.041_464_998_518_262_4,
+            0.198_128_671_918_067,
+            -0.040_006_192_104_153_3,
+            0.075_253_984_301_580_7,
+            -0.011_511_387_420_687_9,
+        ];
+        const A: [f64; 5] = [
+            0.123_229_775_946_271,
+            0.290_553_797_799_558,
+            -0.127_049_212_625_417,
+            -0.246_331_761_062_075,
+            0.357_208_872_795_928,
+        ];
+        const B6: f64 = 0.5 - (B[0] + B[1] + B[2] + B[3] + B[4]);
+        const A6: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2] + A[3] + A[4]);
+        Scheme::Composition {
+            kicks: &[
+                B[0], B[1], B[2], B[3], B[4], B6, B6, B[4], B[3], B[2], B[1], B[0],
+            ],
+            drifts: &[
+                A[0], A[1], A[2], A[3], A[4], A6, A[4], A[3], A[2], A[1], A[0],
+            ],
+        }
+    },
+};
+
+static RK4: Method = Method {
+    name: "rk4",
+    letter: 'R',
+    about: "The classical Runge-Kutta method, in equal steps.",
+    order: 4,
+    stability_limit: 2.828,
+    first_gap: None,
+    drag: Drag::InRates,
+    scheme: Scheme::RungeKutta(Tableau {
+        nodes: &[0.0, 0.5, 0.5, 1.0],
+        stages: &[&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
+        weights: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+        error: &[],
+    }),
+};
+
+static DOPRI5: Method = Method {
+    name: "dopri5",
+    letter: 'D',
+    about: "The Dormand-Prince pair 5(4), which chooses its own steps.",
+    order: 5,
+    stability_limit: 0.997,
+    first_gap: None,
+    drag: Drag::InRates,
+    scheme: Scheme::RungeKutta(Tableau {
+        nodes: &[0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0],
+        stages: &[
+            &[],
+            &[0.2],
+            &[3.0 / 40.0, 9.0 / 40.0],
+            &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+            &[
+                19372.0 / 6561.0,
+                -25360.0 / 2187.0,
+                64448.0 / 6561.0,
+                -212.0 / 729.0,
+            ],
+            &[
+                9017.0 / 3168.0,
+                -355.0 / 33.0,
+                46732.0 / 5247.0,
+                49.0 / 176.0,
+                -5103.0 / 18656.0,
+            ],
+        ],
+        weights: &[
+            35.0 / 384.0,
+            0.0,
+            500.0 / 1113.0,
+            125.0 / 192.0,
+            -2187.0 / 6784.0,
+            11.0 / 84.0,
+        ],
+        error: &[
+            71.0 / 57600.0,
+            0.0,
+            -71.0 / 16695.0,
+            71.0 / 1920.0,
+            -17253.0 / 339_200.0,
+            22.0 / 525.0,
+            -1.0 / 40.0,
+        ],
+    }),
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_told_apart_by_name_and_letter_and_their_shares_add_up() {
+        for (i, integrator) in Integrator::ALL.iter().enumerate() {
+            let row = integrator.method();
+            for other in &Integrator::ALL[..i] {
+                let other = other.method();
+                assert!(row.name != other.name && row.letter != other.letter);
+            }
+            let whole = |shares: &[f64]| (shares.iter().sum::<f64>() - 1.0).abs() < 1e-14;
+            match &row.scheme {
+                Scheme::Composition { kicks, drifts } => {
+                    assert_eq!(kicks.len(), drifts.len() + 1);
+                    assert!(whole(kicks) && whole(drifts), "{}", row.name);
+                }
+                Scheme::RungeKutta(tableau) => {
+                    assert!(whole(tableau.weights), "{}", row.name);
+                    for (node, stage) in tableau.nodes.iter().zip(tableau.stages) {
+                        assert!((stage.iter().sum::<f64>() - node).abs() < 1e-13);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Through the window: the integrators, their steps and the largest of them.
+
+pub mod composition;
+pub mod march;
+pub mod method;
+pub mod runge_kutta;
+pub mod stability;
+pub mod stepper;
+pub mod verlet;

@@ -1,0 +1,76 @@
+//! What makes the steps of a march.
+
+use crate::models::paper::forces::kernel::Survey;
+use crate::models::paper::forces::load::Segment;
+use crate::models::paper::forces::state::State;
+use crate::models::paper::forces::system::System;
+use crate::models::paper::time::march::{Cost, Plan};
+use crate::models::paper::time::verlet::SubsteppedVerlet;
+
+/// Makes the steps of one march, segment by segment, without allocating.
+pub(crate) trait Stepper {
+    /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration is
+    /// evaluated afresh by the segment's law.
+    fn begin(
+        &mut self,
+        state: &mut State,
+        segment: &Segment,
+        steps: usize,
+        cost: &mut Cost,
+    ) -> Survey;
+
+    /// Moves `state`, whose acceleration is up to date, by one step; the last of a segment ends
+    /// exactly where the segment does.
+    fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey;
+}
+
+/// The stepper of `plan` for what `system` holds.
+pub(crate) fn stepper<'a>(system: &'a System, plan: &Plan) -> Box<dyn Stepper + 'a> {
+    match system.coupled() {
+        Some(coupled) => Box::new(SubsteppedVerlet::new(system, coupled)),
+        None => plan.integrator.method().stepper(system, plan),
+    }
+}
+
+/// Equal steps through a segment.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct EqualSteps {
+    start: f64,
+    end: f64,
+    length: f64,
+    total: usize,
+    taken: usize,
+}
+
+impl EqualSteps {
+    pub fn new(segment: &Segment, total: usize) -> Self {
+        Self {
+            start: segment.start,
+            end: segment.end,
+            length: (segment.end - segment.start) / total as f64,
+            total,
+            taken: 0,
+        }
+    }
+
+    /// Length of a step, in s.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Steps taken so far.
+    pub fn taken(&self) -> usize {
+        self.taken
+    }
+
+    /// The time after `more` further steps, in s: computed, not summed, so that rounding does not
+    /// pile up over many steps.
+    pub fn advance(&mut self, more: usize) -> f64 {
+        self.taken += more;
+        if self.taken == self.total {
+            self.end
+        } else {
+            self.start + self.length * self.taken as f64
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What a reader must know before trusting a result, each by name.
+//!
+//! `raised` collects them and words those that both eyes have; `section` raises those of a section, and
+//! [`crate::study::revolution`] those of the other eye.
+
+/// Something that limits a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flag {
+    /// What kind.
+    pub kind: FlagKind,
+    /// A sentence for a person.
+    pub message: String,
+    /// More of it, where there is room.
+    pub detail: Option<String>,
+    /// When it happened, in s.
+    pub time: Option<f64>,
+}
+
+impl Flag {
+    /// All that it says.
+    pub fn whole(&self) -> String {
+        let detail = self.detail.iter().map(String::as_str);
+        let parts: Vec<&str> = std::iter::once(self.message.as_str())
+            .chain(detail)
+            .collect();
+        parts.join("; ")
+    }
+}
+
+/// Kinds of flags.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FlagKind {
+    /// A quad of the mesh turned inside out.
+    MeshFolded,
+    /// A quad came close to that.
+    MeshNearlyFolded,
+    /// The next finer mesh turns inside out where this one does not.
+    FinerMeshFolds,
+    /// The energies do not add up.
+    EnergyImbalance,
+    /// The mesh folded and a slightly different step gives another answer.
+    NotPredictable,
+    /// The step error is large.
+    Unconverged,
+    /// The blow is so small that all it does is lost in rounding.
+    LostInRounding,
+    /// The window ended while a result still grew.
+    WindowShort,
+    /// The window ended before the pulse.
+    PulseCut,
+    /// The loaded arc is narrower than the distance between two nodes.
+    ArcUnresolved,
+    /// Part of the arc lies behind bone.
+    BoneShields,
+    /// The projectile went deeper into the shell or the rim than a rigid one should.
+    DeepPenetration,
+    /// A soft projectile was squeezed further than its spring is linear.
+    ObjectFlattened,
+    /// All that gives way of a projectile's surface was used up.
+    SurfaceCrushed,
+    /// The projectile went through the wall of the orbit.
+    ThroughBone,
+    /// The projectile is narrower than the distance between two nodes of the shell.
+    ObjectUnresolved,
+    /// The projectile is lighter than a node that it hits.
+    ObjectLight,
+    /// The orbit's rim met the projectile.
+    RimStops,
+    /// The projectile never touched the eye.
+    EyeMissed,
+    /// The blow comes at an angle at which a turned axis is no good picture of an orbit.
+    AngleBeyondTrust,
+    /// The projectile touched the eye, or still flew at it, when the window ended.
+    ContactCut,
+}
+
+impl FlagKind {
+    /// Name as used in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MeshFolded => "mesh_folded",
+            Self::MeshNearlyFolded => "mesh_nearly_folded",
+            Self::FinerMeshFolds => "finer_mesh_folds",
+            Self::EnergyImbalance => "energy_imbalance",
+            Self::NotPredictable => "not_predictable",
+            Self::Unconverged => "unconverged",
+            Self::LostInRounding => "lost_in_rounding",
+            Self::WindowShort => "window_short",
+            Self::PulseCut => "pulse_cut",
+            Self::ArcUnresolved => "arc_unresolved",
+            Self::BoneShields => "bone_shields",
+            Self::DeepPenetration => "deep_penetration",
+            Self::ObjectFlattened => "object_flattened",
+            Self::SurfaceCrushed => "surface_crushed",
+            Self::ThroughBone => "through_bone",
+            Self::ObjectLight => "object_light",
+            Self::ObjectUnresolved => "object_unresolved",
+            Self::RimStops => "rim_stops",
+            Self::EyeMissed => "eye_missed",
+            Self::AngleBeyondTrust => "angle_beyond_trust",
+            Self::ContactCut => "contact_cut",
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! The flags of one run as they are raised, and the words of those that both eyes have.
+
+use crate::answer::quantity::Quantity;
+use crate::models::compiled::Element;
+use crate::models::paper::eye::mesh::Region;
+use crate::run::flags::{Flag, FlagKind};
+use crate::run::fold::Fold;
+
+/// An energy residual above this share of what came in is an alarm.
+pub(crate) const ENERGY_ALARM: f64 = 0.01;
+/// A step error above this many percent is called unconverged.
+const UNCONVERGED_PERCENT: f64 = 10.0;
+/// Two runs of a folded mesh that differ by more than this many percent predict nothing.
+const UNPREDICTABLE_PERCENT: f64 = 5.0;
+/// Nearer to the middle of the globe than this, in m, there is no front or back.
+const MIDDLE_M: f64 = 3e-3;
+
+/// Flags, collected.
+#[derive(Debug, Default)]
+pub(crate) struct Raised(Vec<Flag>);
+
+/// What a run says of its motion, whichever eye it moved.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Motion {
+    /// How its mesh folded.
+    pub fold: Option<Fold>,
+    /// What its quads are called.
+    pub element: Element,
+    /// By how much its energies miss, as a share of what came in.
+    pub energy_residual: f64,
+    /// Where there was a second run.
+    pub two_runs: Option<TwoRuns>,
+}
+
+/// What two runs with different steps say.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TwoRuns {
+    /// The largest step error of a result that is listed, in %.
+    pub worst: Option<(Quantity, f64)>,
+    /// The largest difference of a leading result, in %.
+    pub disagreement: f64,
+}
+
+impl Raised {
+    /// All of them.
+    pub fn flags(self) -> Vec<Flag> {
+        self.0
+    }
+
+    /// Raises a flag of what happened at no certain time.
+    pub fn raise(&mut self, kind: FlagKind, message: impl Into<String>) {
+        self.push(kind, message.into(), None);
+    }
+
+    /// Raises a flag of what happened at `time`, in s.
+    pub fn raise_at(&mut self, time: f64, kind: FlagKind, message: impl Into<String>) {
+        self.push(kind, message.into(), Some(time));
+    }
+
+    fn push(&mut self, kind: FlagKind, message: String, time: Option<f64>) {
+        self.0.push(Flag {
+            kind,
+            message,
+            detail: None,
+            time,
+        });
+    }
+
+    /// Those of the motion: whether the mesh folded, the energies add up and the step is short enough.
+    pub fn motion(&mut self, motion: &Motion) {
+        let split = |runs: &TwoRuns| {
+            runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan()
+        };
+        let unpredictable = motion.two_runs.filter(split).zip(motion.fold);
+        if let Some(fold) = &motion.fold {
+            self.folded(fold, motion.element);
+        }
+        if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
+            self.raise_at(
+                fold.since,
+                FlagKind::NotPredictable,
+                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
+            );
+        }
+        if motion.energy_residual > ENERGY_ALARM {
+            let percent = 100.0 * motion.energy_residual;
+            self.raise(
+                FlagKind::EnergyImbalance,
+                format!("the energies miss what came in by {percent:.2} %"),
+            );
+        }
+        // Where two solutions part for good, no step is small enough.
+        let runs = motion.two_runs.filter(|_| unpredictable.is_none());
+        if let Some((of, error)) = runs.and_then(|runs| runs.worst)
+            && (error > UNCONVERGED_PERCENT || error.is_nan())
+        {
+            self.raise(
+                FlagKind::Unconverged,
+                format!(
+                    "the step error of {} is {error:.0} %, the largest",
+                    of.label()
+                ),
+            );
+        }
+    }
+
+    fn folded(&mut self, fold: &Fold, element: Element) {
+        let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
+        let (count, all, what) = (fold.quads, fold.of, element.quads());
+        let length = if fold.stays {
+            "to the end".to_owned()
+        } else {
+            format!("for {lasted:.3} ms")
+        };
+        self.0.push(Flag {
+            kind: FlagKind::MeshFolded,
+            message: format!(
+                "mesh folded at {at:.3} ms, {length}: {count} of {all} {what}; beyond the model's validity"
+            ),
+            detail: Some(format!(
+                "the first {}; folded for {lasted:.3} ms in all, {}",
+                place(fold),
+                if fold.stays {
+                    "and still at the end"
+                } else {
+                    "and open again at the end"
+                }
+            )),
+            time: Some(fold.since),
+        });
+    }
+
+    /// A window that ends before the pulse; both in s.
+    pub fn pulse_cut(&mut self, window: f64, pulse: f64) {
+        let lasts = pulse * 1e3;
+        self.raise_at(
+            window,
+            FlagKind::PulseCut,
+            format!("the window ends before the pulse, which lasts {lasts} ms"),
+        );
+    }
+
+    /// A window, in s, that ends while the projectile touches the eye or flies at it.
+    pub fn contact_cut(&mut self, window: f64) {
+        self.raise_at(
+            window,
+            FlagKind::ContactCut,
+            "the window ended before the projectile had left the eye",
+        );
+    }
+
+    /// A window, in s, that ends too early for a result, of which it is said how.
+    pub fn window_short(&mut self, window: f64, how: impl Into<String>) {
+        self.raise_at(window, FlagKind::WindowShort, how);
+    }
+
+    /// A projectile that met a rim, which is named, at `time`, in s, with a force in N where it is known.
+    pub fn rim_stops(&mut self, rim: &str, time: f64, force: Option<f64>) {
+        let force = force.map_or_else(String::new, |force| format!(", with {force:.1e} N"));
+        let at = time * 1e3;
+        self.raise_at(
+            time,
+            FlagKind::RimStops,
+            format!("{rim} met the projectile at {at:.3} ms{force}"),
+        );
+    }
+
+    /// A projectile that a rim caught before it came to the eye.
+    pub fn rim_kept_it_off(&mut self, rim: &str) {
+        self.raise(
+            FlagKind::EyeMissed,
+            format!("{rim} kept the projectile off the eye"),
+        );
+    }
+}
+
+/// Where a mesh began to fold, in words and figures.
+fn place(fold: &Fold) -> String {
+    let angle = fold.front_angle().to_degrees();
+    let radius = fold.radius() * 1e3;
+    let part = match fold.part {
+        Region::Lens => "in the lens",
+        Region::Fat | Region::Orbit => "outside the globe",
+        Region::Interior | Region::Shell | Region::Retina => "inside the globe",
+    };
+    if fold.radius() < MIDDLE_M {
+        return format!("{part}, {radius:.1} mm from its middle");
+    }
+    let direction = match angle.abs() {
+        a if a < 30.0 => "by the front",
+        a if a < 60.0 => "between front and equator",
+        a if a <= 120.0 => "by the equator",
+        a if a <= 150.0 => "between equator and back",
+        _ => "by the back",
+    };
+    // On the axis there is rounding.
+    let side = match (fold.both_sides, angle) {
+        (true, _) => " on both sides",
+        (false, a) if a > 0.5 => " up",
+        (false, a) if a < -0.5 => " down",
+        _ => "",
+    };
+    format!(
+        "{direction}, {part}: {:.0} degrees{side} from the front, {radius:.1} mm from the globe's middle",
+        angle.abs()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Point2;
+
+    fn fold(x: f64, y: f64, stays: bool) -> Fold {
+        Fold {
+            since: 1e-4,
+            lasted: 2e-5,
+            stays,
+            quads: 3,
+            of: 193,
+            at: Point2::new(x, y),
+            part: Region::Interior,
+            both_sides: false,
+        }
+    }
+
+    fn said(fold: Fold) -> Vec<Flag> {
+        let mut raised = Raised::default();
+        raised.motion(&Motion {
+            fold: Some(fold),
+            element: Element::Spring,
+            energy_residual: 0.0,
+            two_runs: None,
+        });
+        raised.flags()
+    }
+
+    #[test]
+    fn a_fold_says_how_many_where_since_when_and_for_how_long() {
+        let stays = &said(fold(-10e-3, 1e-3, true))[0];
+        assert_eq!(
+            stays.message,
+            "mesh folded at 0.100 ms, to the end: 3 of 193 quads; beyond the model's validity"
+        );
+        assert_eq!(
+            stays.detail.as_deref(),
+            Some(
+                "the first by the front, inside the globe: 6 degrees up from the front, 10.0 mm from \
+                 the globe's middle; folded for 0.020 ms in all, and still at the end"
+            )
+        );
+        assert!(stays.whole().starts_with(&stays.message));
+        let instant = &said(fold(-10e-3, 1e-3, false))[0];
+        assert!(instant.message.contains("at 0.100 ms, for 0.020 ms: 3 of"));
+        assert!(instant.whole().ends_with("open again at the end"));
+    }
+
+    #[test]
+    fn a_place_is_named_as_a_person_would() {
+        let near = |x, y| place(&fold(x, y, true));
+        assert!(near(0.0, -11e-3).starts_with("by the equator, inside the globe: 90 degrees down"));
+        assert!(near(11e-3, 0.0).starts_with("by the back"));
+        assert_eq!(near(-1e-3, 0.0), "inside the globe, 1.0 mm from its middle");
+        let lens = Fold {
+            part: Region::Lens,
+            both_sides: true,
+            ..fold(-8e-3, 6e-3, true)
+        };
+        assert!(
+            place(&lens).starts_with("between front and equator, in the lens: 37 degrees on both")
+        );
+    }
+}
