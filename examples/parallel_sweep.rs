@@ -3,9 +3,9 @@
 //! Every run is deterministic, so the table is the same on any number of threads.
 
 use contrecoup::Error;
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{ForcePulse, Impact, Scenario};
 use rayon::prelude::*;

@@ -4,7 +4,8 @@
 //! difference between two machines is how their C libraries round sines; `.ci/elsewhere` compares.
 
 use contrecoup::Error;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::library;
 

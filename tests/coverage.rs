@@ -6,8 +6,8 @@
 
 #![cfg(feature = "app")]
 
-use contrecoup::answer::quantity::Quantity;
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::verify::coverage::{Drawn, MAX_SCENES, check, coverage, misses};
 use std::ops::ControlFlow;
 use std::sync::Mutex;

@@ -7,9 +7,9 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;

@@ -4,7 +4,8 @@
 //! It took the share of a spring that lies in the lens from samples, so its lens differs a little.
 
 use contrecoup::injury::DamageIndex;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::load::parse;
 use contrecoup::scenario::{ForcePulse, Impact, Lens, PulseShape, Scenario};

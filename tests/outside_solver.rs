@@ -5,14 +5,16 @@
 //! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
+use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::eye::Eye;
-use contrecoup::models::paper::eye::mesh::Region;
+use contrecoup::run::places::Region;
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::paper::forces::load::Piece;
+use contrecoup::models::pulse::Piece;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::models::paper::time::march::{Observer, march};
+use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};

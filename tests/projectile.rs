@@ -1,11 +1,12 @@
 //! Projectiles: contact against closed forms, balance, no tunnelling, honest errors.
 
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
+use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::forces::contact::{Body, Contact};
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::paper::forces::load::Piece;
+use contrecoup::models::pulse::Piece;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::recording::shot::ShotExtremes;

@@ -2,7 +2,7 @@
 //! form with a step of 50 ns, level 1, window 3 ms.
 
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::flags::FlagKind;
 use contrecoup::run::kept::{Keep, Spacing};
 use contrecoup::scenario::Integrator;

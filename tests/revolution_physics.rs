@@ -376,7 +376,7 @@ fn a_scene_is_computed_for_what_it_has_alone() {
         assert_eq!(run.cell_evaluations, cells * (run.steps + 1));
         (cells, run.contact_evaluations)
     };
-    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse::default());
+    let pulse = contrecoup::models::pulse::Pulse::new(&ForcePulse::default());
     let pulse = Blow::Pulse(pulse, 20f64.to_radians());
     let shot = Blow::Object(ball(0.345, 4.5, 60.0));
     // A pulse meets nothing, and a free eye has nothing around it.
@@ -434,7 +434,7 @@ fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
 #[test]
 fn a_pulse_gives_the_eye_its_work_and_balances() {
     let eye = eye(1, Some(Surround::orbit()));
-    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse {
+    let pulse = contrecoup::models::pulse::Pulse::new(&ForcePulse {
         force_n: 100.0,
         duration_ms: 0.2,
         ..ForcePulse::default()

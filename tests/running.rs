@@ -6,7 +6,7 @@ mod common;
 
 use common::{json, program};
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::run::flags::FlagKind;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::library;

@@ -1,17 +1,21 @@
 //! The stated stability limits against the spectral radius of one step of a damped oscillator.
 
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
+use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::eye::landmarks::Landmarks;
-use contrecoup::models::paper::eye::mesh::{Node, Region};
+use contrecoup::models::paper::eye::mesh::Node;
+use contrecoup::run::places::Region;
 use contrecoup::models::paper::eye::springs::{Spring, SpringKind};
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::paper::forces::load::{ArcLoad, Piece, Pulse};
+use contrecoup::models::paper::forces::load::ArcLoad;
+use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, Plan, march};
+use contrecoup::models::paper::time::march::{Observer, march};
+use contrecoup::run::plan::Plan;
 use contrecoup::models::paper::time::method::Drag;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::Integrator;

@@ -8,7 +8,7 @@ mod support;
 use std::time::Duration;
 
 use contrecoup::answer::solve::Answer;
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::Scenario;
 use contrecoup::tui::model::{Look, Model, Overlay};
 use contrecoup::tui::prepare;

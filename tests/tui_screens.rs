@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use contrecoup::answer::solve::Answer;
 use contrecoup::many::threshold::{Crossing, Threshold};
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Scenario;
 use contrecoup::tui::model::{Model, Overlay};
 use contrecoup::tui::picker::Picker;

@@ -9,9 +9,11 @@
 use crate::answer::mesh_error::{OnMesh, at_level};
 use crate::answer::results::Results;
 use crate::many::statistics::median;
-use crate::models::compiled::{Compiled, Element};
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use crate::answer::compiled::Compiled;
+use crate::run::rules::Element;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
 use crate::scenario::Integrator;
 use crate::scenario::{CheckedScenario, Scenario};
@@ -278,7 +280,7 @@ fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     /// The watch stops it at its first word beyond `limit`, and hears nothing after that.
     #[test]

@@ -5,8 +5,6 @@
 //! model's validity it is another than where it did not, so the result may jump there.
 
 use crate::injury::{Blow, Computed, Injury, Measures, Risk, Validity, Verdict, assess, verdict};
-use crate::models::left::Left;
-use crate::run::raised::ENERGY_ALARM;
 use crate::scenario::{Impact, Model, Scenario, Species, TRUSTED_ANGLE_DEG};
 
 /// What risks rest on beside what a run left.
@@ -68,11 +66,6 @@ impl Scene {
         let verdict = verdict(injury, &assess(measures), &validity);
         verdict.believed().next().copied()
     }
-}
-
-/// Whether a run left the model's validity, as the flags of folds and energies say.
-pub(crate) fn is_spoiled(left: &Left) -> bool {
-    left.folded_at().is_some() || left.energy_residual() > ENERGY_ALARM
 }
 
 /// How far from a crossing an end of its range is looked for, as a ratio.

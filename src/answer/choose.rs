@@ -6,12 +6,13 @@
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_by};
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use crate::answer::compiled::Compiled;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
 use crate::run::rules::{Automatic, share_for};
 use crate::scenario::Integrator;
@@ -199,7 +200,7 @@ fn meet(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {

@@ -12,9 +12,11 @@
 
 use crate::answer::results::Results;
 use crate::answer::solve::solve_by;
-use crate::models::compiled::{Compiled, Ran};
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::Plan;
+use crate::answer::compiled::Compiled;
+use crate::run::model::Run as Ran;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+use crate::run::plan::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::run::rules::{LONGEST_SHARE, share_for};
@@ -186,7 +188,7 @@ fn shortening(plan: &Plan, promise: f64, error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn both_checks_shorten_the_step_until_the_promise_is_kept() {

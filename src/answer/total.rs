@@ -11,12 +11,13 @@
 
 use crate::answer::accuracy::{REFERENCE_OF_TOTALS, is_affordable};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, finest, witnesses};
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::many::statistics::median;
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use crate::answer::compiled::Compiled;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
 use crate::scenario::{CheckedScenario, Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
@@ -372,7 +373,7 @@ pub fn measure(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn a_measurement_goes_on_where_it_was_stopped_and_finer_levels_are_more_exact() {

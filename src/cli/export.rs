@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::answer::course::write_traces;
+use crate::run::course::write_traces;
 use crate::answer::solve::{Answer, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ExportArgs, interrupt};
 use crate::models::axisymmetric::case::RevolutionCase;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::models::paper::eye::mesh::side_at_level;
 use crate::plain_text::printable;
 use crate::run::export::FrameWriter;

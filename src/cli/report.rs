@@ -7,7 +7,7 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ReportArgs};
 use crate::many::comparison::compare;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
 use crate::report::page::{Form, keep, write};

@@ -6,7 +6,7 @@
 //! Left out: how sure the quantiles themselves are.
 
 use crate::answer::point::Point;
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::many::ensemble::{Ensemble, PILOT, Sample};
 use crate::many::spreads::Input;
 use crate::many::statistics::{quantile, rank_correlation};

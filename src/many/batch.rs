@@ -5,8 +5,9 @@
 //! order, so the results are the same bits for any number of threads.
 
 use crate::answer::results::Results;
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Refusal, unwatched};
+use crate::answer::compiled::Compiled;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::run::kept::Keep;
 use crate::scenario::CheckedScenario;
 use rayon::prelude::*;

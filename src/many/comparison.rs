@@ -7,10 +7,10 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering as Memory};
 
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::{Answer, solve};
 use crate::many::ordered;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::run::kept::Keep;
 use crate::scenario::CheckedScenario;
 
@@ -101,7 +101,7 @@ pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
             .filter_map(|entry| entry.outcome.as_ref().ok())
     };
     let worth = |of: Quantity| {
-        let is_believed = matches!(of.row().read, crate::answer::quantity::Read::Believed(_));
+        let is_believed = matches!(of.row().read, crate::run::quantity::Read::Believed(_));
         answers().any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);

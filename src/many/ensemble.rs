@@ -16,13 +16,13 @@
 
 use crate::answer::believed::Scene;
 use crate::answer::point::{Point, compared, promise_percent, single};
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::injury::Standing;
 use crate::many::ordered;
 use crate::many::spreads::{Input, SLOPE, inputs};
 use crate::many::statistics::median;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -16,14 +16,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::answer::believed::{Scene, reaches};
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::point::single;
-use crate::answer::quantity::{Quantity, Read};
+use crate::run::quantity::{Quantity, Read};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::injury::{Blow, Caution, Measures, Risk};
 use crate::many::ordered;
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::run::flags::Flag;
 use crate::run::kept::Keep;
 use crate::scenario::Scenario;
@@ -536,7 +536,7 @@ mod tests {
         let answer = solve(
             &there,
             Keep::default(),
-            &mut crate::models::paper::case::unwatched,
+            &mut crate::run::watch::unwatched,
         )
         .unwrap();
         let apex = answer.results()[Quantity::Apex].unwrap();

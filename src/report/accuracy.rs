@@ -1,10 +1,10 @@
 //! The work-precision report as text and as JSON.
 
 use crate::answer::accuracy::{Accuracy, Level, Point, TARGETS};
-use crate::answer::quantity::Quantity;
-use crate::models::compiled::Element;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
 use crate::models::paper::forces::kernel::name as kernel_name;
-use crate::models::paper::time::march::Plan;
+use crate::run::plan::Plan;
 use crate::plain_text::printable;
 use crate::report::errors::{leading, of_damage};
 use crate::report::json::{by_result, evaluations};

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Blow, Caution, lines};
 use crate::many::comparison::Entry;

@@ -1,6 +1,6 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::injury::{Blow, Caution};
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;

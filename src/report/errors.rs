@@ -1,7 +1,7 @@
 //! How an error is said, on every page and screen alike: that of the damage index, and the largest of a
 //! leading result with the name of that result.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::report::text::percent;
 

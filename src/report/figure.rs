@@ -6,9 +6,10 @@
 
 use std::fmt;
 
-use crate::answer::course::{Beside, Course, Group};
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::course::{Beside, Course};
+use crate::run::trace::Group;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::injury::share;

@@ -1,24 +1,25 @@
 //! Results as one JSON object. The names are a contract.
 //!
-//! A result stands under the key of its row in [`crate::answer::quantity`], which is the same in sweeps,
+//! A result stands under the key of its row in [`crate::run::quantity`], which is the same in sweeps,
 //! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`. In
 //! this version, and not in the next, `results` also holds the names of the version before:
 //! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
 //! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
 
 use crate::answer::mesh_error::{Limit, Limits};
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Cut, Errors};
-use crate::models::compiled::{Compiled, Element};
+use crate::answer::compiled::Compiled;
+use crate::run::rules::Element;
 use crate::models::left::Left;
 use crate::models::paper::case::Case;
-use crate::models::paper::eye::landmarks::Monitor;
+use crate::run::places::Monitor;
 use crate::models::paper::forces::kernel::name as kernel_name;
 use crate::models::paper::forces::scene::SceneKind;
 use crate::models::paper::recording::Extremes;
 use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
-use crate::models::paper::time::march::Cost;
+use crate::run::plan::Cost;
 use crate::report::revolution;
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;

@@ -1,7 +1,7 @@
 //! What finer meshes tend to, in one wording for every page and screen.
 
 use crate::answer::mesh_error::Limit;
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{digits, significant};

@@ -1,6 +1,6 @@
 //! What an answer of the eye of revolution says beside its results, as text and as JSON.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::models::axisymmetric::case::RevolutionCase;
 use crate::models::axisymmetric::recording::results::Extremes;

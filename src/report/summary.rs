@@ -1,6 +1,6 @@
 //! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::plain_text::printable;
@@ -41,7 +41,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
 
     #[test]

@@ -1,6 +1,6 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::injury::Caution;
 use crate::many::sweep::{Row, Sweep};
 use crate::scenario::fields;

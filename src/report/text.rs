@@ -8,10 +8,10 @@ use crate::report::limit;
 use crate::report::revolution;
 use unicode_width::UnicodeWidthStr;
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
-use crate::models::compiled::Compiled;
+use crate::answer::compiled::Compiled;
 use crate::models::left::Left;
 use crate::models::paper::recording::Extremes;
 use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};

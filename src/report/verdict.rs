@@ -1,7 +1,7 @@
 //! The answer first: one line an injury, in text and as JSON.
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::injury::{AT_LEAST, Curve, Injury, Part, Risk, Verdict, curve_of, lines, span};
 use serde_json::{Value, json};
@@ -132,7 +132,7 @@ pub fn json(verdicts: &[Verdict]) -> Value {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
     use crate::scenario::library;
     use crate::scenario::set::set;

@@ -1,6 +1,6 @@
 //! Frames as CSV, units in the header.
 
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::run::kept::Frame;
 use std::io::Write;
 

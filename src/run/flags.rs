@@ -3,6 +3,9 @@
 //! `raised` collects them and words those that both eyes have; `section` raises those of a section, and
 //! [`crate::study::revolution`] those of the other eye.
 
+/// A peak in the last share of a window may not have been the last word.
+pub(crate) const END: f64 = 0.999;
+
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flag {

@@ -1,10 +1,11 @@
 //! The flags of one run as they are raised, and the words of those that both eyes have.
 
-use crate::answer::quantity::Quantity;
-use crate::models::compiled::Element;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
+use crate::run::places::Region;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::fold::Fold;
+use crate::run::model::Run;
 
 /// An energy residual above this share of what came in is an alarm.
 pub(crate) const ENERGY_ALARM: f64 = 0.01;
@@ -18,19 +19,6 @@ const MIDDLE_M: f64 = 3e-3;
 /// Flags, collected.
 #[derive(Debug, Default)]
 pub(crate) struct Raised(Vec<Flag>);
-
-/// What a run says of its motion, whichever eye it moved.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Motion {
-    /// How its mesh folded.
-    pub fold: Option<Fold>,
-    /// What its quads are called.
-    pub element: Element,
-    /// By how much its energies miss, as a share of what came in.
-    pub energy_residual: f64,
-    /// Where there was a second run.
-    pub two_runs: Option<TwoRuns>,
-}
 
 /// What two runs with different steps say.
 #[derive(Debug, Clone, Copy)]
@@ -66,47 +54,9 @@ impl Raised {
         });
     }
 
-    /// Those of the motion: whether the mesh folded, the energies add up and the step is short enough.
-    pub fn motion(&mut self, motion: &Motion) {
-        let split = |runs: &TwoRuns| {
-            runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan()
-        };
-        let unpredictable = motion.two_runs.filter(split).zip(motion.fold);
-        if let Some(fold) = &motion.fold {
-            self.folded(fold, motion.element);
-        }
-        if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
-            self.raise_at(
-                fold.since,
-                FlagKind::NotPredictable,
-                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
-            );
-        }
-        if motion.energy_residual > ENERGY_ALARM {
-            let percent = 100.0 * motion.energy_residual;
-            self.raise(
-                FlagKind::EnergyImbalance,
-                format!("the energies miss what came in by {percent:.2} %"),
-            );
-        }
-        // Where two solutions part for good, no step is small enough.
-        let runs = motion.two_runs.filter(|_| unpredictable.is_none());
-        if let Some((of, error)) = runs.and_then(|runs| runs.worst)
-            && (error > UNCONVERGED_PERCENT || error.is_nan())
-        {
-            self.raise(
-                FlagKind::Unconverged,
-                format!(
-                    "the step error of {} is {error:.0} %, the largest",
-                    of.label()
-                ),
-            );
-        }
-    }
-
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
-        let (count, all, what) = (fold.quads, fold.of, element.quads());
+        let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
         let length = if fold.stays {
             "to the end".to_owned()
         } else {
@@ -174,6 +124,47 @@ impl Raised {
     }
 }
 
+/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a second
+/// run, the step is short enough.
+pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
+    let mut raised = Raised::default();
+        let split = |runs: &TwoRuns| {
+            runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan()
+        };
+        let unpredictable = two_runs.filter(split).zip(run.fold);
+        if let Some(fold) = &run.fold {
+            raised.folded(fold, element);
+        }
+        if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
+            raised.raise_at(
+                fold.since,
+                FlagKind::NotPredictable,
+                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
+            );
+        }
+        if run.energy_residual > ENERGY_ALARM {
+            let percent = 100.0 * run.energy_residual;
+            raised.raise(
+                FlagKind::EnergyImbalance,
+                format!("the energies miss what came in by {percent:.2} %"),
+            );
+        }
+        // Where two solutions part for good, no step is small enough.
+        let runs = two_runs.filter(|_| unpredictable.is_none());
+        if let Some((of, error)) = runs.and_then(|runs| runs.worst)
+            && (error > UNCONVERGED_PERCENT || error.is_nan())
+        {
+            raised.raise(
+                FlagKind::Unconverged,
+                format!(
+                    "the step error of {} is {error:.0} %, the largest",
+                    of.label()
+                ),
+            );
+        }
+    raised.0
+}
+
 /// Where a mesh began to fold, in words and figures.
 fn place(fold: &Fold) -> String {
     let angle = fold.front_angle().to_degrees();
@@ -226,12 +217,7 @@ mod tests {
 
     fn said(fold: Fold) -> Vec<Flag> {
         let mut raised = Raised::default();
-        raised.motion(&Motion {
-            fold: Some(fold),
-            element: Element::Spring,
-            energy_residual: 0.0,
-            two_runs: None,
-        });
+        raised.folded(&fold, Element::Spring);
         raised.flags()
     }
 

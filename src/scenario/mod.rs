@@ -36,6 +36,9 @@ pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, 
 use curve_file::CurveFile;
 use serde::{Deserialize, Serialize};
 
+/// The finest mesh level of any model.
+pub const FINEST_LEVEL: u32 = 8;
+
 /// One blow to one eye: everything that a run depends on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -57,7 +60,7 @@ pub struct Scenario {
     #[serde(default)]
     pub numerics: NumericsInput,
     /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
-    /// the field. No single run changes by them; an [ensemble](crate::many::ensemble) draws from them.
+    /// the field. No single run changes by them; an ensemble draws from them.
     #[serde(
         default,
         deserialize_with = "doubt::once",

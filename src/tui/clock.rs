@@ -1,6 +1,6 @@
 //! The one clock that every picture follows.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::models::paper::recording::frames::nearest;
 use crate::report::figure::Figure;
@@ -235,7 +235,7 @@ pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Opt
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::{Keep, Spacing};
     use crate::scenario::CheckedScenario;
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::report::command::{arguments, line};
 use crate::report::page::html;
 use crate::report::summary;
@@ -153,7 +154,7 @@ pub(crate) fn copy(model: &mut Model) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::tui::simulation::Simulate;
     use crate::tui::update::driven::{asked, letter, opened};
     use crate::tui::update::{Message, begin, update};

@@ -6,11 +6,12 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::injury::Injury;
 use crate::many::threshold::{Crossing, Question, Threshold};
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::report::text::significant;
 use crate::scenario::fields::{Field, Kind};
 use crate::scenario::problem::plain;
@@ -259,7 +260,7 @@ pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
     use crate::scenario::fields;
     use crate::scenario::library::find;

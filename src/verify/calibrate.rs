@@ -9,7 +9,8 @@
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::{Model, Scenario};
 use crate::verify::experiments::{EXPERIMENTS, Experiment};
 use crate::verify::validate::{Row, readings, rows_of, squared_misfit};

@@ -6,12 +6,13 @@
 //! times as many steps in every segment of the load. A scene whose mesh folds promises nothing and is
 //! counted apart, and so is an object that goes through the eye, which is refused.
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::solve;
 use crate::many::statistics::median;
-use crate::models::paper::case::{Refusal, unwatched};
-use crate::models::paper::time::march::Plan;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::run::plan::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};

@@ -7,10 +7,12 @@
 
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_case};
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Case, Refusal, unwatched};
-use crate::models::paper::forces::load::Piece;
-use crate::models::paper::time::march::Plan;
+use crate::answer::compiled::Compiled;
+use crate::models::paper::case::Case;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::models::pulse::Piece;
+use crate::run::plan::Plan;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
 use crate::scenario::Integrator;

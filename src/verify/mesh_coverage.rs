@@ -5,8 +5,10 @@
 //! itself: it may be off by what fine levels scatter by.
 
 use crate::answer::mesh_error::OnMesh;
-use crate::answer::mesh_error::{FINEST_LEVEL, MeshError, at_level, witnesses};
-use crate::models::paper::case::{Refusal, unwatched};
+use crate::answer::mesh_error::{MeshError, at_level, witnesses};
+use crate::scenario::FINEST_LEVEL;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::verify::coverage::{Checked, Drawn, MAX_SCENES};
 use rayon::prelude::*;
 use std::ops::ControlFlow;

@@ -7,9 +7,10 @@
 
 use crate::answer::choose::{Ladder, within_by};
 use crate::answer::mesh_error::{at_level, witnesses};
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::many::statistics::median;
-use crate::models::paper::case::{Refusal, unwatched};
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::run::kept::Keep;
 use crate::verify::coverage::Drawn;
 use crate::verify::mesh_coverage::{reference, unfolded};

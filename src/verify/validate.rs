@@ -4,7 +4,8 @@
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
 use crate::answer::solve::{Answer, solve};
-use crate::models::paper::case::{Refusal, unwatched};
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::scenario::{Model, Physiological, Scenario};

@@ -5,7 +5,7 @@ use super::made_up;
 use std::sync::Arc;
 use std::time::Duration;
 
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::many::ensemble::Ensemble;
 use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::model::Model;

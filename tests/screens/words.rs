@@ -6,9 +6,9 @@ use super::drawn::{
     SIZES, cells, line_from, model, open_mapped, open_measured, open_sampled, picture, press,
     ticket,
 };
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::fields;
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::Model;

@@ -9,19 +9,19 @@
 use std::time::Duration;
 
 use contrecoup::answer::point::{Check, Point};
-use contrecoup::answer::quantity::Family;
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::run::quantity::Family;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
 use contrecoup::many::spreads::inputs;
 use contrecoup::models::axisymmetric as revolution;
-use contrecoup::models::compiled::Compiled;
+use contrecoup::answer::compiled::Compiled;
 use contrecoup::models::left::Left;
-use contrecoup::models::paper::eye::mesh::{GLOBE_RADIUS_M, Region};
+use contrecoup::run::places::{GLOBE_RADIUS_M, Region};
 use contrecoup::models::paper::recording::Extremes;
 use contrecoup::models::paper::recording::shot::ShotExtremes;
-use contrecoup::models::paper::time::march::{Cost, LOCAL_TOLERANCE, Plan};
+use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
 use contrecoup::run::flags::{Flag, FlagKind};
 use contrecoup::run::fold::Fold;
 use contrecoup::run::kept::{Frame, Peak, Traces};
@@ -420,6 +420,6 @@ pub fn grid(known: usize) -> Grid {
 }
 
 fn damage_only(damage: f64) -> contrecoup::answer::results::Results {
-    let own = |q| (q == contrecoup::answer::quantity::Quantity::Damage).then_some(damage);
-    contrecoup::answer::results::PerQuantity::from_fn(own)
+    let own = |q| (q == contrecoup::run::quantity::Quantity::Damage).then_some(damage);
+    contrecoup::run::readings::PerQuantity::from_fn(own)
 }

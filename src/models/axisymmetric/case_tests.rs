@@ -1,10 +1,11 @@
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::models::axisymmetric::case::RevolutionCase;
 use crate::models::left::Left;
-use crate::models::paper::case::{Refusal, unwatched};
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::scenario::set::set;
@@ -299,7 +300,8 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
 #[test]
 fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
     use crate::answer::accuracy::measure;
-    use crate::models::compiled::{Compiled, Element};
+    use crate::answer::compiled::Compiled;
+    use crate::run::rules::Element;
     let checked = short().check().unwrap();
     let report = measure(&checked, 2, &mut unwatched).unwrap();
     assert_eq!(report.element, Element::Cell);

@@ -1,31 +1,21 @@
 //! What a reader must know before trusting a result of the eye of revolution.
 
-use crate::answer::quantity::Quantity;
 use crate::models::axisymmetric::case::RevolutionCase;
 use crate::models::axisymmetric::recording::results::Extremes;
-use crate::models::compiled::Element;
-use crate::models::left::Left;
-use crate::run::flags::{Flag, FlagKind};
-use crate::run::raised::{Motion, Raised, TwoRuns};
+use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::quantity::Quantity;
+use crate::run::raised::Raised;
+use crate::run::readings::Readings;
 use crate::scenario::TRUSTED_ANGLE_DEG;
-
-/// A peak in the last share of the window may not have been the last word.
-pub(crate) const END: f64 = 0.999;
 
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
     case: &RevolutionCase,
     extremes: &Extremes,
+    readings: &Readings,
     simulated: f64,
-    two_runs: Option<TwoRuns>,
 ) -> Vec<Flag> {
     let mut raised = Raised::default();
-    raised.motion(&Motion {
-        fold: extremes.fold,
-        element: Element::Cell,
-        energy_residual: extremes.energy_residual,
-        two_runs,
-    });
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
         let angle = case.angle_deg;
         raised.raise(
@@ -52,12 +42,17 @@ pub(crate) fn raise(
             ),
         );
     }
-    window(case, extremes, simulated, &mut raised);
+    window(case, extremes, (readings, simulated), &mut raised);
     raised.flags()
 }
 
 /// Flags of a window that ends too early.
-fn window(case: &RevolutionCase, extremes: &Extremes, simulated: f64, raised: &mut Raised) {
+fn window(
+    case: &RevolutionCase,
+    extremes: &Extremes,
+    (readings, simulated): (&Readings, f64),
+    raised: &mut Raised,
+) {
     if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
         raised.pulse_cut(case.window, pulse);
         return;
@@ -66,7 +61,7 @@ fn window(case: &RevolutionCase, extremes: &Extremes, simulated: f64, raised: &m
         raised.contact_cut(case.window);
     }
     let late = Quantity::ALL.iter().find(|of| {
-        let peak = of.peak(&Left::Revolution(*extremes));
+        let peak = readings.peak(**of);
         peak.is_some_and(|peak| peak.time > END * simulated)
     });
     if let Some(of) = late {

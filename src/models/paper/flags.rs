@@ -1,8 +1,8 @@
 //! Flags of a section.
 
-use crate::models::compiled::Element;
+use crate::run::rules::Element;
 use crate::models::paper::case::Case;
-use crate::models::paper::eye::mesh::GLOBE_RADIUS_M;
+use crate::run::places::GLOBE_RADIUS_M;
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::recording::Extremes;
 use crate::models::paper::recording::shot::ShotExtremes;
@@ -153,10 +153,10 @@ fn of_shot(shot: &ShotExtremes, window: f64, spacing: f64, raised: &mut Raised) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::quantity::Quantity;
+    use crate::run::quantity::Quantity;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
-    use crate::models::paper::eye::mesh::Region;
+    use crate::run::watch::unwatched;
+    use crate::run::places::Region;
     use crate::run::fold::Fold;
     use crate::run::kept::Keep;
     use crate::scenario::CheckedScenario;

@@ -4,13 +4,15 @@
 
 use std::ops::ControlFlow;
 
-use crate::models::paper::case::{Case, Refusal};
+use crate::models::paper::case::Case;
+use crate::run::refusal::Refusal;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Piece;
+use crate::models::pulse::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::frames::FrameTaker;
-use crate::models::paper::time::march::{Observer, Plan, march};
+use crate::models::paper::time::march::{Observer, march};
+use crate::run::plan::Plan;
 use crate::run::kept::{Frame, Spacing};
 
 struct Stream<'a> {
@@ -75,7 +77,7 @@ pub(crate) fn frames(
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
     use crate::scenario::library::find;
 

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use crate::answer::course::{Beside, Course, Group};
-use crate::answer::quantity::Quantity;
+use crate::run::course::{Beside, Course};
+use crate::run::trace::Group;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
 use crate::report::text::significant;
@@ -163,7 +164,7 @@ fn curve(answer: &Answer, course: Course) -> Option<Curve> {
 
 /// What drives the eye, and the forces of the monitored nodes.
 pub fn forces(answer: &Answer) -> Chart {
-    let nodes = crate::answer::course::COURSES.iter().copied();
+    let nodes = crate::run::course::COURSES.iter().copied();
     let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
     let courses = [Course::Beside(Beside::Drive)].into_iter().chain(nodes);
     Chart {

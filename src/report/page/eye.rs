@@ -8,11 +8,11 @@ use std::fmt::Write;
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::Entry;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::models::paper::recording::frames::nearest;
 use crate::plain_text::printable;
 use crate::report::page::{FRAMES, spacing};
@@ -241,7 +241,7 @@ pub fn pictures(entries: &[Entry]) -> String {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::scenario::library::find;
 
     #[test]

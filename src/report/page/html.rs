@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::many::comparison::{Entry, columns};
-use crate::models::paper::case::Watch;
+use crate::run::watch::Watch;
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::many::comparison::{Entry, columns};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};

@@ -14,12 +14,12 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::injury::{Verdict, lines};
 use crate::many::comparison::Entry;
-use crate::models::paper::case::unwatched;
+use crate::run::watch::unwatched;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_word};
 use crate::report::text::{capital, percent};

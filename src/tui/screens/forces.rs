@@ -3,7 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{COURSES, Course, Group};
+use crate::run::course::{COURSES, Course};
+use crate::run::trace::Group;
 use crate::report::figure::at_a_moment;
 use crate::run::kept::Traces;
 use crate::tui::clock::peak_said;

@@ -3,9 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{Beside, COURSES, Course, Group};
-use crate::answer::quantity::Quantity;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::course::{Beside, COURSES, Course};
+use crate::run::trace::Group;
+use crate::run::quantity::Quantity;
+use crate::run::places::Region;
 use crate::report::figure::at_a_moment;
 use crate::report::text::significant;
 use crate::tui::clock::{Colouring, peak_said};

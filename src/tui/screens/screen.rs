@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::Course;
+use crate::run::course::Course;
 use crate::answer::solve::Answer;
 use crate::tui::keys::{KeyTable, TimeKeys};
 use crate::tui::model::{Model, Shown};

@@ -1,6 +1,6 @@
 //! What keys and the wheel do to the clock that every picture follows.
 
-use crate::answer::course::Course;
+use crate::run::course::Course;
 use crate::tui::clock::Moment;
 use crate::tui::model::Model;
 use crate::tui::step::Step;

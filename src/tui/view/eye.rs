@@ -8,9 +8,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::models::paper::recording::frames::nearest;
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::Frame;

@@ -4,7 +4,7 @@
 use ratatui::style::{Color, Modifier, Style};
 
 use crate::injury::gravity;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::tui::model::Look;
 use crate::tui::terminal::caps::Depth;
 use crate::tui::view::palette::Role;

@@ -47,7 +47,7 @@ impl<C: Cells> Motion<'_, C> {
         let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
         e.shortening.offer(shape.shortening, time);
         e.equator_growth.offer(shape.equator_growth, time);
-        e.meridian_growth
+        e.shell_growth
             .offer(now.shell.length / self.shell.rest_length - 1.0, time);
         e.apex.offer(shape.apex, time);
         e.lens.offer(shape.lens, time);

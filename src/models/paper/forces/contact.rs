@@ -26,7 +26,7 @@
 //! the orbit; and the third dimension, in which a ball is no rod. Rim and bone are rigid and fixed.
 
 use crate::models::paper::eye::cross;
-use crate::models::paper::eye::mesh::ORBIT_RADIUS_M;
+use crate::run::places::ORBIT_RADIUS_M;
 use crate::models::paper::forces::object_spring::ObjectSpring;
 use crate::scenario::{Projectile, ProjectileStiffness};
 use nalgebra::{Point2, Vector2};

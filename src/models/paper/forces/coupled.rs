@@ -4,14 +4,14 @@
 //! scene with one moves the whole eye: the row kernel computes the springs, the contact adds its
 //! accelerations, and [`crate::models::paper::time::verlet`] makes the steps.
 //!
-//! Its work is counted, see [`crate::models::paper::time::march::Cost`].
+//! Its work is counted, see [`crate::run::plan::Cost`].
 
 use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::mesh::GLOBE_RADIUS_M;
+use crate::run::places::GLOBE_RADIUS_M;
 use crate::models::paper::forces::contact::{Body, Contact, Touch};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::{LANES, System};
-use crate::models::paper::time::march::Cost;
+use crate::run::plan::Cost;
 use crate::scenario::{Impact, Scenario};
 use nalgebra::{Point2, Vector2};
 

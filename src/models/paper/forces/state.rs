@@ -4,7 +4,7 @@ use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::coupled::{Coupled, Readings};
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Piece;
+use crate::models::pulse::Piece;
 use crate::models::paper::forces::system::{LANES, Place, System};
 use nalgebra::{Point2, Vector2};
 

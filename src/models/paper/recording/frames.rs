@@ -4,7 +4,7 @@
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
 use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::load::Piece;
+use crate::models::pulse::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::Path;

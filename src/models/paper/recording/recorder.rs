@@ -2,9 +2,10 @@
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::hats::Hat;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::{ArcLoad, Piece};
+use crate::models::paper::forces::load::ArcLoad;
+use crate::models::pulse::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::NodeForce;

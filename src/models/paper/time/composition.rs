@@ -10,10 +10,10 @@
 
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
-use crate::models::paper::forces::load::Segment;
+use crate::models::pulse::Segment;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::march::Cost;
+use crate::run::plan::Cost;
 use crate::models::paper::time::method::Drag;
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
 

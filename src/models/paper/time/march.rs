@@ -4,7 +4,7 @@
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::{Piece, Pulse, Segment};
+use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::time::stepper::stepper;
@@ -24,45 +24,6 @@ pub trait Observer {
     fn satisfied(&self) -> bool {
         false
     }
-}
-
-/// How to move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plan {
-    /// The method.
-    pub integrator: Integrator,
-    /// Longest step, in s.
-    pub step: f64,
-    /// Simulated time, in s.
-    pub window: f64,
-    /// Multiplies the number of steps of every segment, 1 or more.
-    pub multiple: f64,
-    /// Local error allowed a step in the energy norm, for integrators that choose their steps.
-    pub local_tolerance: f64,
-}
-
-/// The local tolerance unless another is asked for.
-pub const LOCAL_TOLERANCE: f64 = 1e-5;
-
-/// What a march cost.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Cost {
-    /// Steps taken.
-    pub steps: usize,
-    /// Force evaluations.
-    pub evaluations: usize,
-    /// Segments tested against a projectile.
-    pub contact_tests: usize,
-}
-
-/// A march that could not be finished.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("the motion is no longer finite at {:.6} ms (step {step}): the step is unstable", time * 1e3)]
-pub struct Diverged {
-    /// Simulated time, in s.
-    pub time: f64,
-    /// Number of the step.
-    pub step: usize,
 }
 
 impl Plan {

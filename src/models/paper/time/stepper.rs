@@ -1,10 +1,10 @@
 //! What makes the steps of a march.
 
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Segment;
+use crate::models::pulse::Segment;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::march::{Cost, Plan};
+use crate::run::plan::{Cost, Plan};
 use crate::models::paper::time::verlet::SubsteppedVerlet;
 
 /// Makes the steps of one march, segment by segment, without allocating.

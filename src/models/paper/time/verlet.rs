@@ -15,11 +15,11 @@
 use crate::models::paper::forces::coupled::{Coupled, Workspace};
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Segment;
+use crate::models::pulse::Segment;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::{LANES, System};
 use crate::models::paper::time::composition::exact_reach;
-use crate::models::paper::time::march::Cost;
+use crate::run::plan::Cost;
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
 
 /// Share of its radius that a projectile may fly within a step.

@@ -6,9 +6,10 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::total::{Total, Totals, finest_tried, measure};
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::report::text::{percent, significant};
 use crate::scenario::{NumericsInput, Scenario};
 use crate::tui::step::Step;

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::answer::total::{ROUNDS, Total, Totals};
 use crate::report::text::{percent, significant};
 use crate::scenario::Integrator;

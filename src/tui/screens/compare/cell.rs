@@ -1,7 +1,7 @@
 //! A cell of the table: a value with as many digits as its error allows, and that error below it.
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};

@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use crate::answer::course::{Beside, Course};
+use crate::run::course::{Beside, Course};
 use crate::answer::mesh_error::MeshError;
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::many::comparison::order;
 use crate::report;
@@ -335,7 +335,7 @@ impl Comparison {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
     use crate::scenario::library;
 

@@ -8,10 +8,11 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use crate::answer::course::Course;
+use crate::run::course::Course;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::Answer;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::plain_text::quoted;
 use crate::run::kept::Traces;
 use crate::scenario::Scenario;

@@ -2,8 +2,8 @@
 
 mod view;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::injury::Verdict;
 use crate::many::ensemble::Ensemble;
 use crate::report::verdict::is_void;
@@ -68,7 +68,8 @@ fn go(model: &mut Model, by: isize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::{Refusal, unwatched};
+    use crate::run::refusal::Refusal;
+    use crate::run::watch::unwatched;
     use crate::scenario::Scenario;
     use crate::tui::ensemble::{FEW, RunSamples};
     use crate::tui::keys::live;

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::report::ensemble::{distribution, hundredths};

@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{Beside, Course};
-use crate::answer::quantity::Quantity;
+use crate::run::course::{Beside, Course};
+use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
 use crate::run::kept::Peak;

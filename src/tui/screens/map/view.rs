@@ -10,8 +10,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::run::quantity::Quantity;
+use crate::run::quantity::Read;
 use crate::injury::{Blow, Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
