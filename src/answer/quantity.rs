@@ -336,7 +336,6 @@ impl Quantity {
                 rounding: FORCE_ROUNDING,
                 leads: Leads::Always,
                 scatter: within(0.1, 0.3),
-                read: Read::Peak(|e| Some(e.shot?.force)),
                 revolution: ReadRevolution::Peak(|e| e.rebound.map(|_| e.mean_force)),
                 trace: Some(Trace {
                     spark: true,

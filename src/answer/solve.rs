@@ -23,9 +23,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A shorter step helped if it brought the error below this share of the one before.
-const HELPED: f64 = 0.8;
-
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
@@ -252,7 +249,7 @@ pub(crate) fn solve_case(
         let share = match measured(&case, &plan, keep, watch) {
             Ok(solved) => {
                 let before = best.as_ref().map(|(_, solved)| solved);
-                let share = shorter(&case, &plan, &solved, before);
+                let share = shorter(&case, &plan, &solved);
                 // Where the mesh folded, a shorter step need not be the better one.
                 if before.is_none_or(|before| solved.is_better_than(before, rule.balance_percent)) {
                     best = Some((plan, solved));
@@ -278,26 +275,15 @@ pub(crate) fn solve_case(
     Ok(answer)
 }
 
-/// The share of its step that a run should have taken; none if it was good enough.
-///
-/// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
-/// runs before.
-fn shorter(
-    case: &Compiled,
-    plan: &Plan,
-    solved: &Measured,
-    before: Option<&Measured>,
-) -> Option<f64> {
+/// The share of its step that a run should have taken; none if it was good enough, or if the mesh
+/// folded, where no step helps.
+fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step_percent();
-    let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
     let folded = solved.ran.left.folded_at().is_some();
     let rule = &case.rules().refinement;
     if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
-    } else if folded {
-        let worth = rule.folded_percent.is_some_and(|most| error > most);
-        (worth && helped).then_some(0.5)
-    } else if error > rule.error_percent {
+    } else if !folded && error > rule.error_percent {
         let share = share_for(rule.error_percent, error, case.order(plan.integrator));
         Some((0.8 * share).clamp(0.5, 0.8))
     } else {
@@ -365,7 +351,7 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     let results = case.results(&ran.left);
     let difference = case.results(&second?.left).difference_percent(&results);
     let disagreement = difference.headline();
-    let mut time_step = stated(case, plan, &results, (&difference, factor));
+    let mut time_step = stated(case, &results, (&difference, factor));
     if ran.left.missed() {
         // All of an eye that is not hit is exactly 0, but not how the object flies on.
         let exact = |of| results[of] == Some(0.0);

@@ -8,7 +8,7 @@ use crate::models::paper::case::Case;
 use crate::models::paper::case::Moved;
 use crate::models::paper::forces::load::Pulse;
 use crate::models::paper::time::march::Plan;
-use crate::run::rules::{Estimate, Floor, LONGEST_SHARE};
+use crate::run::rules::{Estimate, LONGEST_SHARE};
 
 /// The smallest ratio, over all segments, of the steps of `more` to those of `fewer`.
 fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
@@ -73,22 +73,15 @@ fn of_section(case: &Case, plan: &Plan) -> (Plan, f64) {
     }
 }
 
-/// What is stated of `results` of a run by `plan` whose second run differs by `difference` %, of which `factor`
+/// What is stated of `results` of a run whose second run differs by `difference` %, of which `factor`
 /// makes the estimate: no less than the floor and than rounding, and raised where it is small by chance.
 pub(crate) fn stated(
     case: &Compiled,
-    plan: &Plan,
     results: &Results,
     (difference, factor): (&Results, f64),
 ) -> Results {
     let estimate = &case.rules().estimate;
-    let floor = match estimate.floor {
-        Floor::Percent(percent) => percent,
-        Floor::PercentAtLimit(percent) => {
-            let step = plan.step / plan.multiple;
-            percent * step / case.step_limit(plan.integrator)
-        }
-    };
+    let floor = estimate.floor_percent;
     let (family, share) = estimate.family;
     difference
         .map(|_, difference| difference.map(|d| factor * d + floor))

@@ -45,7 +45,6 @@ fn next(kind: FlagKind, paper: bool) -> Option<&'static str> {
         FlagKind::EnergyImbalance if paper => Some("try a shorter step"),
         // A soft face that is pressed in deeper than its edge is round has no normal to push along.
         FlagKind::EnergyImbalance => Some("try a rounder edge, a harder surface or a shorter step"),
-        FlagKind::ThroughBone => Some("take the model Physiological, or a slower object"),
         FlagKind::AngleBeyondTrust => Some("turn the blow nearer to the front"),
         _ => None,
     }

@@ -55,7 +55,7 @@ impl Left {
     /// Whether a projectile never touched the eye.
     pub fn missed(&self) -> bool {
         match self {
-            Self::Section(extremes) => extremes.missed(),
+            Self::Section(_) => false,
             Self::Revolution(extremes) => extremes.missed(),
         }
     }

@@ -3,8 +3,7 @@
 //! A result stands under the key of its row in [`crate::answer::quantity`], which is the same in sweeps,
 //! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`. In
 //! this version, and not in the next, `results` also holds the names of the version before:
-//! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
-//! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
+//! `apex_time_ms`, `peak_force_n` and `peak_time_ms`.
 
 use crate::answer::mesh_error::{Limit, Limits};
 use crate::answer::quantity::Quantity;
@@ -15,10 +14,7 @@ use crate::models::left::Left;
 use crate::models::paper::case::Case;
 use crate::models::paper::eye::landmarks::Monitor;
 use crate::models::paper::forces::kernel::name as kernel_name;
-use crate::models::paper::forces::scene::SceneKind;
 use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
-use crate::models::paper::time::march::Cost;
 use crate::report::revolution;
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;
@@ -151,7 +147,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
     match (&answer.case, &answer.left) {
         (Compiled::Section(case), Left::Section(extremes)) => {
-            add_section(case, extremes, &answer.cost, &mut object);
+            add_section(case, extremes, &mut object);
         }
         (Compiled::Revolution(case), Left::Revolution(extremes)) => {
             revolution::add_json(case, extremes, &mut object);
@@ -166,12 +162,8 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
 }
 
 /// Adds what only an answer of a section has.
-fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value) {
-    let numerics = &mut object["numerics"];
-    numerics["mirrored"] = case.system.mirrored().into();
-    if case.system.kind() != SceneKind::Springs {
-        numerics["contact_tests"] = cost.contact_tests.into();
-    }
+fn add_section(case: &Case, extremes: &Extremes, object: &mut Value) {
+    object["numerics"]["mirrored"] = case.system.mirrored().into();
     let results = &mut object["results"];
     results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
     results["shielded_percent"] = json!(case.load.shielded * 1e2);
@@ -179,26 +171,4 @@ fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value
     results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
     results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
     results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
-    if let Some(shot) = &extremes.shot {
-        results["projectile"] = projectile(shot);
-    }
-}
-
-fn projectile(shot: &ShotExtremes) -> Value {
-    json!({
-        "peak_contact_force_n": shot.force.value,
-        "peak_contact_time_ms": shot.force.time * 1e3,
-        "contact_force_mean_over_us": MEAN_S * 1e6,
-        "first_contact_ms": shot.contact.map(|(first, _)| first * 1e3),
-        "last_contact_ms": shot.contact.map(|(_, last)| last * 1e3),
-        "contact_time_ms": shot.contact.map(|(first, last)| (last - first) * 1e3),
-        "rebound_speed_m_s": shot.velocity.norm(),
-        "rebound_speed_back_along_path_m_s": shot.rebound_speed,
-        "energy_given_up_j": shot.energy,
-        "energy_before_j": shot.energy_before,
-        "travel_mm": shot.travel.value * 1e3,
-        "penetration_percent": shot.penetration_share * 1e2,
-        "squeezed_percent": shot.squeezed_share * 1e2,
-        "rim_met_ms": shot.rim_at.map(|t| t * 1e3),
-    })
 }

@@ -14,10 +14,9 @@ use crate::answer::solve::{Answer, Errors};
 use crate::models::compiled::Compiled;
 use crate::models::left::Left;
 use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
 use crate::plain_text::printable;
 use crate::run::flags::Flag;
-use crate::scenario::{Impact, Model, Projectile, Scenario};
+use crate::scenario::{Model, Projectile, Scenario};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -109,7 +108,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     for &quantity in Quantity::ALL.iter().filter(listed) {
         if let (Some(peak), Some(figure)) = (answer.peak(quantity), Figure::of(answer, quantity)) {
             let remark = match &answer.left {
-                Left::Section(_) => remark(quantity),
+                Left::Section(_) => String::new(),
                 Left::Revolution(extremes) => revolution::remark(quantity, extremes),
             };
             let when = format!("at {:.3} ms{remark}", peak.time * 1e3);
@@ -118,7 +117,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     }
     signs(answer, out)?;
     match &answer.left {
-        Left::Section(extremes) => beside(scenario, extremes, out)?,
+        Left::Section(extremes) => beside(extremes, out)?,
         Left::Revolution(extremes) => revolution::beside(scenario, answer, extremes, out)?,
     }
     crate::report::injury::text(&answer.risks(), out)?;
@@ -134,17 +133,13 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
 }
 
 /// What a section leaves that is no result.
-fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::Result<()> {
+fn beside(extremes: &Extremes, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "Spring strain      {:>9} %  at {:.4} ms, the largest",
         significant(extremes.strain.value * 1e2),
         extremes.strain.time * 1e3
-    )?;
-    if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
-        projectile(shot, input, out)?;
-    }
-    Ok(())
+    )
 }
 
 /// A row of a result: its name, the figure, and what else is to be said.
@@ -201,70 +196,6 @@ pub fn capital(label: &str) -> String {
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()
     })
-}
-
-/// What a reader should know of a peak beside its value.
-fn remark(quantity: Quantity) -> String {
-    let contact = format!(", mean of {:.0} us", MEAN_S * 1e6);
-    match quantity {
-        // A mass point hit at speed answers with its own mass: tissue at 0.001 kPa gives the same force.
-        Quantity::Contact => {
-            contact
-                + ";
-  of a light fast object it is that of the two nodes it meets, not of tissue"
-        }
-        _ => String::new(),
-    }
-}
-
-fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
-    if let Some((first, last)) = shot.contact {
-        writeln!(
-            out,
-            "Contact time       {:>9} ms, from {:.4} to {:.4} ms",
-            significant((last - first) * 1e3),
-            first * 1e3,
-            last * 1e3
-        )?;
-    }
-    let (way, back) = if shot.rebound_speed < 0.0 {
-        ("Goes on at", "on along")
-    } else {
-        ("Rebound speed", "back along")
-    };
-    let speed = shot.velocity.norm();
-    // A blow aslant or beside the middle turns the object.
-    let along = if shot.rebound_speed.abs() < 0.99 * speed {
-        let part = significant(shot.rebound_speed.abs());
-        format!(", {part} of it {back} its path")
-    } else {
-        String::new()
-    };
-    writeln!(
-        out,
-        "{way:<18} {:>9} m/s of {} m/s{along}",
-        significant(speed),
-        input.speed_m_s
-    )?;
-    writeln!(
-        out,
-        "Energy given up    {:>9} J  of {} J",
-        significant(shot.energy),
-        significant(shot.energy_before)
-    )?;
-    writeln!(
-        out,
-        "Penetration        {:>9} %  of the diameter, the largest (error of contact)",
-        significant(shot.penetration_share * 1e2)
-    )?;
-    if shot.squeezed_share > 0.0 {
-        writeln!(
-            out,
-            "Squeezed           {:>9} %  of its diameter, the most",
-            significant(shot.squeezed_share * 1e2)
-        )?;
-    }
-    unverified(input, out)
 }
 
 /// Names the figures of an object that come from no source that was checked.

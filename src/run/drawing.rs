@@ -182,7 +182,6 @@ fn of_section(case: &Case) -> Drawing {
     let shell = &eye.landmarks.shell;
     let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
     let next = shell.iter().cycle().skip(1);
-    let contact = case.system.coupled().map(|c| c.contact);
     Drawing {
         nodes: eye.nodes.iter().enumerate().map(node).collect(),
         lines: eye.springs.iter().filter_map(line).collect(),
@@ -197,10 +196,7 @@ fn of_section(case: &Case) -> Drawing {
         cells: Vec::new(),
         reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
         along: None,
-        object: contact.map(|contact| Object {
-            outline: Outline::Sphere(contact.radius),
-            direction: contact.direction,
-        }),
+        object: None,
     }
 }
 

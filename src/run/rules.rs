@@ -10,7 +10,6 @@
 
 use crate::answer::quantity::Family;
 use crate::models::axisymmetric::time::run::STEP_SHARE;
-use crate::models::paper::forces::scene::SceneKind;
 use crate::scenario::Integrator;
 
 /// The largest share of its stability limit that any run takes on its own account: the limit is of a
@@ -56,20 +55,11 @@ pub(crate) struct Estimate {
     pub order: Option<i32>,
     /// Multiplies the estimate.
     pub safety: f64,
-    /// No result is claimed to be better than this.
-    pub floor: Floor,
+    /// No result is claimed to be better than this, in %.
+    pub floor_percent: f64,
     /// Two runs may give the same peak by chance though neither is right. Results of this family come
     /// from the same motion, so none is claimed to be better than this share of the worst of them.
     pub family: (Family, f64),
-}
-
-/// The least error that is stated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Floor {
-    /// In %.
-    Percent(f64),
-    /// In % at the stability limit, and in proportion to a shorter step.
-    PercentAtLimit(f64),
 }
 
 /// When an automatic step is shortened, and how often.
@@ -79,20 +69,8 @@ pub(crate) struct Refinement {
     pub error_percent: f64,
     /// Largest energy residual that is, folded or not, in %.
     pub balance_percent: f64,
-    /// Largest step error that is where the mesh folded, in %; none where no step helps then.
-    pub folded_percent: Option<f64>,
     /// How often, at most to a half each time.
     pub attempts: usize,
-}
-
-impl Rules {
-    /// The rules of a kind of scene.
-    pub fn of(kind: SceneKind) -> &'static Self {
-        match kind {
-            SceneKind::Springs => &SPRINGS,
-            SceneKind::Contact => &CONTACT,
-        }
-    }
 }
 
 /// The share of a step that should bring an `error` that falls with `order` to `target`.
@@ -100,7 +78,8 @@ pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
 }
 
-static SPRINGS: Rules = Rules {
+/// Springs in a section under a pulse.
+pub(crate) static SPRINGS: Rules = Rules {
     integrators: Integrator::ALL,
     // The share leaves room for a second, coarser run below the limit.
     answer: Automatic {
@@ -125,7 +104,7 @@ static SPRINGS: Rules = Rules {
         // each result and are 5 to 9 times the true ones in the median.
         safety: 5.5,
         // Rounding and the search for peaks end here.
-        floor: Floor::Percent(1e-6),
+        floor_percent: 1e-6,
         // The same waves pass the three nodes of the shell. The force at the centre is far smoother,
         // and really is better.
         family: (Family::ShellForces, 0.03),
@@ -141,42 +120,8 @@ const PROMISE_PERCENT: f64 = 0.1;
 const REFINEMENT: Refinement = Refinement {
     error_percent: 1.0,
     balance_percent: 0.5,
-    folded_percent: None,
     // A person waits, and what is left is flagged.
     attempts: 4,
-};
-
-static CONTACT: Rules = Rules {
-    // The others ask for forces that depend on positions alone, or for smooth ones.
-    integrators: &[Integrator::VelocityVerlet],
-    // Of second order, so its steps stay far below the limit.
-    answer: CONTACT_ANSWER,
-    alone: CONTACT_ANSWER,
-    reference: Integrator::VelocityVerlet,
-    may_lengthen: false,
-    promise_percent: PROMISE_PERCENT,
-    estimate: Estimate {
-        ratio: 2.0,
-        // A contact's force has a kink at touch and sends out sharp waves.
-        order: Some(1),
-        // Order two is mostly seen, so the worst stated error is mostly several times the true one.
-        safety: 3.0,
-        // Where within a step the contact begins and ends is chance, which two runs may share. At a
-        // share of 0.3 it was seen to be worth 0.01 to 0.2 %.
-        floor: Floor::PercentAtLimit(1.0),
-        // All results but the node forces come from the same motion.
-        family: (Family::Motion, 0.2),
-    },
-    refinement: Refinement {
-        // Results of a mesh that folds under an object scatter anyway.
-        folded_percent: Some(3.0),
-        ..REFINEMENT
-    },
-};
-
-const CONTACT_ANSWER: Automatic = Automatic {
-    integrator: Integrator::VelocityVerlet,
-    share: 0.3,
 };
 
 /// The eye of revolution. Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its
@@ -196,7 +141,7 @@ pub(crate) static REVOLUTION: Rules = Rules {
         // Peaks of contact are less regular than that.
         safety: 2.0,
         // Each step is chosen by the state, so results are not smooth to the last digit.
-        floor: Floor::Percent(0.05),
+        floor_percent: 0.05,
         family: (Family::Motion, 0.1),
     },
     refinement: REFINEMENT,

@@ -5,10 +5,8 @@ use crate::answer::results::Results;
 use crate::models::axisymmetric as revolution;
 use crate::models::left::Left;
 use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::coupled::Coupled;
 use crate::models::paper::forces::kernel::Survey;
 use crate::models::paper::forces::load::{ArcLoad, Piece, Pulse};
-use crate::models::paper::forces::scene::SceneKind;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::recorder::Recorder;
@@ -16,7 +14,7 @@ use crate::models::paper::recording::{Extremes, Recording};
 use crate::models::paper::time::march::{Cost, Diverged, LOCAL_TOLERANCE, Observer, Plan, march};
 use crate::models::paper::time::stability;
 use crate::run::kept::Keep;
-use crate::run::rules::{Automatic, Rules};
+use crate::run::rules::{Automatic, Rules, SPRINGS};
 use crate::scenario::Integrator;
 use crate::scenario::problem::{ScenarioError, plain};
 use crate::scenario::{CheckedScenario, Impact, Scenario};
@@ -46,8 +44,8 @@ pub enum Refusal {
     },
     /// The asked integrator cannot solve such a scene.
     #[error(
-        "numerics.integrator: {integrator} does not solve such a scene (a projectile, or the \
-         Physiological model): allowed Auto, {allowed}"
+        "numerics.integrator: {integrator} does not solve the Physiological model: \
+         allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.
@@ -213,7 +211,7 @@ pub(crate) trait Moved {
 
 impl Moved for Case {
     fn rules(&self) -> &'static Rules {
-        Rules::of(self.system.kind())
+        &SPRINGS
     }
 
     fn step_limit(&self, integrator: Integrator) -> f64 {
@@ -254,14 +252,11 @@ impl Case {
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
         let eye = Eye::build(&scenario.eye);
-        let (pulse, load) = match &scenario.impact {
-            Impact::ForcePulse(pulse) => (Pulse::new(pulse), ArcLoad::new(pulse, &eye)),
-            Impact::Projectile(_) => (Pulse::none(), ArcLoad::none()),
+        let Impact::ForcePulse(pulse) = &scenario.impact else {
+            unreachable!("no checked scenario has an object at the Paper model");
         };
-        let whole = whole || SceneKind::of(scenario).needs_whole_eye();
-        let system = System::new(&eye, pulse, &load, whole, portable);
-        let coupled = Coupled::new(scenario, &eye, &system);
-        let system = system.with(coupled);
+        let load = ArcLoad::new(pulse, &eye);
+        let system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
         Self {
             start: State::at_rest(&system),
             scene: Scene::of(scenario),

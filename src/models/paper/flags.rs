@@ -2,23 +2,13 @@
 
 use crate::models::compiled::Element;
 use crate::models::paper::case::Case;
-use crate::models::paper::eye::mesh::GLOBE_RADIUS_M;
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::ShotExtremes;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::raised::{Motion, Raised, TwoRuns};
 
 /// Quads smaller than this share of their rest area are worth a warning.
 const NEARLY_FOLDED: f64 = 0.2;
-/// A penetration above this share of the diameter is an alarm.
-const DEEP: f64 = 0.02;
-
-/// A soft object squeezed by more than this share of the diameter is no linear spring.
-const FLATTENED: f64 = 0.5;
-
-/// What catches an object.
-const RIM: &str = "the orbit's rim";
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
@@ -71,9 +61,6 @@ pub(crate) fn raise(evidence: &Evidence) -> Vec<Flag> {
         );
     }
     of_load(&case.load, spacing, &mut raised);
-    if let Some(shot) = &extremes.shot {
-        of_shot(shot, window, spacing, &mut raised);
-    }
     raised.flags()
 }
 
@@ -96,57 +83,6 @@ fn of_load(load: &ArcLoad, spacing: f64, raised: &mut Raised) {
             FlagKind::BoneShields,
             format!("bone shields {percent:.1} % of the arc: the whole force acts on the rest"),
         );
-    }
-}
-
-/// Flags of a projectile.
-fn of_shot(shot: &ShotExtremes, window: f64, spacing: f64, raised: &mut Raised) {
-    if shot.penetration_share > DEEP {
-        let percent = 100.0 * shot.penetration_share;
-        raised.raise(
-            FlagKind::DeepPenetration,
-            format!("the projectile went {percent:.1} % of its diameter into what it hit"),
-        );
-    }
-    if shot.squeezed_share > FLATTENED {
-        let percent = 100.0 * shot.squeezed_share;
-        raised.raise(
-            FlagKind::ObjectFlattened,
-            format!("the projectile was squeezed by {percent:.0} % of its diameter: beyond a linear spring"),
-        );
-    }
-    if let Some(time) = shot.through_bone_at {
-        let at = time * 1e3;
-        raised.raise_at(
-            time,
-            FlagKind::ThroughBone,
-            format!(
-                "the projectile passed the wall of the orbit at {at:.3} ms: bone is left out there"
-            ),
-        );
-    }
-    let between_nodes = spacing * GLOBE_RADIUS_M;
-    if shot.diameter < between_nodes && shot.contact.is_some() {
-        let millimetres = between_nodes * 1e3;
-        raised.raise(
-            FlagKind::ObjectUnresolved,
-            format!("the projectile is narrower than the {millimetres:.2} mm between two nodes of the shell"),
-        );
-    }
-    if shot.light && shot.contact.is_some() {
-        raised.raise(
-            FlagKind::ObjectLight,
-            "the projectile is lighter than a node: rebound and contact depend on the mesh",
-        );
-    }
-    if let Some(time) = shot.rim_at {
-        raised.rim_stops(RIM, time, None);
-    }
-    match (shot.contact, shot.rim_at) {
-        (None, Some(_)) => raised.rim_kept_it_off(RIM),
-        (None, None) => raised.raise(FlagKind::EyeMissed, "the projectile never touched the eye"),
-        (Some(_), _) if shot.touching || shot.going_on => raised.contact_cut(window),
-        _ => {}
     }
 }
 

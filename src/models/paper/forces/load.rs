@@ -106,16 +106,6 @@ impl Pulse {
         }
     }
 
-    /// No force at any time, where something else acts.
-    pub fn none() -> Self {
-        Self {
-            force: 0.0,
-            duration: 0.0,
-            shape: PulseShape::HalfSine,
-            lines: Arc::default(),
-        }
-    }
-
     /// Time from the start of the blow to the last force, in s.
     pub fn duration(&self) -> f64 {
         self.duration
@@ -211,16 +201,6 @@ pub struct ArcLoad {
 }
 
 impl ArcLoad {
-    /// No load on any arc.
-    pub fn none() -> Self {
-        Self {
-            shares: Vec::new(),
-            direction: Vector2::x(),
-            shielded: 0.0,
-            arc: (0.0, 0.0),
-        }
-    }
-
     /// Spreads a force over the arc that `input` asks for.
     pub fn new(input: &ForcePulse, eye: &Eye) -> Self {
         let theta = input.angle_deg.to_radians();

@@ -11,7 +11,6 @@ use crate::models::paper::recording::dense::NodeForce;
 use crate::models::paper::recording::frames::FrameTaker;
 use crate::models::paper::recording::lengths::{Growth, Kind, Point};
 use crate::models::paper::recording::settling::{Bend, Bounds, ShellBound};
-use crate::models::paper::recording::shot::ShotWatch;
 use crate::models::paper::recording::{Extremes, Recording};
 use crate::models::paper::time::march::Observer;
 use crate::run::fold::FoldWatch;
@@ -117,10 +116,6 @@ pub struct Recorder {
     every_row: usize,
     steps: usize,
     frames: Option<FrameTaker>,
-    shot: ShotWatch,
-    /// Whether the proofs of [`crate::models::paper::recording::settling`] and the search within steps hold: not with a
-    /// projectile, of which they know nothing.
-    provable: bool,
 }
 
 impl Recorder {
@@ -191,8 +186,6 @@ impl Recorder {
                 .frames
                 .map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
-            shot: ShotWatch::new(system),
-            provable: system.kind().bounded_by_energy(),
         }
     }
 
@@ -218,7 +211,6 @@ impl Recorder {
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
-        self.shot.look(state);
         if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
@@ -236,14 +228,6 @@ impl Recorder {
             rows.elastic.push(survey.elastic);
             rows.dissipated.push(state.dissipated);
             rows.work.push(state.work);
-            let readings = &state.readings;
-            if let Some(force) = self.shot.contact_force() {
-                rows.contact_force.push(force);
-                for axis in 0..2 {
-                    rows.projectile[axis].push(readings.body.position[axis]);
-                    rows.projectile_velocity[axis].push(readings.body.velocity[axis]);
-                }
-            }
         }
     }
 
@@ -266,7 +250,7 @@ impl Recorder {
     /// Whether nothing that is recorded can change before the end of the window. Traces and frames
     /// change to the very end.
     pub fn settled(&self) -> bool {
-        if !self.provable || self.loaded || self.rows.is_some() || self.frames.is_some() {
+        if self.loaded || self.rows.is_some() || self.frames.is_some() {
             return false;
         }
         let left = self.window - self.before.time;
@@ -290,8 +274,7 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
-        let open = self.provable && (self.loaded || !self.forces_are_final(0.0));
-        let shot = self.shot.finish();
+        let open = self.loaded || !self.forces_are_final(0.0);
         let mut extremes = Extremes {
             force: self.forces,
             apex: self.apex.peak,
@@ -307,15 +290,12 @@ impl Recorder {
             } else {
                 0.0
             },
-            lost_in_rounding: shot.is_none()
-                && state.work != 0.0
-                && self.most_energy <= LOST * self.rounding,
+            lost_in_rounding: state.work != 0.0 && self.most_energy <= LOST * self.rounding,
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,
-            shot,
         };
         let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;
-        if extremes.missed() || untouched || extremes.lost_in_rounding {
+        if untouched || extremes.lost_in_rounding {
             extremes.forget_rounding();
         }
         Recording {
@@ -352,7 +332,7 @@ impl Observer for Recorder {
             .zip(before.into_iter().zip(self.last_forces))
         {
             let ends = f64::max(earlier, now);
-            if !self.provable || ends < FAR * peak.value {
+            if ends < FAR * peak.value {
                 continue;
             }
             let guess = monitor.guess(system, &self.before, state).max(ends);
@@ -362,7 +342,7 @@ impl Observer for Recorder {
                 peak.offer(found.value, found.time);
             }
         }
-        if self.provable && !self.loaded && !self.surveyed_shell {
+        if !self.loaded && !self.surveyed_shell {
             self.bend = self.shell.bend(system, state);
         }
         if let Some(frames) = &mut self.frames {

@@ -7,7 +7,6 @@ use crate::models::paper::forces::kernel::Survey;
 use crate::models::paper::forces::load::{Piece, Pulse, Segment};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::stepper::stepper;
 use crate::scenario::Integrator;
 
 /// Steps that a segment is given at least, under load and after it, so that a short pulse and its
@@ -51,8 +50,6 @@ pub struct Cost {
     pub steps: usize,
     /// Force evaluations.
     pub evaluations: usize,
-    /// Segments tested against a projectile.
-    pub contact_tests: usize,
 }
 
 /// A march that could not be finished.
@@ -129,7 +126,7 @@ pub fn march(
     state: &mut State,
     observer: &mut impl Observer,
 ) -> Result<Cost, Diverged> {
-    let mut stepper = stepper(system, plan);
+    let mut stepper = plan.integrator.method().stepper(system, plan);
     let mut cost = Cost::default();
     for segment in system.load().pulse.segments(plan.window) {
         let survey = stepper.begin(state, &segment, plan.steps_in(&segment), &mut cost);

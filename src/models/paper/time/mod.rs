@@ -6,4 +6,3 @@ pub mod method;
 pub mod runge_kutta;
 pub mod stability;
 pub mod stepper;
-pub mod verlet;
