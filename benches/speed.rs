@@ -7,17 +7,17 @@ use contrecoup::answer::solve::solve;
 use contrecoup::many::batch::{solve_all, solve_one};
 use contrecoup::many::statistics::median;
 use contrecoup::models::paper::case::Case;
-use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::forces::kernel::{
     Survey, name as kernel_name, vector_sets, vectors_name,
 };
-use contrecoup::models::pulse::Piece;
 use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::models::pulse::Piece;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
 use std::hint::black_box;

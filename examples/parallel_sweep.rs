@@ -3,10 +3,10 @@
 //! Every run is deterministic, so the table is the same on any number of threads.
 
 use contrecoup::Error;
-use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::{ForcePulse, Impact, Scenario};
 use rayon::prelude::*;
 

@@ -5,8 +5,8 @@
 
 use contrecoup::Error;
 use contrecoup::models::paper::case::Case;
-use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::library;
 
 fn main() -> Result<(), Error> {

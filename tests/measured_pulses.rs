@@ -7,10 +7,10 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Scenario};

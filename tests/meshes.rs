@@ -5,8 +5,8 @@
 
 use contrecoup::injury::DamageIndex;
 use contrecoup::models::paper::case::Case;
-use contrecoup::run::watch::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::load::parse;
 use contrecoup::scenario::{ForcePulse, Impact, Lens, PulseShape, Scenario};
 

@@ -6,16 +6,16 @@
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
 use contrecoup::models::paper::case::Case;
-use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::eye::Eye;
-use contrecoup::run::places::Region;
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::pulse::Piece;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::models::pulse::Piece;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::places::Region;
+use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};
 use differential_equations::prelude::*;

@@ -2,9 +2,9 @@
 //! form with a step of 50 ns, level 1, window 3 ms.
 
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::run::watch::unwatched;
 use contrecoup::run::flags::FlagKind;
 use contrecoup::run::kept::{Keep, Spacing};
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{ForcePulse, Impact, PulseShape, Scenario};
 
@@ -118,15 +118,15 @@ fn agrees(row: &Row, answer: &Answer) {
         "apex",
     );
     printed(extremes.apex.time * 1e3, row.apex.1, 1e-3, "apex time");
-    printed(answer.index.shell_growth, row.shell, 1e-3, "S");
-    printed(answer.index.meridian_growth, row.meridian, 1e-3, "M");
+    printed(answer.index().shell_growth, row.shell, 1e-3, "S");
+    printed(answer.index().meridian_growth, row.meridian, 1e-3, "M");
     printed(
-        answer.index.energy,
+        answer.index().energy,
         row.energy,
         unit(row.energy).max(1e-4),
         "E",
     );
-    printed(answer.index.damage(), row.damage, 1e-2, "damage");
+    printed(answer.index().damage(), row.damage, 1e-2, "damage");
     for (found, wanted) in extremes.force.iter().zip(row.peaks) {
         let relative = (found.value / wanted - 1.0).abs();
         assert!(relative < 1e-3, "peak {} for {wanted}", found.value);
@@ -238,7 +238,7 @@ fn the_front_node_shows_the_papers_two_peaks() {
         frames: None,
     };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-    let traces = answer.traces.unwrap();
+    let traces = answer.run.traces.unwrap();
     let largest = |from: f64, to: f64| {
         traces
             .time
@@ -295,7 +295,7 @@ fn a_mesh_that_opens_again_is_told_from_one_that_stays_folded() {
         // By the front, where the blow falls, and a few of many quads.
         assert!(fold.front_angle().abs() < 0.5 && fold.radius() < 12e-3);
         assert!(fold.quads > 0 && fold.quads < fold.of / 5);
-        let open = answer.simulated - fold.since - fold.lasted;
+        let open = answer.run.simulated - fold.since - fold.lasted;
         assert_eq!(open.abs() > 1e-12, !stays, "{open}");
         let flag = &answer.flags[0];
         assert_eq!(flag.kind, FlagKind::MeshFolded);
@@ -318,7 +318,7 @@ fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
         assert!(answer.results().present().all(|(_, value)| value == 0.0));
         tiny.impact = scenario(&head_on(1e-5, 0.2)).impact;
         let answer = self::answer(&tiny);
-        assert!(answer.flags.is_empty() && answer.index.damage() > 0.0);
+        assert!(answer.flags.is_empty() && answer.index().damage() > 0.0);
     }
 }
 

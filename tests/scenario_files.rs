@@ -183,7 +183,7 @@ fn keep_rules(scenario: &mut Scenario) {
         match &mut scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
-                (shot.angle_deg, shot.offset_mm) = (0.5 * shot.angle_deg, 0.0);
+                shot.angle_deg *= 0.5;
                 shot.speed_m_s = shot.speed_m_s.min(FASTEST_M_S);
                 shot.mass_g *= (0.999 * MOST_ENERGY_J / shot.energy_j()).min(1.0);
                 if let Outline::Cylinder { edge_mm } = &mut shot.outline {

@@ -1,23 +1,23 @@
 //! The stated stability limits against the spectral radius of one step of a damped oscillator.
 
-use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::solve;
 use contrecoup::models::paper::case::Case;
-use contrecoup::run::watch::unwatched;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::eye::landmarks::Landmarks;
 use contrecoup::models::paper::eye::mesh::Node;
-use contrecoup::run::places::Region;
 use contrecoup::models::paper::eye::springs::{Spring, SpringKind};
 use contrecoup::models::paper::forces::kernel::Survey;
 use contrecoup::models::paper::forces::load::ArcLoad;
-use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::run::plan::Plan;
 use contrecoup::models::paper::time::method::Drag;
+use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::run::kept::Keep;
+use contrecoup::run::places::Region;
+use contrecoup::run::plan::Plan;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{ForcePulse, Scenario};
@@ -183,7 +183,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
             set(&mut scenario, path, value).unwrap();
         }
         let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-        assert!(answer.index.damage().is_finite() && answer.index.damage() < 100.0);
+        assert!(answer.index().damage().is_finite() && answer.index().damage() < 100.0);
         assert!(answer.errors.energy_balance < 1.0, "{settings:?}");
     }
 }
@@ -213,7 +213,7 @@ fn nothing_moves_without_force() {
     set(&mut scenario, "impact.force_n", "0").unwrap();
     let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     assert!(answer.flags.is_empty(), "{:?}", answer.flags);
-    assert!(answer.index.damage() < 1e-9);
+    assert!(answer.index().damage() < 1e-9);
     assert!(answer.errors.time_step_percent() < 1e-5);
 }
 

@@ -6,15 +6,15 @@
 //! other beats in both make the Pareto front of this work-precision diagram. Levels are compared with
 //! the finest one computed, which tells the mesh error.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::mesh_error::{OnMesh, at_level};
 use crate::answer::results::Results;
 use crate::many::statistics::median;
-use crate::answer::compiled::Compiled;
-use crate::run::rules::Element;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
-use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
+use crate::run::refusal::Refusal;
+use crate::run::rules::Element;
+use crate::run::watch::Watch;
 use crate::scenario::Integrator;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -130,7 +130,7 @@ fn plans(case: &Compiled) -> Vec<Plan> {
                 .filter(|p| is_affordable(case, p))
                 .collect();
             // In a short window several steps come to the same.
-            tried.dedup_by_key(|p| case.steps(p));
+            tried.dedup_by_key(|p| case.eye.steps(p));
             plans.extend(tried);
         }
     }
@@ -168,8 +168,8 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
         local_tolerance: LOCAL_TOLERANCE,
     };
     let solved = case.run(&reference, Keep::default(), &mut part(watch, 0.0, 0.1))?;
-    let folded = solved.left.folded_at().is_some();
-    let truth = case.results(&solved.left);
+    let folded = solved.folded_at().is_some();
+    let truth = case.results(&solved);
 
     let plans = plans(&case);
     let mut times = vec![Vec::new(); plans.len()];
@@ -189,7 +189,7 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
             last[i] = solved.ok();
         }
     }
-    let elements = case.elements_per_evaluation();
+    let elements = case.eye.elements_per_evaluation();
     let mut points: Vec<Point> = plans
         .iter()
         .zip(times.into_iter().zip(last))
@@ -197,11 +197,11 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
             let solved = solved?;
             Some(Point {
                 plan: *plan,
-                step: case.longest_step(plan),
+                step: case.eye.longest_step(plan),
                 evaluations: solved.cost.evaluations,
                 element_evaluations: solved.cost.evaluations * elements,
                 seconds: median(times)?,
-                errors: case.results(&solved.left).difference_percent(&truth),
+                errors: case.results(&solved).difference_percent(&truth),
                 on_front: false,
             })
         })
@@ -238,8 +238,8 @@ pub fn measure(scenario: &CheckedScenario, finest: u32, watch: Watch) -> Result<
         reference_results: truth,
         levels,
         ns_per_spring,
-        omega_bound: case.section().map(|case| case.system.omega_bound()),
-        element: case.elements().0,
+        omega_bound: None,
+        element: case.rules().element,
         folded,
     })
 }
@@ -270,7 +270,7 @@ fn measure_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<Level,
     Ok(Level {
         level,
         seconds: median(times).expect("at least one round"),
-        element_evaluations: evaluations * case.elements_per_evaluation(),
+        element_evaluations: evaluations * case.eye.elements_per_evaluation(),
         errors: results.difference_percent(&results),
         results,
         folded: folded.is_some(),

@@ -5,16 +5,16 @@
 //! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
 //! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_by};
-use crate::answer::compiled::Compiled;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
-use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::run::rules::{Automatic, share_for};
+use crate::run::watch::Watch;
 use crate::scenario::Integrator;
 use crate::scenario::{CheckedScenario, FINEST_PHYSIOLOGICAL_LEVEL, Model, Scenario};
 

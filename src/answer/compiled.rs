@@ -6,16 +6,13 @@ use crate::answer::results::Results;
 use crate::models;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::plan::{LOCAL_TOLERANCE, Plan};
+use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::run::rules::{Automatic, Rules};
+use crate::run::rules::Rules;
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 use std::ops::ControlFlow;
 use std::sync::Arc;
-
-/// More than this takes longer than half an hour.
-const MAX_SPRING_EVALUATIONS: f64 = 1e12;
 
 /// A scenario ready to be run; a copy shares the eye.
 #[derive(Debug, Clone)]
@@ -29,8 +26,13 @@ pub struct Compiled {
 impl Compiled {
     /// Compiles a scenario.
     pub fn new(scenario: &CheckedScenario) -> Self {
+        Self::with(models::compiled(scenario), scenario)
+    }
+
+    /// A scenario with an eye that somebody else compiled of it.
+    pub(crate) fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
         Self {
-            eye: models::compiled(scenario),
+            eye,
             scene: Scene::of(scenario),
         }
     }
@@ -68,7 +70,7 @@ impl Compiled {
 
     /// Order by which the step error of `integrator` is taken to fall.
     pub fn order(&self, integrator: Integrator) -> i32 {
-        (self.rules().estimate.order)(integrator)
+        self.eye.order(integrator)
     }
 
     /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
@@ -77,7 +79,7 @@ impl Compiled {
     /// # Errors
     /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.plan_by(scenario, &self.rules().answer)
+        self.eye.plan(scenario)
     }
 
     /// The same for one run alone, as a mesh error makes it.
@@ -85,58 +87,7 @@ impl Compiled {
     /// # Errors
     /// As [`Self::plan`].
     pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.plan_by(scenario, &self.rules().alone)
-    }
-
-    fn plan_by(&self, scenario: &Scenario, automatic: &Automatic) -> Result<Plan, Refusal> {
-        let rules = self.rules();
-        let integrator = scenario.numerics.integrator.unwrap_or(automatic.integrator);
-        if !rules.integrators.contains(&integrator) {
-            let allowed = rules.integrators.iter().map(|i| i.spelling());
-            return Err(Refusal::IntegratorUnfit {
-                integrator: integrator.name(),
-                allowed: allowed.collect::<Vec<_>>().join(", "),
-            });
-        }
-        let (window, limit) = (self.window(), self.step_limit(integrator));
-        let step = match scenario.numerics.step_us {
-            Some(step_us) if step_us * 1e-6 > limit => {
-                return Err(Refusal::StepAboveLimit {
-                    step_us,
-                    integrator: integrator.name(),
-                    limit_us: limit * 1e6,
-                });
-            }
-            Some(step_us) => step_us * 1e-6,
-            None => automatic.share * limit,
-        };
-        let springs = self.eye.elements_per_evaluation() as f64 * rules.springs_an_element;
-        let evaluations = integrator.method().evaluations() as f64;
-        let work = springs * evaluations * (window / step + 1.0);
-        if work > MAX_SPRING_EVALUATIONS {
-            let (steps, share) = (window / step, work / MAX_SPRING_EVALUATIONS);
-            return Err(match scenario.numerics.step_us {
-                Some(step_us) => Refusal::StepTooShort {
-                    step_us,
-                    steps,
-                    least_us: step_us * share,
-                },
-                None => Refusal::WindowTooLong {
-                    window_ms: scenario.window_ms,
-                    steps,
-                    integrator: integrator.name(),
-                    step_us: step * 1e6,
-                    longest_ms: scenario.window_ms / share,
-                },
-            });
-        }
-        Ok(Plan {
-            integrator,
-            step,
-            window,
-            multiple: 1.0,
-            local_tolerance: LOCAL_TOLERANCE,
-        })
+        self.eye.plan_alone(scenario)
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.

@@ -26,9 +26,7 @@ impl Quantity {
             Self::RuptureByPressure => rupture_by(Measure::Pressure),
             Self::RuptureByStress => rupture_by(Measure::Stress),
             Self::RuptureByEnergy => rupture_by(Measure::NormalizedEnergy),
-            Self::RetinaByEnergy => {
-                Derived::Risk(Injury::RetinalDamage, Measure::NormalizedEnergy)
-            }
+            Self::RetinaByEnergy => Derived::Risk(Injury::RetinalDamage, Measure::NormalizedEnergy),
             Self::GlobeRupture => Derived::Believed(Injury::GlobeRupture),
             Self::RetinalDamage => Derived::Believed(Injury::RetinalDamage),
             Self::LensDislocation => Derived::Believed(Injury::LensDislocation),

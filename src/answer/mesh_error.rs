@@ -17,16 +17,16 @@
 //! several times the result, and where the mesh folds at one of the levels. Left out: what all levels
 //! share, as the load's sharp edges and the shell without a thickness of its own.
 
-use crate::run::quantity::{Family, Quantity};
-use crate::answer::results::Results;
-use crate::run::readings::PerQuantity;
-use crate::answer::solve::Answer;
 use crate::answer::compiled::Compiled;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::answer::results::Results;
+use crate::answer::solve::Answer;
+use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
-use crate::models::rules;
+use crate::run::quantity::Family;
+use crate::run::readings::PerQuantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::{Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 

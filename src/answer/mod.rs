@@ -3,10 +3,10 @@
 pub mod accuracy;
 pub mod believed;
 pub mod choose;
-pub mod course;
+pub mod compiled;
+pub mod derived;
 pub mod mesh_error;
 pub mod point;
-pub mod quantity;
 pub mod results;
 pub mod solve;
 pub mod step_error;

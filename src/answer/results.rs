@@ -3,7 +3,6 @@
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
 
-
 /// Values in the unit of each result, or errors in % of it; `None` where the scene has no such result.
 pub type Results = PerQuantity<Option<f64>>;
 

@@ -10,30 +10,25 @@
 //! that only a step error shows them; [`crate::answer::accuracy`] has both.
 
 use crate::answer::accuracy::{REFERENCE_OF_TOTALS, is_affordable};
-use crate::answer::mesh_error::{MeshError, OnMesh, at_level, finest, witnesses};
-use crate::run::quantity::Quantity;
+use crate::answer::compiled::Compiled;
+use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::results::Results;
 use crate::many::statistics::median;
-use crate::answer::compiled::Compiled;
+use crate::models::rules;
+use crate::run::kept::Keep;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::run::plan::{LOCAL_TOLERANCE, Plan};
-use crate::run::kept::Keep;
 use crate::scenario::{CheckedScenario, Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-/// The finest level that is tried, unless the scenario's own is finer.
-const FINEST_TRIED: u32 = 4;
-/// The same for the eye of revolution, whose runs take longer.
-const FINEST_TRIED_OF_REVOLUTION: u32 = 3;
 /// The finest level that is tried for a scenario.
 pub fn finest_tried(scenario: &Scenario) -> u32 {
-    let tried = match scenario.model {
-        Model::Paper => FINEST_TRIED,
-        Model::Physiological(_) => FINEST_TRIED_OF_REVOLUTION,
-    };
-    finest(&scenario.model).min(tried.max(scenario.eye.level))
+    let mesh = &rules(&scenario.model).mesh;
+    mesh.finest
+        .min(mesh.finest_in_study.max(scenario.eye.level))
 }
 
 /// Shares of the stability limit that are tried beside that of an answer.
@@ -205,7 +200,7 @@ impl Work {
             let evaluations =
                 plan.window / plan.step * plan.integrator.method().evaluations() as f64;
             let finer = f64::from(level) / f64::from(level.min(most));
-            evaluations * case.elements_per_evaluation() as f64 * finer.powi(3)
+            evaluations * case.eye.elements_per_evaluation() as f64 * finer.powi(3)
         };
         let answer = |level: u32| answer(&cases[level.min(most) as usize - 1]);
         let mut jobs = Vec::new();
@@ -257,8 +252,8 @@ impl Work {
             }
             Job::Reference(level) => {
                 let case = &self.cases[level as usize - 1];
-                let left = case.run(&reference(case), Keep::default(), watch)?.left;
-                into.levels[level as usize - 1].reference = Some(case.results(&left));
+                let run = case.run(&reference(case), Keep::default(), watch)?;
+                into.levels[level as usize - 1].reference = Some(case.results(&run));
             }
             Job::Run(place) => {
                 let (level, plan) = self.choices[place];
@@ -274,13 +269,13 @@ impl Work {
                         level,
                         plan,
                         is_answer: plan == answer(case),
-                        step: case.longest_step(&plan),
+                        step: case.eye.longest_step(&plan),
                         results: None,
                         times: Vec::new(),
                     });
                 }
                 let run = &mut into.runs[place];
-                run.results = ran.ok().map(|ran| case.results(&ran.left));
+                run.results = ran.ok().map(|ran| case.results(&ran));
                 run.times.push(took);
             }
         }
@@ -330,7 +325,7 @@ fn plans(case: &Compiled) -> Vec<Plan> {
     // In a short window several steps come to the same.
     let mut seen: Vec<(crate::scenario::Integrator, usize)> = Vec::new();
     plans.retain(|plan| {
-        let of = (plan.integrator, case.steps(plan));
+        let of = (plan.integrator, case.eye.steps(plan));
         let fresh = !seen.contains(&of);
         seen.push(of);
         fresh

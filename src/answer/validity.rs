@@ -39,7 +39,11 @@ pub(crate) fn validity(flags: &[Flag], rules: &Rules, cut: bool, pig: bool) -> V
         Some(Spoiled { why, next }) => (Some(why), next),
         None => (None, ""),
     };
-    let next = if rules.instead.is_empty() { next } else { rules.instead };
+    let next = if rules.instead.is_empty() {
+        next
+    } else {
+        rules.instead
+    };
     Validity {
         spoiled: why,
         next,
@@ -84,7 +88,15 @@ mod tests {
         );
         assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
         assert!(!folded.cut && !folded.aslant);
-        assert!(validity(&[flag(FlagKind::AngleBeyondTrust)], of_cells(), false, false).aslant);
+        assert!(
+            validity(
+                &[flag(FlagKind::AngleBeyondTrust)],
+                of_cells(),
+                false,
+                false
+            )
+            .aslant
+        );
         let cut = validity(&[flag(FlagKind::ContactCut)], of_cells(), true, false);
         assert!(cut.cut && cut.spoiled.is_none());
         assert_eq!(

@@ -8,10 +8,10 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
 use crate::many::comparison::{columns, compare, sort};
-use crate::run::refusal::Refusal;
 use crate::plain_text::write_json;
 use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
 
 /// Simulates every blow and prints them as rows of one table.
 ///

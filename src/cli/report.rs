@@ -7,10 +7,10 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ReportArgs};
 use crate::many::comparison::compare;
-use crate::run::refusal::Refusal;
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
 use crate::report::page::{Form, keep, write};
+use crate::run::refusal::Refusal;
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.

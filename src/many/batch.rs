@@ -4,11 +4,11 @@
 //! it checks some of the scenarios with [`crate::answer::solve::solve()`]. Each scenario is solved alone and in
 //! order, so the results are the same bits for any number of threads.
 
-use crate::answer::results::Results;
 use crate::answer::compiled::Compiled;
+use crate::answer::results::Results;
+use crate::run::kept::Keep;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::run::kept::Keep;
 use crate::scenario::CheckedScenario;
 use rayon::prelude::*;
 
@@ -28,7 +28,7 @@ pub struct Outcome {
 pub fn solve_one(scenario: &CheckedScenario) -> Result<Outcome, Refusal> {
     let case = Compiled::new(scenario);
     let plan = case.plan_alone(scenario)?;
-    let left = case.run(&plan, Keep::default(), &mut unwatched)?.left;
+    let left = case.run(&plan, Keep::default(), &mut unwatched)?;
     Ok(Outcome {
         results: case.results(&left),
         folded_at: left.folded_at(),

@@ -6,12 +6,13 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering as Memory};
 
+use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
-use crate::run::quantity::Quantity;
 use crate::answer::solve::{Answer, solve};
 use crate::many::ordered;
-use crate::run::refusal::Refusal;
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::CheckedScenario;
 
 /// One of them.
@@ -101,7 +102,7 @@ pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
             .filter_map(|entry| entry.outcome.as_ref().ok())
     };
     let worth = |of: Quantity| {
-        let is_believed = matches!(of.row().read, crate::run::quantity::Read::Believed(_));
+        let is_believed = matches!(of.derived(), Some(Derived::Believed(_)));
         answers().any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);

@@ -16,12 +16,12 @@
 
 use crate::answer::believed::Scene;
 use crate::answer::point::{Point, compared, promise_percent, single};
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::injury::Standing;
 use crate::many::ordered;
 use crate::many::spreads::{Input, SLOPE, inputs};
 use crate::many::statistics::median;
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -123,9 +123,8 @@ fn name(refusal: &Refusal) -> String {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
-        Refusal::Through(_) => "went_through",
-        Refusal::Revolution(_) => "revolution",
-        Refusal::Diverged(_) => "diverged",
+        Refusal::WentThrough(_) => "went_through",
+        Refusal::NotFinite { .. } => "not_finite",
         Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
         Refusal::Cancelled => "cancelled",

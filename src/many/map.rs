@@ -8,10 +8,10 @@
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
 use crate::answer::point::single;
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::many::ordered;
 use crate::many::sweep::spaced;
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};

@@ -7,8 +7,8 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::point::{Point, checked};
-use crate::run::quantity::Quantity;
 use crate::injury::{Blow, Caution};
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::fields;

@@ -14,18 +14,19 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::answer::believed::{Scene, reaches};
+use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::point::single;
-use crate::run::quantity::{Quantity, Read};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::injury::{Blow, Caution, Measures, Risk};
 use crate::many::ordered;
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
-use crate::run::refusal::Refusal;
 use crate::run::flags::Flag;
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
@@ -394,7 +395,7 @@ impl Question {
         at: f64,
         ends: Option<(Measures, Measures)>,
     ) -> Option<Believed> {
-        let Read::Believed(injury) = self.quantity.row().read else {
+        let Some(Derived::Believed(injury)) = self.quantity.derived() else {
             return None;
         };
         let mut verdicts = answer.verdicts().into_iter();
@@ -533,12 +534,7 @@ mod tests {
         let mut there = short();
         set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
         let there = there.check().unwrap();
-        let answer = solve(
-            &there,
-            Keep::default(),
-            &mut crate::run::watch::unwatched,
-        )
-        .unwrap();
+        let answer = solve(&there, Keep::default(), &mut crate::run::watch::unwatched).unwrap();
         let apex = answer.results()[Quantity::Apex].unwrap();
         assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
         // The apex is nearly proportional to the force, so their errors are of one share.

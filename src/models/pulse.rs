@@ -5,6 +5,7 @@
 //! no step straddles it.
 
 use crate::scenario::{Curve, ForcePulse, PulseShape};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// The part of a pulse between two breaks.

@@ -1,14 +1,14 @@
 //! The work-precision report as text and as JSON.
 
 use crate::answer::accuracy::{Accuracy, Level, Point, TARGETS};
-use crate::run::quantity::Quantity;
-use crate::run::rules::Element;
 use crate::models::paper::forces::kernel::name as kernel_name;
-use crate::run::plan::Plan;
 use crate::plain_text::printable;
 use crate::report::errors::{leading, of_damage};
 use crate::report::json::{by_result, evaluations};
 use crate::report::text::{percent, significant};
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};
 use std::io::{self, Write};

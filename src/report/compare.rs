@@ -7,7 +7,6 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::run::quantity::Quantity;
 use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Blow, Caution, lines};
 use crate::many::comparison::Entry;
@@ -16,6 +15,7 @@ use crate::report::figure::{CUT, Figure};
 use crate::report::json::cut;
 use crate::report::text::{WIDTH, paragraph, percent};
 use crate::report::verdict::{mixed, range};
+use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
 const NARROWEST: usize = 8;

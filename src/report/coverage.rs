@@ -1,9 +1,9 @@
 //! How often the stated step or mesh errors hold, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::run::quantity::Quantity;
 use crate::report::json::by_result;
 use crate::report::text::{WIDTH, wrapped};
+use crate::run::quantity::Quantity;
 use crate::verify::coverage::{Checked, Coverage, Drawn, Miss, coverage, misses};
 use crate::verify::mesh_coverage::reference;
 use serde_json::{Map, Value, json};

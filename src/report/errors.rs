@@ -1,9 +1,9 @@
 //! How an error is said, on every page and screen alike: that of the damage index, and the largest of a
 //! leading result with the name of that result.
 
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::report::text::percent;
+use crate::run::quantity::Quantity;
 
 /// The error of the damage index, in words.
 pub fn of_damage(errors: &Results) -> String {

@@ -12,7 +12,6 @@ pub mod json;
 pub mod limit;
 pub mod pace;
 pub mod page;
-mod revolution;
 pub mod stability;
 pub mod summary;
 pub mod sweep;

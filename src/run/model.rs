@@ -3,17 +3,18 @@
 //! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model only.
 
 use crate::run::drawing::Drawing;
-use crate::run::kept::{Frame, Keep, Spacing, Traces};
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;
+use crate::run::kept::{Frame, Keep, Spacing, Traces};
 use crate::run::places::Region;
 use crate::run::plan::{Cost, Plan};
+use crate::run::planning::plan_by;
 use crate::run::quantity::Quantity;
 use crate::run::readings::Readings;
 use crate::run::refusal::Refusal;
 use crate::run::rules::Rules;
 use crate::run::watch::Watch;
-use crate::scenario::Integrator;
+use crate::scenario::{Integrator, Scenario};
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -75,10 +76,26 @@ pub trait EyeModel: Debug + Send + Sync {
     /// What a picture of the eye is made of.
     fn drawing(&self) -> Drawing;
 
+    /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
+    /// has a second run for its error.
+    ///
+    /// # Errors
+    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
+    fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self, scenario, &self.rules().answer)
+    }
+
+    /// The same for one run alone, as a mesh error makes it.
+    ///
+    /// # Errors
+    /// As [`Self::plan`].
+    fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self, scenario, &self.rules().alone)
+    }
+
     /// Order by which the step error of `integrator` is taken to fall.
     fn order(&self, integrator: Integrator) -> i32 {
-        let estimate = &self.rules().estimate;
-        estimate.order.unwrap_or(integrator.row().order)
+        (self.rules().estimate.order)(integrator)
     }
 }
 

@@ -27,6 +27,4 @@ pub struct Cost {
     pub steps: usize,
     /// Force evaluations.
     pub evaluations: usize,
-    /// Segments tested against a projectile.
-    pub contact_tests: usize,
 }

@@ -325,12 +325,8 @@ impl Quantity {
             Self::RuptureByPressure => {
                 risk("rupture_by_pressure_percent", "rupture, pressure", "p rupt")
             }
-            Self::RuptureByStress => {
-                risk("rupture_by_stress_percent", "rupture, stress", "s rupt")
-            }
-            Self::RuptureByEnergy => {
-                risk("rupture_by_energy_percent", "rupture, energy", "E rupt")
-            }
+            Self::RuptureByStress => risk("rupture_by_stress_percent", "rupture, stress", "s rupt"),
+            Self::RuptureByEnergy => risk("rupture_by_energy_percent", "rupture, energy", "E rupt"),
             Self::RetinaByEnergy => {
                 let key = "retinal_damage_by_energy_percent";
                 risk(key, "retina, energy", "E retina")

@@ -1,11 +1,11 @@
 //! The flags of one run as they are raised, and the words of those that both eyes have.
 
-use crate::run::quantity::Quantity;
-use crate::run::rules::Element;
-use crate::run::places::Region;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::fold::Fold;
 use crate::run::model::Run;
+use crate::run::places::Region;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
 
 /// An energy residual above this share of what came in is an alarm.
 pub(crate) const ENERGY_ALARM: f64 = 0.01;
@@ -128,40 +128,39 @@ impl Raised {
 /// run, the step is short enough.
 pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
     let mut raised = Raised::default();
-        let split = |runs: &TwoRuns| {
-            runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan()
-        };
-        let unpredictable = two_runs.filter(split).zip(run.fold);
-        if let Some(fold) = &run.fold {
-            raised.folded(fold, element);
-        }
-        if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
-            raised.raise_at(
-                fold.since,
-                FlagKind::NotPredictable,
-                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
-            );
-        }
-        if run.energy_residual > ENERGY_ALARM {
-            let percent = 100.0 * run.energy_residual;
-            raised.raise(
-                FlagKind::EnergyImbalance,
-                format!("the energies miss what came in by {percent:.2} %"),
-            );
-        }
-        // Where two solutions part for good, no step is small enough.
-        let runs = two_runs.filter(|_| unpredictable.is_none());
-        if let Some((of, error)) = runs.and_then(|runs| runs.worst)
-            && (error > UNCONVERGED_PERCENT || error.is_nan())
-        {
-            raised.raise(
-                FlagKind::Unconverged,
-                format!(
-                    "the step error of {} is {error:.0} %, the largest",
-                    of.label()
-                ),
-            );
-        }
+    let split =
+        |runs: &TwoRuns| runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan();
+    let unpredictable = two_runs.filter(split).zip(run.fold);
+    if let Some(fold) = &run.fold {
+        raised.folded(fold, element);
+    }
+    if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
+        raised.raise_at(
+            fold.since,
+            FlagKind::NotPredictable,
+            format!("two solutions disagree by {disagreement:.0} %: not predictable"),
+        );
+    }
+    if run.energy_residual > ENERGY_ALARM {
+        let percent = 100.0 * run.energy_residual;
+        raised.raise(
+            FlagKind::EnergyImbalance,
+            format!("the energies miss what came in by {percent:.2} %"),
+        );
+    }
+    // Where two solutions part for good, no step is small enough.
+    let runs = two_runs.filter(|_| unpredictable.is_none());
+    if let Some((of, error)) = runs.and_then(|runs| runs.worst)
+        && (error > UNCONVERGED_PERCENT || error.is_nan())
+    {
+        raised.raise(
+            FlagKind::Unconverged,
+            format!(
+                "the step error of {} is {error:.0} %, the largest",
+                of.label()
+            ),
+        );
+    }
     raised.0
 }
 
@@ -200,6 +199,8 @@ fn place(fold: &Fold) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::plan::Cost;
+    use crate::run::readings::Readings;
     use nalgebra::Point2;
 
     fn fold(x: f64, y: f64, stays: bool) -> Fold {
@@ -255,5 +256,40 @@ mod tests {
         assert!(
             place(&lens).starts_with("between front and equator, in the lens: 37 degrees on both")
         );
+    }
+
+    #[test]
+    fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
+        use FlagKind::{MeshFolded, NotPredictable, Unconverged};
+        let kinds = |fold, error, disagreement| -> Vec<FlagKind> {
+            let run = Run {
+                readings: Readings::from_fn(|_| None),
+                details: Vec::new(),
+                flags: Vec::new(),
+                fold,
+                missed: false,
+                energy_residual: 0.0,
+                simulated: 3e-3,
+                traces: None,
+                frames: Vec::new(),
+                cost: Cost::default(),
+            };
+            let two_runs = TwoRuns {
+                worst: Some((Quantity::Damage, error)),
+                disagreement,
+            };
+            let flags = of_motion(&run, Element::Spring, Some(two_runs));
+            flags.into_iter().map(|flag| flag.kind).collect()
+        };
+        let folded = Some(fold(-0.01, 0.0, false));
+        assert_eq!(kinds(folded, 50.0, 50.0), [MeshFolded, NotPredictable]);
+        assert_eq!(
+            kinds(folded, f64::NAN, f64::NAN),
+            [MeshFolded, NotPredictable]
+        );
+        assert_eq!(kinds(folded, 50.0, 1.0), [MeshFolded, Unconverged]);
+        assert_eq!(kinds(None, 50.0, 50.0), [Unconverged]);
+        assert_eq!(kinds(None, f64::NAN, 0.0), [Unconverged]);
+        assert_eq!(kinds(None, 1.0, 50.0), []);
     }
 }

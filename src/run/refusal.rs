@@ -23,8 +23,8 @@ pub enum Refusal {
     },
     /// The asked integrator cannot solve such a scene.
     #[error(
-        "numerics.integrator: {integrator} does not solve such a scene (a projectile, or the \
-         Physiological model): allowed Auto, {allowed}"
+        "numerics.integrator: {integrator} does not solve the model of this scene: \
+         allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.

@@ -10,6 +10,7 @@
 
 use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
+use crate::run::refusal::Refusal;
 use crate::scenario::Integrator;
 
 /// The largest share of its stability limit that any run takes on its own account: the limit is of a
@@ -51,6 +52,17 @@ pub struct Rules {
     pub instead: &'static str,
     /// Why they can tell none.
     pub silence: &'static str,
+}
+
+impl Rules {
+    /// Why an integrator is refused that does not solve the model.
+    pub(crate) fn unfit(&self, integrator: Integrator) -> Refusal {
+        let allowed = self.integrators.iter().map(|i| i.spelling());
+        Refusal::IntegratorUnfit {
+            integrator: integrator.name(),
+            allowed: allowed.collect::<Vec<_>>().join(", "),
+        }
+    }
 }
 
 /// An integrator and its step, where nobody asks for others.

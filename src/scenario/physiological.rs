@@ -55,6 +55,20 @@ pub struct Physiological {
 }
 
 impl Physiological {
+    /// It in words, with species and support.
+    pub(super) fn description(&self) -> String {
+        let species = match self.species {
+            Species::Human => "human",
+            Species::Pig => "pig",
+        };
+        let support = match self.support {
+            Support::Orbit => "in its orbit",
+            Support::Gelatin => "in gelatin",
+            Support::Free => "free",
+        };
+        format!("Physiological model, {species} eye {support}")
+    }
+
     /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of 0.48
     /// makes half of it, which is what the two tests of an impactor in the orbit want: the one number
     /// that is fitted (`contrecoup calibrate`).

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
+use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::run::kept::{Keep, Spacing};
 use crate::scenario::{Impact, Scenario};
 use crate::tui::model::{Model, Shown};
 use crate::tui::task::{Question, Report};

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
 use crate::report::command::{arguments, line};
 use crate::report::page::html;
 use crate::report::summary;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::model::{Model, Shown};
 use crate::tui::task::{Question, Report};

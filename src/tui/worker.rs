@@ -233,7 +233,7 @@ mod tests {
             last = done(&heard);
         }
         let answer = last.1.unwrap();
-        assert!(answer.frames.len() > 300 && answer.traces.is_some());
+        assert!(answer.run.frames.len() > 300 && answer.run.traces.is_some());
     }
 
     #[test]

@@ -6,15 +6,15 @@
 //! times as many steps in every segment of the load. A scene whose mesh folds promises nothing and is
 //! counted apart, and so is an object that goes through the eye, which is refused.
 
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::solve;
 use crate::many::statistics::median;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
-use crate::run::plan::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::{EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -176,7 +176,7 @@ pub fn check(
 fn check_one(drawn: Drawn, index: u32, seed: u32) -> Result<Checked, Refusal> {
     let scene = drawn.scene(index, seed).check()?;
     let answer = match solve(&scene, Keep::default(), &mut unwatched) {
-        Err(Refusal::Through(_)) => {
+        Err(Refusal::WentThrough(_)) => {
             return Ok(Checked::nothing(index));
         }
         answer => answer?,
@@ -191,7 +191,7 @@ fn check_one(drawn: Drawn, index: u32, seed: u32) -> Result<Checked, Refusal> {
         claimed: answer.errors.time_step,
         truth: answer
             .results()
-            .difference_percent(&answer.case.results(&reference.left)),
+            .difference_percent(&answer.case.results(&reference)),
         folded: answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded),
     })
 }

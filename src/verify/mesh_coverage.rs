@@ -6,9 +6,9 @@
 
 use crate::answer::mesh_error::OnMesh;
 use crate::answer::mesh_error::{MeshError, at_level, witnesses};
-use crate::scenario::FINEST_LEVEL;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
+use crate::scenario::FINEST_LEVEL;
 use crate::verify::coverage::{Checked, Drawn, MAX_SCENES};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -89,7 +89,7 @@ fn check_one(drawn: Drawn, index: u32, seed: u32, level: u32) -> Result<Checked,
     // The cheap ones first: where one folds the finest mesh need not be moved.
     for level in [level, coarser, finer, reference(drawn)] {
         let on = match at_level(&scene, level, &mut unwatched) {
-            Err(Refusal::Through(_)) => return Ok(folded),
+            Err(Refusal::WentThrough(_)) => return Ok(folded),
             on => on?,
         };
         if on.folded.is_some() {

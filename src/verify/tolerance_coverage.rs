@@ -7,11 +7,11 @@
 
 use crate::answer::choose::{Ladder, within_by};
 use crate::answer::mesh_error::{at_level, witnesses};
-use crate::run::quantity::Quantity;
 use crate::many::statistics::median;
+use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::run::kept::Keep;
 use crate::verify::coverage::Drawn;
 use crate::verify::mesh_coverage::{reference, unfolded};
 use std::ops::ControlFlow;
@@ -103,7 +103,7 @@ fn check_one(index: u32, seed: u32) -> Result<Kept, Refusal> {
             chosen => chosen?,
         };
         let answer = &chosen.answer;
-        let (damage, errors) = (answer.index.damage(), &answer.errors);
+        let (damage, errors) = (answer.index().damage(), &answer.errors);
         *met = Some(Met {
             level: answer.case.level(),
             stated: 100.0 * errors.share(Quantity::Damage),

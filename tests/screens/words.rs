@@ -6,8 +6,8 @@ use super::drawn::{
     SIZES, cells, line_from, model, open_mapped, open_measured, open_sampled, picture, press,
     ticket,
 };
-use contrecoup::run::quantity::Quantity;
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
+use contrecoup::run::quantity::Quantity;
 use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::fields;
 use contrecoup::tui::form::Row;

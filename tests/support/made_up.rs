@@ -8,23 +8,23 @@
 
 use std::time::Duration;
 
+use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::point::{Check, Point};
-use contrecoup::run::quantity::Family;
-use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
 use contrecoup::many::spreads::inputs;
 use contrecoup::models::axisymmetric as revolution;
-use contrecoup::answer::compiled::Compiled;
 use contrecoup::models::left::Left;
-use contrecoup::run::places::{GLOBE_RADIUS_M, Region};
 use contrecoup::models::paper::recording::Extremes;
 use contrecoup::models::paper::recording::shot::ShotExtremes;
-use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
 use contrecoup::run::flags::{Flag, FlagKind};
 use contrecoup::run::fold::Fold;
 use contrecoup::run::kept::{Frame, Peak, Traces};
+use contrecoup::run::places::{GLOBE_RADIUS_M, Region};
+use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
+use contrecoup::run::quantity::Family;
+use contrecoup::run::quantity::Quantity;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Impact, Scenario};
 use nalgebra::{Point2, Vector2};
@@ -219,24 +219,6 @@ fn extremes(case: &Compiled, traces: &Traces, size: f64) -> Extremes {
         still_rising: false,
         could_rise: false,
         lost_in_rounding: false,
-        shot: case.blow().map(|blow| ShotExtremes {
-            diameter: blow.diameter,
-            force: of(&traces.contact_force),
-            contact: Some((0.0, 0.12 * case.window())),
-            velocity: Vector2::new(-0.5 * blow.speed, 0.0),
-            rebound_speed: 0.5 * blow.speed,
-            energy: work,
-            energy_before: 0.5 * blow.mass * blow.speed * blow.speed,
-            penetration: 1e-5,
-            penetration_share: 1e-5 / blow.diameter,
-            squeezed_share: 0.0,
-            travel: of(&traces.apex),
-            rim_at: None,
-            through_bone_at: None,
-            light: false,
-            touching: false,
-            going_on: false,
-        }),
     }
 }
 
@@ -332,7 +314,6 @@ pub fn answer(scenario: &Scenario) -> Answer {
         cost: Cost {
             steps: 1500,
             evaluations: 9000,
-            contact_tests: 0,
         },
         simulated: case.window(),
         element_evaluations: 8_000_000,

@@ -1,9 +1,9 @@
 //! A made-up measurement of total error against time, the same on every machine.
 
-use contrecoup::run::quantity::Quantity;
 use contrecoup::answer::results::Results;
 use contrecoup::answer::total::{OnLevel, Run, Totals};
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::quantity::Quantity;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::Model;
 

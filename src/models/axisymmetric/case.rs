@@ -100,13 +100,13 @@ impl EyeModel for RevolutionCase {
     }
 
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let share = self.step_share(plan);
-        let run = engine::run(&self.eye, &self.load, plan.window, share, keep, watch);
+        let steps = self.steps_by(plan)?;
+        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
         let extremes = &run.extremes;
         let readings = readings::of(extremes);
         Ok(Run {
-            details: readings::details(self, extremes),
+            details: readings::details(extremes),
             flags: flags::raise(self, extremes, &readings, run.simulated),
             readings,
             fold: extremes.fold,
@@ -129,8 +129,8 @@ impl EyeModel for RevolutionCase {
         spacing: Spacing,
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
-        let share = self.step_share(plan);
-        engine::run_through(&self.eye, &self.load, plan.window, share, spacing, take)
+        let steps = self.steps_by(plan)?;
+        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
             .map_err(|stop| self.refused(stop))
     }
 
@@ -150,7 +150,10 @@ impl RevolutionCase {
                     engine::Blow::Pulse(Pulse::new(pulse), half_width),
                 )
             }
-            Impact::Projectile(shot) => (shot.angle_deg, engine::Blow::Object(object(shot))),
+            Impact::Projectile(projectile) => (
+                projectile.angle_deg,
+                engine::Blow::Object(object(projectile)),
+            ),
         };
         let eye = RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
@@ -167,11 +170,15 @@ impl RevolutionCase {
     }
 
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    fn step_share(&self, plan: &Plan) -> engine::Steps {
-        engine::Steps {
+    fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
+        Ok(engine::Steps {
             share: plan.step / plan.multiple / self.limit,
-            integrator: plan.integrator,
-        }
+            scheme: match plan.integrator {
+                Integrator::VelocityVerlet => engine::Scheme::Leapfrog,
+                Integrator::SemiImplicitEuler => engine::Scheme::SemiImplicitEuler,
+                other => return Err(RULES.unfit(other)),
+            },
+        })
     }
 
     /// Why there is no result; of an object that went through the eye what it would have to be.
@@ -271,37 +278,37 @@ fn surround(model: &Physiological) -> Option<Surround> {
     Some(surround)
 }
 
-fn object(shot: &Projectile) -> Object {
-    let radius = 0.5e-3 * shot.diameter_mm;
-    let surface = match shot.surface {
+fn object(projectile: &Projectile) -> Object {
+    let radius = 0.5e-3 * projectile.diameter_mm;
+    let surface = match projectile.surface {
         Surface::Hard => engine::Surface::RIGID,
         Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
         Surface::Inflated { kpa, modulus_mpa } => {
-            let cap = kpa * 1e3 + inertia(shot);
+            let cap = kpa * 1e3 + inertia(projectile);
             engine::Surface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
-        Surface::Splashing => engine::Surface::splashing(inertia(shot), radius),
+        Surface::Splashing => engine::Surface::splashing(inertia(projectile), radius),
     };
     Object {
-        outline: match shot.outline {
+        outline: match projectile.outline {
             Outline::Sphere => engine::Outline::Sphere(radius),
             Outline::Cylinder { edge_mm } => engine::Outline::Cylinder(radius, edge_mm * 1e-3),
         },
-        mass: shot.mass_g * 1e-3,
-        speed: shot.speed_m_s,
-        surface: surface.losing(shot.restitution),
-        spring: match shot.stiffness {
+        mass: projectile.mass_kg(),
+        speed: projectile.speed_m_s,
+        surface: surface.losing(projectile.restitution),
+        spring: match projectile.stiffness {
             ProjectileStiffness::Rigid => None,
             ProjectileStiffness::Linear { n_per_m } => Some(BallSpring {
                 stiffness: n_per_m,
-                restitution: shot.restitution,
+                restitution: projectile.restitution,
             }),
         },
     }
 }
 
 /// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or flattened.
-fn inertia(shot: &Projectile) -> f64 {
-    let density = shot.mass_g * 1e-3 / (PI / 6.0 * (shot.diameter_mm * 1e-3).powi(3));
-    0.5 * density * shot.speed_m_s * shot.speed_m_s
+fn inertia(projectile: &Projectile) -> f64 {
+    let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
+    0.5 * density * projectile.speed_m_s * projectile.speed_m_s
 }

@@ -1,13 +1,12 @@
 use crate::answer::mesh_error::add_mesh_error;
-use crate::run::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::models::axisymmetric::case::RevolutionCase;
-use crate::models::left::Left;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::set::set;
 use crate::scenario::{
     ForcePulse, Impact, Model, Outline, Physiological, Projectile, Scenario, Surface,
@@ -37,8 +36,8 @@ fn solved(scenario: &Scenario) -> Answer {
     solve(&checked, Keep::default(), &mut unwatched).unwrap()
 }
 
-fn case(answer: &Answer) -> &RevolutionCase {
-    answer.case.revolution().unwrap()
+fn case(scenario: &Scenario) -> RevolutionCase {
+    RevolutionCase::new(&scenario.check().unwrap(), &Physiological::default())
 }
 
 #[test]
@@ -106,7 +105,7 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
     scenario.numerics.step_us = Some(0.5 * plain.step * 1e6);
     let finer = solved(&scenario);
     assert!((finer.step / plain.step - 0.5).abs() < 1e-9);
-    let steps = finer.cost.steps as f64 / plain.cost.steps as f64;
+    let steps = finer.run.cost.steps as f64 / plain.run.cost.steps as f64;
     assert!((1.8..2.2).contains(&steps), "{steps}");
     assert!(finer.errors.time_step_percent() < plain.errors.time_step_percent());
     scenario.numerics.step_us = Some(1.01 * plain.step_limit * 1e6);
@@ -146,22 +145,17 @@ fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy(
 
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
-    use crate::models::axisymmetric::time::run::run;
     for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
         let mut scenario = scene(Projectile { angle_deg, ..shot });
         scenario.window_ms = 0.5;
         let answer = solved(&scenario);
-        let case = case(&answer);
-        let exact = run(
-            &case.eye,
-            &case.load,
-            case.window,
-            0.06,
-            Keep::default(),
-            &mut unwatched,
-        )
-        .unwrap();
-        let exact = Results::of(&Left::Revolution(exact.extremes), &case.scene);
+        let case = &answer.case;
+        let finer = Plan {
+            multiple: 12.5,
+            ..answer.plan
+        };
+        let exact = case.run(&finer, Keep::default(), &mut unwatched).unwrap();
+        let exact = case.results(&exact);
         let off = exact.difference_percent(&answer.results());
         for (of, off) in off.leading() {
             let stated = answer.errors.time_step[of].unwrap();
@@ -336,7 +330,7 @@ fn a_crushed_front_says_how_many_cells_folded_and_where() {
         ..ForcePulse::default()
     });
     let answer = solve(&narrow.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    let fold = answer.left.fold().expect("3 kN on 1 mm folds cells");
+    let fold = answer.run.fold.expect("3 kN on 1 mm folds cells");
     assert!(fold.quads > 0 && fold.quads < fold.of / 4, "{fold:?}");
     assert!(fold.front_angle().to_degrees() < 15.0 && fold.radius() < 12e-3);
     assert!(fold.lasted > 0.0 && fold.since + fold.lasted <= 0.03e-3 + 1e-12);
@@ -413,8 +407,8 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
         frames: Some(Spacing::even(7e-6)),
     };
     let answer = solve(&checked, keep, &mut unwatched).unwrap();
-    assert_eq!(answer.frames.len(), 15);
-    for (i, frame) in answer.frames.iter().enumerate() {
+    assert_eq!(answer.run.frames.len(), 15);
+    for (i, frame) in answer.run.frames.iter().enumerate() {
         assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);
         assert_eq!(frame.cells.len(), case(&answer).eye.cells.len());
     }
@@ -425,8 +419,8 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
     };
     let spacing = Spacing::even(7e-6);
     answer.case.frames(&answer.plan, spacing, take).unwrap();
-    assert_eq!(streamed, answer.frames);
-    let traces = answer.traces.as_ref().unwrap();
+    assert_eq!(streamed, answer.run.frames);
+    let traces = answer.run.traces.as_ref().unwrap();
     for &of in Quantity::ALL {
         let (Some(peak), Some(trace)) = (answer.peak(of), of.row().trace) else {
             continue;

@@ -9,7 +9,7 @@ use crate::models::axisymmetric::eye::mesh::Block;
 use crate::models::axisymmetric::forces::object::Outline;
 use crate::models::axisymmetric::recording::sensor::monitored;
 use crate::models::axisymmetric::time::run::Blow;
-use crate::run::drawing::{DrawnCell, DrawnNode, DrawnObject, Drawing, Line, MARGIN};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::{BTreeMap, BTreeSet};
@@ -165,9 +165,9 @@ fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) 
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
     use crate::run::kept::Spacing;
+    use crate::run::watch::unwatched;
     use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario};
 
     #[test]
@@ -187,7 +187,7 @@ mod tests {
         };
         let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
         let drawing = answer.case.eye.drawing();
-        let (first, last) = (&answer.frames[0], answer.frames.last().unwrap());
+        let (first, last) = (&answer.run.frames[0], answer.run.frames.last().unwrap());
         let has = |region| drawing.lines.iter().any(|line| line.region == region);
         for region in [Region::Shell, Region::Retina, Region::Lens, Region::Orbit] {
             assert!(has(region), "{region:?}");

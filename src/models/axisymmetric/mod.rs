@@ -11,11 +11,11 @@ mod flags;
 pub mod forces;
 mod readings;
 pub mod recording;
-mod rules;
+pub(crate) mod rules;
 pub mod time;
 
 pub use crate::models::axisymmetric::forces::object::{BallSpring, HARD, Object, Outline, Surface};
-pub use crate::models::axisymmetric::recording::results::{EngineRun, Energy, Extremes};
+pub use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 pub use crate::models::axisymmetric::recording::sensor::monitored;
 pub use crate::models::axisymmetric::time::run::{
     Blow, Form, STEP_SHARE, Scheme, Steps, Stop, run, run_as, run_through, step_limit,

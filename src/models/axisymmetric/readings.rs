@@ -38,20 +38,19 @@ pub(crate) fn details(e: &Extremes) -> Vec<Detail> {
     let percent = |share: f64| share * 1e2;
     let angle = e.stress_angle.to_degrees();
     let (least, most) = (percent(e.least_volume), percent(e.most_volume));
-    let behind = |of: Quantity, words: String| Shown::Behind(of, words);
     vec![
         Detail {
             key: "scleral_stress_angle_deg",
             value: angle,
-            shown: behind(Quantity::ScleralStress, format!("{angle:.0} deg from the front")),
+            shown: Shown::Behind(
+                Quantity::ScleralStress,
+                format!("{angle:.0} deg from the front"),
+            ),
         },
         Detail {
             key: "least_globe_volume_percent",
             value: least,
-            shown: Shown::OnLine(
-                "Globe volume",
-                format!("{:>9} to {most:.2} % of that at rest", format!("{least:.2}")),
-            ),
+            shown: Shown::OnLine("Globe volume", format!("to {most:.2} % of that at rest")),
         },
         Detail::data("largest_globe_volume_percent", most),
         Detail::data("peak_rim_force_n", e.rim_force.value),

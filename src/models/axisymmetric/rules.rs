@@ -7,9 +7,7 @@
 use crate::models::axisymmetric::time::run::STEP_SHARE;
 use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
-use crate::run::rules::{
-    Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules,
-};
+use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};
 use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Integrator};
 
 /// What holds for every scene of the axisymmetric eye.

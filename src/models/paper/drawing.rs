@@ -6,7 +6,7 @@ use crate::models::paper::case::Case;
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::mesh::Node;
 use crate::models::paper::eye::springs::{Spring, SpringKind};
-use crate::run::drawing::{DrawnNode, Drawing, Line, MARGIN};
+use crate::run::drawing::{Drawing, DrawnNode, Line, MARGIN};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 
 /// The drawing of a case.

@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use crate::run::course::{Beside, Course};
-use crate::run::trace::Group;
-use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
 use crate::report::text::significant;
+use crate::run::course::{Beside, Course};
+use crate::run::quantity::Quantity;
+use crate::run::trace::Group;
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -135,7 +135,7 @@ fn short(value: f64) -> String {
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
 fn curve(answer: &Answer, course: Course) -> Option<Curve> {
-    let traces = answer.traces.as_ref()?;
+    let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
     if values.iter().all(|value| *value == 0.0) {
         return None;

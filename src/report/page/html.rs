@@ -4,10 +4,8 @@ use std::ops::ControlFlow;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::run::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::many::comparison::{Entry, columns};
-use crate::run::watch::Watch;
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
@@ -15,6 +13,8 @@ use crate::report::limit;
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
 use crate::report::text::{capital, percent};
+use crate::run::quantity::Quantity;
+use crate::run::watch::Watch;
 use crate::scenario::load::to_ron;
 
 /// Nothing is loaded from anywhere, whatever a name holds.

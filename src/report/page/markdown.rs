@@ -2,13 +2,13 @@
 
 use std::io::{self, Write};
 
-use crate::run::quantity::Quantity;
 use crate::many::comparison::{Entry, columns};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
 use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::run::quantity::Quantity;
 
 /// Writes it.
 ///

@@ -9,7 +9,7 @@ use crate::tui::step::Step;
 pub(crate) fn step(model: &mut Model, step: Step) {
     if let Some((answer, window)) = model.timed() {
         let mut clock = model.clock;
-        clock.step(step, model.time(), &answer.frames, window);
+        clock.step(step, model.time(), &answer.run.frames, window);
         model.clock = clock;
     }
 }

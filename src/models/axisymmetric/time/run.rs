@@ -13,15 +13,15 @@
 //! balance of energy and a quarter of the step watch over it.
 
 use crate::models::axisymmetric::eye::RevolutionEye;
-use crate::models::axisymmetric::readings;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{Flight, Object};
 use crate::models::axisymmetric::forces::plain::Plain;
 use crate::models::axisymmetric::forces::rows::Rows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
 use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::readings;
 use crate::models::axisymmetric::recording::frames::FrameTaker;
-use crate::models::axisymmetric::recording::results::{EngineRun, Energy, Extremes};
+use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };

@@ -9,7 +9,7 @@
 //! circles, which its figure 5 shows.
 
 use crate::models::paper::eye::lens;
-use crate::run::places::{GLOBE_RADIUS_M, ORBIT_RADIUS_M, Region};
+use crate::run::places::{GLOBE_RADIUS_M, Region};
 use crate::scenario::EyeInput;
 use nalgebra::Point2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

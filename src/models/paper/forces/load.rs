@@ -24,16 +24,6 @@ pub struct ArcLoad {
 }
 
 impl ArcLoad {
-    /// No load on any arc.
-    pub fn none() -> Self {
-        Self {
-            shares: Vec::new(),
-            direction: Vector2::x(),
-            shielded: 0.0,
-            arc: (0.0, 0.0),
-        }
-    }
-
     /// Spreads a force over the arc that `input` asks for.
     pub fn new(input: &ForcePulse, eye: &Eye) -> Self {
         let theta = input.angle_deg.to_radians();

@@ -10,12 +10,12 @@
 
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
-use crate::models::pulse::Segment;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::run::plan::Cost;
 use crate::models::paper::time::method::Drag;
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::pulse::Segment;
+use crate::run::plan::Cost;
 
 /// A composition, ready for steps of one length.
 pub(crate) struct Composition<'a> {

@@ -17,11 +17,11 @@ use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Survey, by_tissue};
 use crate::models::paper::forces::lanes::{V, fused, load, splat, store, total};
-use crate::models::pulse::{Piece, Segment};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::{LANES, System};
-use crate::run::plan::{Cost, Plan};
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::pulse::{Piece, Segment};
+use crate::run::plan::{Cost, Plan};
 use fearless_simd::{Simd, SimdBase, dispatch};
 use std::ops::Range;
 

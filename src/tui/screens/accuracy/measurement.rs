@@ -6,11 +6,11 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::run::quantity::Quantity;
 use crate::answer::total::{Total, Totals, finest_tried, measure};
+use crate::report::text::{percent, significant};
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::report::text::{percent, significant};
 use crate::scenario::{NumericsInput, Scenario};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};

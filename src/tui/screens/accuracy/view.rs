@@ -7,9 +7,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::run::quantity::Quantity;
 use crate::answer::total::{ROUNDS, Total, Totals};
 use crate::report::text::{percent, significant};
+use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::model::{Look, Model};
 use crate::tui::screens::accuracy::log_axis::{Axis, tick_label};

@@ -3,14 +3,14 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use crate::run::course::{Beside, Course};
+use crate::answer::derived::Derived;
 use crate::answer::mesh_error::MeshError;
-use crate::run::quantity::Quantity;
-use crate::run::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::many::comparison::order;
 use crate::report;
+use crate::run::course::{Beside, Course};
 use crate::run::kept::Traces;
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use crate::tui::model::Shown;
 use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
@@ -42,7 +42,7 @@ impl Column {
 
     /// Whether it holds what is believed of an injury.
     fn is_believed(self) -> bool {
-        matches!(self, Self::Result(of) if matches!(of.row().read, Read::Believed(_)))
+        matches!(self, Self::Result(of) if matches!(of.derived(), Some(Derived::Believed(_))))
     }
 
     /// What is believed before what that is read off, then other risks and the rest.
@@ -93,7 +93,7 @@ impl Alignment {
     fn moment(self, answer: &Answer) -> f64 {
         match self {
             Self::Clock => 0.0,
-            Self::Contact => answer.traces.as_ref().map_or(0.0, first_contact),
+            Self::Contact => answer.run.traces.as_ref().map_or(0.0, first_contact),
             Self::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
         }
     }
@@ -335,8 +335,8 @@ impl Comparison {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::run::watch::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
     use crate::scenario::library;
 
     fn filled() -> Comparison {
@@ -419,7 +419,7 @@ mod tests {
         assert!(times[0] > 0.0 && (times[1] - times[0]).abs() < 1e-12);
         comparison.alignment = Alignment::Contact;
         let contact =
-            |entry: &Entry| first_contact(entry.answer().unwrap().traces.as_ref().unwrap());
+            |entry: &Entry| first_contact(entry.answer().unwrap().run.traces.as_ref().unwrap());
         assert!(comparison.entries.iter().all(|entry| contact(entry) < 1e-4));
     }
 

@@ -8,13 +8,13 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use crate::run::course::Course;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::Answer;
+use crate::plain_text::quoted;
+use crate::run::course::Course;
+use crate::run::kept::Traces;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::plain_text::quoted;
-use crate::run::kept::Traces;
 use crate::scenario::Scenario;
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
@@ -313,7 +313,7 @@ fn next_curve(model: &mut Model) {
     let there = |course: &Course| {
         let has = |traces: &Traces| !course.values(traces).is_empty();
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
-        answers.any(|answer| answer.traces.as_ref().is_some_and(has))
+        answers.any(|answer| answer.run.traces.as_ref().is_some_and(has))
     };
     let here = model.screens.compare.curve();
     let after = drawn().skip_while(|course| *course != here).skip(1);

@@ -2,11 +2,11 @@
 
 mod view;
 
-use crate::run::quantity::Quantity;
-use crate::run::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::injury::Verdict;
 use crate::many::ensemble::Ensemble;
 use crate::report::verdict::is_void;
+use crate::run::quantity::Quantity;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -50,7 +50,7 @@ const STOPPED_KEYS: KeyTable = KeyTable {
 /// other risks, and last what means nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    let believed = |of: Quantity| matches!(of.row().read, Read::Believed(_));
+    let believed = |of: Quantity| matches!(of.derived(), Some(Derived::Believed(_)));
     results.sort_by_key(|of| (is_void(verdicts, *of), !believed(*of), !of.is_risk()));
     results
 }
