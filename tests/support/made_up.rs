@@ -125,14 +125,8 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
             0.9 * give * APEX_M * pushed(s)
         }),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
-        projectile: [
-            some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
-            some(blow.is_some(), &|_| 0.0),
-        ],
-        projectile_velocity: [
-            some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
-            some(blow.is_some(), &|_| 0.0),
-        ],
+        projectile: some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
+        projectile_velocity: some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
     }
 }
 
