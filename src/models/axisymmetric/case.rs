@@ -164,7 +164,6 @@ impl RevolutionCase {
             cost: Cost {
                 steps: run.steps,
                 evaluations: run.steps + 1,
-                ..Cost::default()
             },
             simulated: run.simulated,
         })
