@@ -3,6 +3,7 @@
 //! `cargo bench` prints the fastest of many interleaved rounds, which other work on the machine
 //! disturbs least, and the ratios between them; at the end a table of the targets.
 
+use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::solve;
 use contrecoup::many::batch::{solve_all, solve_one};
 use contrecoup::many::statistics::median;
@@ -16,12 +17,15 @@ use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
 use contrecoup::models::pulse::Piece;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::model::EyeModel;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::quantity::Quantity;
 use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
 use std::hint::black_box;
 use std::process::Command;
+use std::sync::Arc;
 use std::time::Instant;
 
 mod outside;
@@ -232,13 +236,15 @@ fn standard_case(targets: &mut Targets) {
     let quick = case(1, false, false);
     let fine = plan(&quick, Integrator::Srkn11b, 0.05);
     let run = |plan: &Plan| {
-        let solution = quick.run(plan, Keep::default(), &mut unwatched);
-        solution.expect("a stable step").recording.extremes
+        let run = quick.run(plan, Keep::default(), &mut unwatched);
+        run.expect("a stable step")
     };
+    let compiled = Compiled::with(Arc::new(quick.clone()), &Scenario::default());
     let reference = run(&fine);
-    let truth = quick.results(&reference);
-    let force = reference.force.map(|p| p.value);
-    let sampled = [force[0], force[1], force[2], force[3], reference.apex.value];
+    let truth = compiled.results(&reference);
+    let value = |of| reference.readings.value(of).expect("a reading");
+    let [a, b, c, d] = Quantity::FORCES.map(value);
+    let sampled = [a, b, c, d, value(Quantity::Apex)];
     // The largest step from which on every shorter one will do: a single one may be lucky.
     let limit = quick.step_limit(Integrator::VelocityVerlet);
     let step = (0..20)
@@ -276,7 +282,7 @@ fn standard_case(targets: &mut Targets) {
     let time = times.0;
     let error = |plan| {
         Some(
-            quick
+            compiled
                 .results(&run(plan))
                 .difference_percent(&truth)
                 .headline(),
@@ -326,7 +332,7 @@ fn on_one_core(scenario: &CheckedScenario) {
     let case = Case::new(scenario);
     for share in SHARES {
         let plan = plan(&case, Integrator::Srkn6b, share);
-        black_box(case.run(&plan, Keep::default(), &mut unwatched).is_ok());
+        black_box(case.record(&plan, Keep::default(), &mut unwatched).is_ok());
     }
 }
 

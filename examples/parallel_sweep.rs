@@ -27,7 +27,7 @@ fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
     Ok((
         answer.results()[Quantity::Damage],
         answer.errors.time_step[Quantity::Damage],
-        answer.left.folded_at().is_some(),
+        answer.run.folded_at().is_some(),
     ))
 }
 

@@ -400,13 +400,13 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
 
     // A whole run: its energy to the same agreement, its peaks no lower than any force seen outside.
     let run = case
-        .run(
+        .record(
             &plan(Integrator::Srkn6b, 2e-7 / k, last),
             Keep::default(),
             &mut unwatched,
         )
         .unwrap();
-    let extremes = run.recording.extremes;
+    let extremes = run.extremes;
     let work = found.states[times.len() - 1][4 * case.eye.nodes.len()];
     assert!((extremes.work / work - 1.0).abs() < AGREEMENT);
     let peaks = extremes.force.iter().map(|p| p.value).zip(found.forces);

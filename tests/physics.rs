@@ -13,6 +13,7 @@ use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
 use contrecoup::models::paper::time::stability;
 use contrecoup::models::pulse::{Piece, Pulse};
+use contrecoup::run::model::EyeModel;
 use contrecoup::run::places::Region;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
 use contrecoup::scenario::Integrator;

@@ -14,6 +14,7 @@ use contrecoup::models::paper::time::march::{Observer, march};
 use contrecoup::models::paper::time::method::Drag;
 use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::run::kept::Keep;
+use contrecoup::run::model::EyeModel;
 use contrecoup::run::places::Region;
 use contrecoup::run::plan::Plan;
 use contrecoup::run::quantity::Quantity;
@@ -200,7 +201,7 @@ fn a_step_error_is_never_zero_because_both_runs_took_the_same_steps() {
     let coarse = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     set(&mut scenario, "numerics.step_us", "0.0001").unwrap();
     let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    let truth = (coarse.index.energy / fine.index.energy - 1.0).abs() * 100.0;
+    let truth = (coarse.index().energy / fine.index().energy - 1.0).abs() * 100.0;
     assert!(
         coarse.errors.time_step[Quantity::Energy].unwrap() >= truth,
         "{truth}"

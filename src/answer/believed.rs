@@ -21,19 +21,15 @@ pub struct Scene {
 impl Scene {
     /// That of a scenario.
     pub fn of(scenario: &Scenario) -> Self {
-        let blow = Blow::of(scenario);
         let Model::Physiological(model) = &scenario.model else {
-            return Self {
-                blow,
-                ..Self::default()
-            };
+            return Self::default();
         };
         let angle = match &scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg,
             Impact::Projectile(object) => object.angle_deg,
         };
         Self {
-            blow,
+            blow: Blow::of(scenario),
             pig: model.species == Species::Pig,
             aslant: angle.abs() > TRUSTED_ANGLE_DEG,
         }

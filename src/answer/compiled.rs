@@ -30,7 +30,7 @@ impl Compiled {
     }
 
     /// A scenario with an eye that somebody else compiled of it.
-    pub(crate) fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
+    pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
         Self {
             eye,
             scene: Scene::of(scenario),
@@ -49,7 +49,7 @@ impl Compiled {
     }
 
     /// What holds for every scene of the model.
-    pub(crate) fn rules(&self) -> &'static Rules {
+    pub fn rules(&self) -> &'static Rules {
         self.eye.rules()
     }
 

@@ -23,8 +23,6 @@ pub enum Piece {
     Line(usize),
     /// After the pulse.
     Nothing,
-    /// No pulse at all: what acts is not known beforehand.
-    Free,
 }
 
 /// A stretch of time with a smooth load.
@@ -124,13 +122,6 @@ impl Pulse {
 
     /// Smooth stretches from 0 to `window` seconds, in order.
     pub fn segments(&self, window: f64) -> Vec<Segment> {
-        if self.duration == 0.0 {
-            return vec![Segment {
-                start: 0.0,
-                end: window,
-                piece: Piece::Free,
-            }];
-        }
         let edge = self.edge();
         let t = self.duration;
         let pieces = match self.shape {
@@ -173,7 +164,7 @@ impl Pulse {
                 Piece::Fall => raised((self.duration - t) / self.edge()),
                 Piece::Arch => libm::sin(PI * t / self.duration),
                 Piece::Line(i) => self.lines[i].share(t),
-                Piece::Nothing | Piece::Free => 0.0,
+                Piece::Nothing => 0.0,
             }
     }
 

@@ -38,14 +38,10 @@ pub enum Beside {
     Kinetic,
     /// Energy lost so far.
     Dissipated,
-    /// Centre of the projectile.
+    /// Centre of the projectile along its flight.
     ProjectileX,
-    /// The same, up.
-    ProjectileY,
-    /// Velocity of the projectile.
+    /// Its velocity.
     ProjectileVx,
-    /// The same, up.
-    ProjectileVy,
 }
 
 /// All that is known of a course.
@@ -196,27 +192,13 @@ impl Beside {
                     "mm",
                     1e3,
                     "projectile_x_mm",
-                    |t| &t.projectile[0],
+                    |t| &t.projectile,
                     (Projectile, 1),
                 )
             },
-            Self::ProjectileY => CourseRow {
-                label: "projectile y",
-                ..course(
-                    "mm",
-                    1e3,
-                    "projectile_y_mm",
-                    |t| &t.projectile[1],
-                    (Projectile, 2),
-                )
-            },
             Self::ProjectileVx => {
-                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[0];
+                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity;
                 course("m/s", 1.0, "projectile_vx_m_s", values, (Projectile, 3))
-            }
-            Self::ProjectileVy => {
-                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[1];
-                course("m/s", 1.0, "projectile_vy_m_s", values, (Projectile, 4))
             }
         }
     }

@@ -38,8 +38,7 @@ pub enum Quantity {
     StoredEnergy,
     /// Peak intraocular pressure, in megapascals, at the eye of revolution: the mean of the globe through a low pass of 20 us.
     Pressure,
-    /// Peak force of contact, N, where a projectile hits, as a mean over 100 us. In the Paper model that of a
-    /// light fast object is the force of the two mass points it meets: with tissue at 0.001 kPa it is the same.
+    /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
     /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals: a
     /// mean over 150 us.
@@ -131,6 +130,13 @@ pub struct Row {
 impl Quantity {
     /// All of them.
     pub const ALL: &[Self] = Self::VARIANTS;
+    /// The peak forces at the monitored nodes, in the paper's order.
+    pub const FORCES: [Self; 4] = [
+        Self::ForceCentre,
+        Self::ForceFront,
+        Self::ForceRight,
+        Self::ForceTop,
+    ];
 
     /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]

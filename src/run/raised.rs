@@ -90,37 +90,9 @@ impl Raised {
         );
     }
 
-    /// A window, in s, that ends while the projectile touches the eye or flies at it.
-    pub fn contact_cut(&mut self, window: f64) {
-        self.raise_at(
-            window,
-            FlagKind::ContactCut,
-            "the window ended before the projectile had left the eye",
-        );
-    }
-
     /// A window, in s, that ends too early for a result, of which it is said how.
     pub fn window_short(&mut self, window: f64, how: impl Into<String>) {
         self.raise_at(window, FlagKind::WindowShort, how);
-    }
-
-    /// A projectile that met a rim, which is named, at `time`, in s, with a force in N where it is known.
-    pub fn rim_stops(&mut self, rim: &str, time: f64, force: Option<f64>) {
-        let force = force.map_or_else(String::new, |force| format!(", with {force:.1e} N"));
-        let at = time * 1e3;
-        self.raise_at(
-            time,
-            FlagKind::RimStops,
-            format!("{rim} met the projectile at {at:.3} ms{force}"),
-        );
-    }
-
-    /// A projectile that a rim caught before it came to the eye.
-    pub fn rim_kept_it_off(&mut self, rim: &str) {
-        self.raise(
-            FlagKind::EyeMissed,
-            format!("{rim} kept the projectile off the eye"),
-        );
     }
 }
 

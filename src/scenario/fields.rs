@@ -10,7 +10,7 @@ use std::mem::discriminant;
 
 use crate::scenario::problem::plain;
 use crate::scenario::{
-    FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
+    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
     Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support,
     Surface, integrator,
 };
@@ -437,7 +437,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.duration_ms", "Duration", "ms", "From the first force to the last", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
     field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(projectile, projectile_mut, mass_g))),
     field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(projectile, projectile_mut, diameter_mm))),
-    field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, 500.0, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
+    field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, FASTEST_M_S, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
     field("impact.angle_deg", "Angle", "deg", "0 from the front, above 0 from above; an object is trusted to 40", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
     field("impact.stiffness", "Its stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(projectile, projectile_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),

@@ -118,7 +118,7 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     // A folded mesh has no parts on show.
     answer.flags.clear();
     shown.answer = Arc::new(answer);
-    let index = shown.answer.index;
+    let index = shown.answer.index();
     let parts = [
         ("S shell", index.shell_growth / SHELL.threshold),
         ("M meridian", index.meridian_growth / MERIDIAN.threshold),

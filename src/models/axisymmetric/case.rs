@@ -118,7 +118,6 @@ impl EyeModel for RevolutionCase {
             cost: Cost {
                 steps: run.steps,
                 evaluations: run.steps + 1,
-                ..Cost::default()
             },
         })
     }

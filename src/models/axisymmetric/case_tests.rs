@@ -1,9 +1,9 @@
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
-use crate::models::axisymmetric::case::RevolutionCase;
+
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
@@ -34,10 +34,6 @@ fn bb(speed_m_s: f64) -> Projectile {
 fn solved(scenario: &Scenario) -> Answer {
     let checked = scenario.check().unwrap();
     solve(&checked, Keep::default(), &mut unwatched).unwrap()
-}
-
-fn case(scenario: &Scenario) -> RevolutionCase {
-    RevolutionCase::new(&scenario.check().unwrap(), &Physiological::default())
 }
 
 #[test]
@@ -410,7 +406,7 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
     assert_eq!(answer.run.frames.len(), 15);
     for (i, frame) in answer.run.frames.iter().enumerate() {
         assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);
-        assert_eq!(frame.cells.len(), case(&answer).eye.cells.len());
+        assert_eq!(frame.cells.len(), answer.case.eye.elements());
     }
     let mut streamed = Vec::new();
     let take = &mut |frame| {

@@ -26,10 +26,21 @@ pub(crate) fn raise(
         );
     }
     if extremes.rim_force.value > 0.0 {
-        let rim = extremes.rim_force;
-        raised.rim_stops(case.rim, rim.time, Some(rim.value));
+        let (rim, force) = (case.rim, extremes.rim_force);
+        let at = force.time * 1e3;
+        raised.raise_at(
+            force.time,
+            FlagKind::RimStops,
+            format!(
+                "{rim} met the projectile at {at:.3} ms, with {:.1e} N",
+                force.value
+            ),
+        );
         if extremes.missed() {
-            raised.rim_kept_it_off(case.rim);
+            raised.raise(
+                FlagKind::EyeMissed,
+                format!("{rim} kept the projectile off the eye"),
+            );
         }
     }
     if let Some(time) = extremes.crushed_at {
@@ -58,7 +69,11 @@ fn window(
         return;
     }
     if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
-        raised.contact_cut(case.window);
+        raised.raise_at(
+            case.window,
+            FlagKind::ContactCut,
+            "the window ended before the projectile had left the eye",
+        );
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = readings.peak(**of);

@@ -9,7 +9,7 @@ mod drawing;
 pub mod eye;
 mod flags;
 pub mod forces;
-mod readings;
+pub mod readings;
 pub mod recording;
 pub(crate) mod rules;
 pub mod time;

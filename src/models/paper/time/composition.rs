@@ -82,7 +82,7 @@ impl<'a> Composition<'a> {
 }
 
 /// Distance per initial speed when the speed decays at `rate` for `t` seconds.
-pub(crate) fn exact_reach(rate: f64, t: f64) -> f64 {
+fn exact_reach(rate: f64, t: f64) -> f64 {
     if rate == 0.0 {
         t
     } else {
@@ -128,7 +128,7 @@ impl Stepper for Composition<'_> {
         let survey = kernel::evaluate(system, state, force, self.last_kick);
         let after = state.load_speed(system);
         state.work += self.last_kick * force * 0.5 * (speed + after);
-        state.time = self.clock.advance(1);
+        state.time = self.clock.advance();
         cost.evaluations += self.stages.len();
         survey
     }

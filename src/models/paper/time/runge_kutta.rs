@@ -345,7 +345,7 @@ impl Stepper for RungeKutta<'_> {
         } else {
             let h = self.clock.length();
             let survey = self.attempt(state, segment.piece, h, cost);
-            state.time = self.clock.advance(1);
+            state.time = self.clock.advance();
             survey
         };
         // The end of this step is the start of the next.

@@ -48,10 +48,10 @@ impl EqualSteps {
         self.length
     }
 
-    /// The time after `more` further steps, in s: computed, not summed, so that rounding does not
-    /// pile up over many steps.
-    pub fn advance(&mut self, more: usize) -> f64 {
-        self.taken += more;
+    /// The time after one more step, in s: computed, not summed, so that rounding does not pile up
+    /// over many steps.
+    pub fn advance(&mut self) -> f64 {
+        self.taken += 1;
         if self.taken == self.total {
             self.end
         } else {
