@@ -297,6 +297,7 @@ mod word_or_auto {
     use clap::ValueEnum;
     use serde::{Deserialize, Deserializer, Serializer};
 
+    #[expect(clippy::ref_option, reason = "serde calls it so")]
     pub fn serialize<T: ValueEnum, S: Serializer>(
         value: &Option<T>,
         to: S,

@@ -87,7 +87,7 @@ fn nearness(words: &[&str], text: &str) -> Option<f64> {
         .iter()
         .map(|word| {
             let word = word.to_lowercase();
-            let parts = text.split(|c: char| c == ' ' || c == '-');
+            let parts = text.split([' ', '-']);
             let best = parts.map(|part| likeness(&word, part)).fold(0.0, f64::max);
             let score = if text.contains(&word) {
                 1.0 + best
