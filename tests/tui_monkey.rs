@@ -164,7 +164,10 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
             symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
             heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
-            palette: Palette::default().on(dice.one(&[false, true])),
+            palette: Palette {
+                light: dice.one(&[false, true]),
+                ..Palette::default()
+            },
         };
         let mut model = prepare(&[], look).unwrap();
         let effects = begin(&mut model);

@@ -2,7 +2,7 @@
 
 use crate::answer::mesh_error::witnesses;
 use crate::report::json::by_result;
-use crate::report::text::{WIDTH, wrapped};
+use crate::report::text::block;
 use crate::run::quantity::Quantity;
 use crate::verify::coverage::{Checked, Coverage, Drawn, Miss, coverage, misses};
 use crate::verify::mesh_coverage::reference;
@@ -98,9 +98,7 @@ pub fn text(checked: &[Checked], asked: Asked, out: &mut dyn Write) -> io::Resul
             )
         }
     };
-    for line in wrapped(&head, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
+    block(&head, "", "", out)?;
     writeln!(out)?;
     writeln!(
         out,
@@ -120,9 +118,7 @@ pub fn text(checked: &[Checked], asked: Asked, out: &mut dyn Write) -> io::Resul
         let list: Vec<String> = silent.collect();
         let text = format!("Scenes without a limit and a claim: {}.", list.join(", "));
         writeln!(out)?;
-        for line in wrapped(&text, WIDTH) {
-            writeln!(out, "{line}")?;
-        }
+        block(&text, "", "", out)?;
     }
     let misses = misses(checked);
     if misses.is_empty() {

@@ -70,8 +70,13 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 /// Prints a text in lines of 80 columns, those that go on indented.
 pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - 4).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
+    block(text, "", "    ", out)
+}
+
+/// Prints a text in lines of 80 columns, with what stands before the first and before those that go on.
+pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
+    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
+        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
     }
     Ok(())
 }
@@ -218,10 +223,7 @@ fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
         return Ok(());
     }
     let text = format!("Unverified figures: {}", input.unverified.join(", "));
-    for line in wrapped(&text, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
-    Ok(())
+    block(&text, "", "", out)
 }
 
 /// Prints what finer meshes tend to, and which results they show no limit of.
@@ -230,10 +232,7 @@ fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "Damage index: {limit}")?;
     }
     let unknown = limit::unknown(answer).unwrap_or_default();
-    for line in wrapped(&unknown, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
-    Ok(())
+    block(&unknown, "", "", out)
 }
 
 /// Prints how far the results may be trusted, and how they were computed.

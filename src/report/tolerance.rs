@@ -1,6 +1,6 @@
 //! Whether tolerances are kept, as text of 80 columns and as one JSON object. The names are a contract.
 
-use crate::report::text::{WIDTH, percent, significant, wrapped};
+use crate::report::text::{block, percent, significant};
 use crate::verify::coverage::Drawn;
 use crate::verify::mesh_coverage::reference;
 use crate::verify::tolerance_coverage::{Kept, TOLERANCES, rows};
@@ -18,9 +18,7 @@ pub fn text(kept: &[Kept], seed: u32, out: &mut dyn Write) -> io::Result<()> {
         "Answers of --tolerance P in {count} random pulses of seed {seed}, each against level {level}. \
          Passed over at level 1, 2, 3 or {level}, as a mesh folded: {folded}."
     );
-    for line in wrapped(&head, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
+    block(&head, "", "", out)?;
     writeln!(
         out,
         "\n{:<12}{:>12}{:>12}{:>12}{:>16}{:>16}",
