@@ -17,7 +17,7 @@ use crate::models::paper::case::{Refusal, Watch};
 use crate::models::paper::time::march::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
-use crate::run::rules::{LONGEST_SHARE, share_for};
+use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// How often a step is shortened, each time at most to a half.
@@ -118,7 +118,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
             if error <= promise || answer.left.folded_at().is_some() {
                 break;
             }
-            plan.step *= (0.8 * shortening(&plan, promise, error)).clamp(0.5, 0.8);
+            plan.step *= next_share(promise, error, plan.integrator.method().order);
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }

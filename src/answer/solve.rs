@@ -16,7 +16,7 @@ use crate::models::paper::time::march::{Cost, Plan};
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::{Frame, Keep, Peak, Traces};
 use crate::run::raised::TwoRuns;
-use crate::run::rules::share_for;
+use crate::run::rules::next_share;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -298,8 +298,8 @@ fn shorter(
         let worth = rule.folded_percent.is_some_and(|most| error > most);
         (worth && helped).then_some(0.5)
     } else if error > rule.error_percent {
-        let share = share_for(rule.error_percent, error, case.order(plan.integrator));
-        Some((0.8 * share).clamp(0.5, 0.8))
+        let order = case.order(plan.integrator);
+        Some(next_share(rule.error_percent, error, order))
     } else {
         None
     }

@@ -13,7 +13,7 @@ use crate::models::paper::case::{Case, Moved, Refusal, Solution, Watch, plan_by}
 use crate::models::paper::eye::mesh::Region;
 use crate::models::paper::flags::Evidence;
 use crate::models::paper::recording::Recording;
-use crate::models::paper::time::march::{Cost, Plan};
+use crate::models::paper::time::march::{Cost, LOCAL_TOLERANCE, Plan};
 use crate::run::flags::Flag;
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
 use crate::run::raised::TwoRuns;
@@ -211,12 +211,23 @@ impl Compiled {
         plan_by(self.moved(), scenario, &self.rules().answer)
     }
 
-    /// The same for one run alone, as a batch and a mesh error make it.
+    /// The same for one run alone, as a mesh error makes it.
     ///
     /// # Errors
     /// As [`Self::plan`].
     pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
         plan_by(self.moved(), scenario, &self.rules().alone)
+    }
+
+    /// An integrator at a share of its stability limit, on the scenario's own window.
+    pub(crate) fn plan_at(&self, integrator: Integrator, share: f64) -> Plan {
+        Plan {
+            integrator,
+            step: share * self.step_limit(integrator),
+            window: self.window(),
+            multiple: 1.0,
+            local_tolerance: LOCAL_TOLERANCE,
+        }
     }
 
     /// The longest step of a plan, in s; at the eye of revolution the step at rest.

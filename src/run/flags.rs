@@ -1,7 +1,6 @@
 //! What a reader must know before trusting a result, each by name.
 //!
-//! `raised` collects them and words those that both eyes have; `section` raises those of a section, and
-//! [`crate::study::revolution`] those of the other eye.
+//! [`crate::run::raised`] collects them and words those that both eyes have; the rest each model raises itself.
 
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]

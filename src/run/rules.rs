@@ -24,7 +24,7 @@ pub(crate) struct Rules {
     pub integrators: &'static [Integrator],
     /// What an answer takes, which has a second run for its error.
     pub answer: Automatic,
-    /// What one run alone takes, as a batch and a mesh error make it.
+    /// What one run alone takes, as a mesh error makes it.
     pub alone: Automatic,
     /// The integrator of a reference solution on the same mesh.
     pub reference: Integrator,
@@ -98,6 +98,12 @@ impl Rules {
 /// The share of a step that should bring an `error` that falls with `order` to `target`.
 pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
+}
+
+/// The share of its step that a run with too large an `error` takes next: a little less than should do, at most
+/// a half of it and at least a fifth of it gone.
+pub(crate) fn next_share(target: f64, error: f64, order: i32) -> f64 {
+    (0.8 * share_for(target, error, order)).clamp(0.5, 0.8)
 }
 
 static SPRINGS: Rules = Rules {

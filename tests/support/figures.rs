@@ -47,8 +47,8 @@ const TARGETS: [&str; 8] = [
     "plain within 0.1 % against one run alone",
     "plain within 0.1 % against the run of an answer",
     "plain at its limit against one run alone",
-    "a scene of a batch, throughput per core against an answer",
-    "a scene of a batch, throughput per core against one run alone",
+    "a scene among many, throughput per core against an answer",
+    "a scene among many, throughput per core against one run alone",
     "process start to printed result against the solve",
 ];
 

@@ -291,7 +291,7 @@ impl Case {
         plan_by(self, scenario, &self.rules().answer)
     }
 
-    /// The same for one run alone, as a batch and a mesh error make it.
+    /// The same for one run alone, as a mesh error makes it.
     ///
     /// # Errors
     /// As [`Self::plan`].

@@ -1,6 +1,6 @@
 //! What kind of scene a scenario is, decided once.
 //!
-//! All that follows from the kind hangs on it: here what the eye is compiled with, in `study::rules`
+//! All that follows from the kind hangs on it: here what the eye is compiled with, in [`crate::run::rules`]
 //! which integrators solve it, in which steps, and how its step error is told.
 
 use crate::scenario::{Impact, Scenario};

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::answer::quantity::Quantity;
-use crate::answer::total::{Total, Totals, finest_tried, measure};
+use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
 use crate::models::paper::case::{Refusal, Watch};
 use crate::report::text::{percent, significant};
 use crate::scenario::{NumericsInput, Scenario};
@@ -16,7 +16,7 @@ use crate::tui::task::{Question, Report, Task};
 
 /// What there is so far is shown this often at most.
 const SHOW_EVERY: Duration = Duration::from_millis(200);
-/// Where the cursor begins: the fastest run of the front within so many percent.
+/// Where the cursor begins: the cheapest within so many percent.
 const FIRST: f64 = 10.0;
 /// Something is more exact or faster only below this share of what there is.
 const WORTH: f64 = 0.8;
@@ -25,23 +25,25 @@ const WORTH: f64 = 0.8;
 #[derive(Debug, Clone)]
 pub struct MeasureAccuracy {
     scenario: Scenario,
-    known: Option<Arc<Totals>>,
+    known: Option<Arc<Accuracy>>,
 }
 
 impl Question for MeasureAccuracy {
-    type Answer = Totals;
+    type Answer = Accuracy;
 
-    fn answer(&self, watch: Watch) -> Result<Totals, Refusal> {
+    fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
         self.fill_in(watch, &mut |_| {})
     }
 
-    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Totals)) -> Result<Totals, Refusal> {
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Accuracy)) -> Result<Accuracy, Refusal> {
         let known = self.known.as_deref().cloned();
         let mut shown = Instant::now();
-        measure(&self.scenario.check()?, known, watch, &mut |totals| {
+        let finest = finest_tried(&self.scenario);
+        let scenario = self.scenario.check()?;
+        measure(&scenario, finest, known, watch, &mut |so_far| {
             if shown.elapsed() >= SHOW_EVERY {
                 shown = Instant::now();
-                show(totals.clone());
+                show(so_far.clone());
             }
         })
     }
@@ -73,7 +75,7 @@ pub struct Proposal {
 #[derive(Debug, Default)]
 pub struct Measurement {
     /// What is known, and of which scenario.
-    pub known: Option<(Scenario, Arc<Totals>)>,
+    pub known: Option<(Scenario, Arc<Accuracy>)>,
     /// What is under way, or that it was stopped.
     pub task: Task<MeasureAccuracy>,
     /// The run under the cursor, once it was moved: level, integrator's name and step in s.
@@ -88,7 +90,7 @@ pub struct Measurement {
 
 impl Measurement {
     /// What is known of this scenario.
-    pub fn of(&self, scenario: &Scenario) -> Option<&Arc<Totals>> {
+    pub fn of(&self, scenario: &Scenario) -> Option<&Arc<Accuracy>> {
         let (asked, totals) = self.known.as_ref()?;
         (*asked == key(scenario)).then_some(totals)
     }
@@ -124,15 +126,7 @@ impl Measurement {
 
     /// The result on show: the chosen one where its error is known, else pressure, else damage.
     pub fn quantity(&self, scenario: &Scenario) -> Option<Quantity> {
-        let known = self.of(scenario)?.results();
-        let own = [
-            self.chosen,
-            Some(Quantity::Pressure),
-            Some(Quantity::Damage),
-        ];
-        let mut own = own.into_iter().flatten();
-        let there = own.find(|of| known.contains(of));
-        there.or(known.first().copied())
+        self.of(scenario)?.to_show(self.chosen)
     }
 
     /// Shows the next result.
@@ -154,9 +148,8 @@ impl Measurement {
     /// The place of the cursor among them.
     pub fn place(&self, shown: &[Total]) -> usize {
         let is_here = |total: &Total| self.cursor == Some(name(total));
-        let first = |total: &Total| total.on_front && total.error() <= FIRST;
         let place = shown.iter().position(is_here);
-        let place = place.or_else(|| shown.iter().position(first));
+        let place = place.or_else(|| cheapest(shown, FIRST));
         let best = || shown.iter().rposition(|total| total.on_front);
         place.or_else(best).unwrap_or(0)
     }

@@ -1,24 +1,23 @@
 //! Total error against time: mesh levels, integrators and steps on one scale.
 //!
-//! A run is one integrator at one step on one level. Its total error is the mesh error of the level, from the
+//! A trial is one integrator at one step on one level. Its total error is the mesh error of the level, from the
 //! two finer ones as in [`crate::answer::mesh_error`], and its step error: the difference from a reference on the same
-//! mesh. Times are medians of rounds interleaved over all runs, so that a busy moment hits them alike.
+//! mesh. Times are medians of rounds interleaved over all trials, so that a busy moment hits them alike.
 //!
 //! The work is a list of jobs from coarse to fine, so that what was stopped goes on where it was.
 //!
 //! Left out: methods that choose their own step, whose tolerance a scenario does not hold, and steps so short
-//! that only a step error shows them; [`crate::answer::accuracy`] has both.
+//! that only a step error shows them.
 
-use crate::answer::accuracy::{REFERENCE_OF_TOTALS, is_affordable};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, finest, witnesses};
 use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::many::statistics::median;
-use crate::models::compiled::Compiled;
+use crate::models::compiled::{Compiled, Element};
 use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use crate::models::paper::time::march::Plan;
 use crate::run::kept::Keep;
-use crate::scenario::{CheckedScenario, Model, NumericsInput, Scenario};
+use crate::scenario::{CheckedScenario, Integrator, Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -41,23 +40,16 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
+/// The step of the reference as a share of its stability limit: beside mesh errors its own error is nothing.
+const REFERENCE_SHARE: f64 = 0.15;
+/// Runs of 3 ms that cost more evaluations than this, per level, are left out.
+const MAX_EVALUATIONS: f64 = 8e4;
+/// Total errors that the cheapest trial is named for, in %.
+pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
 
-/// What is known of a mesh level.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OnLevel {
-    /// Its results by the automatic step of a run alone.
-    pub results: Results,
-    /// When its mesh folded, in s.
-    pub folded: Option<f64>,
-    /// Springs or cells that were computed.
-    pub elements: f64,
-    /// The results that step errors are against, once they are known.
-    pub reference: Option<Results>,
-}
-
-/// One integrator at one step on one level.
+/// One integrator at one step on one level, and what came of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
+pub struct Trial {
     /// The level.
     pub level: u32,
     /// Integrator and step.
@@ -68,11 +60,13 @@ pub struct Run {
     pub step: f64,
     /// What came of it; none where it diverged.
     pub results: Option<Results>,
+    /// Springs or cells that were computed.
+    pub elements: f64,
     /// Wall times, in s.
     pub times: Vec<f64>,
 }
 
-/// The error of a run in one result, and its time.
+/// The error of a trial in one result, and its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Total {
     /// The level.
@@ -83,6 +77,8 @@ pub struct Total {
     pub is_answer: bool,
     /// Longest step taken, in s.
     pub step: f64,
+    /// Springs or cells that were computed.
+    pub elements: f64,
     /// Median wall time, in s.
     pub seconds: f64,
     /// Error by the mesh, in %.
@@ -100,54 +96,56 @@ impl Total {
     }
 }
 
+/// The cheapest of trials from the fastest to the slowest whose error is within `percent`.
+pub fn cheapest(totals: &[Total], percent: f64) -> Option<usize> {
+    totals.iter().position(|total| total.error() <= percent)
+}
+
 /// All that is known of a scenario, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Totals {
+pub struct Accuracy {
     /// The model that was measured.
     pub model: Model,
-    /// Levels 1, 2, 3, ...
-    pub levels: Vec<OnLevel>,
-    /// Every run that was begun, by level.
-    pub runs: Vec<Run>,
+    /// What the work is counted in.
+    pub element: Element,
+    /// Levels 1, 2, 3, ... by the automatic step of a run alone.
+    pub levels: Vec<OnMesh>,
+    /// What step errors are against, of the levels whose trials have begun.
+    pub references: Vec<Results>,
+    /// Every trial that was begun, by level.
+    pub trials: Vec<Trial>,
     /// Jobs done, from the first.
     pub done: usize,
     /// All jobs.
     pub all: usize,
 }
 
-impl Totals {
+impl Accuracy {
     /// The mesh error of a level, in % of each result, once the two finer ones are known.
     pub fn mesh(&self, level: u32) -> Option<Results> {
-        let on = |level: u32| {
-            let known = self.levels.get(level as usize - 1)?;
-            Some(OnMesh {
-                results: known.results,
-                folded: known.folded,
-                elements: known.elements,
-            })
-        };
+        let on = |level: u32| self.levels.get(level as usize - 1);
         let [coarser, finer] = witnesses(&self.model, level).map(on);
-        let (own, coarser, finer) = (on(level)?, coarser?, finer?);
-        Some(MeshError::of(&self.model, level, &own, [&coarser, &finer]).errors)
+        Some(MeshError::of(&self.model, level, on(level)?, [coarser?, finer?]).errors)
     }
 
-    /// The runs whose error in a result is known, from the fastest to the slowest.
+    /// The trials whose error in a result is known, from the fastest to the slowest.
     pub fn of(&self, quantity: Quantity) -> Vec<Total> {
-        let one = |run: &Run| {
-            let reference = self.levels.get(run.level as usize - 1)?.reference?;
-            let by_step = run.results?.difference_percent(&reference)[quantity]?;
+        let one = |trial: &Trial| {
+            let reference = self.references.get(trial.level as usize - 1)?;
+            let by_step = trial.results?.difference_percent(reference)[quantity]?;
             Some(Total {
-                level: run.level,
-                plan: run.plan,
-                is_answer: run.is_answer,
-                step: run.step,
-                seconds: median(run.times.clone())?,
-                mesh: self.mesh(run.level)?[quantity]?,
+                level: trial.level,
+                plan: trial.plan,
+                is_answer: trial.is_answer,
+                step: trial.step,
+                elements: trial.elements,
+                seconds: median(trial.times.clone())?,
+                mesh: self.mesh(trial.level)?[quantity]?,
                 by_step,
                 on_front: false,
             })
         };
-        let mut totals: Vec<Total> = self.runs.iter().filter_map(one).collect();
+        let mut totals: Vec<Total> = self.trials.iter().filter_map(one).collect();
         totals.retain(|total| total.error().is_finite());
         totals.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
         let mut best = f64::INFINITY;
@@ -160,10 +158,20 @@ impl Totals {
         totals
     }
 
-    /// The results of which some run's error is known.
+    /// The results of which some trial's error is known.
     pub fn results(&self) -> Vec<Quantity> {
         let all = Quantity::ALL.iter().copied();
         all.filter(|of| !self.of(*of).is_empty()).collect()
+    }
+
+    /// The result to show: the chosen one where its error is known, else pressure, else damage.
+    pub fn to_show(&self, chosen: Option<Quantity>) -> Option<Quantity> {
+        let known = self.results();
+        let mut own = chosen
+            .into_iter()
+            .chain([Quantity::Pressure, Quantity::Damage]);
+        let there = own.find(|of| known.contains(of));
+        there.or(known.first().copied())
     }
 }
 
@@ -174,8 +182,8 @@ enum Job {
     Level(u32),
     /// What step errors on a level are against.
     Reference(u32),
-    /// A run of this place among all.
-    Run(usize),
+    /// The trial of this place among all.
+    Trial(usize),
 }
 
 /// What is to be done.
@@ -186,8 +194,7 @@ struct Work {
 }
 
 impl Work {
-    fn of(scenario: &Scenario) -> Result<Self, Refusal> {
-        let most = finest_tried(scenario);
+    fn of(scenario: &Scenario, most: u32) -> Result<Self, Refusal> {
         let case = |level| -> Result<Compiled, Refusal> {
             let mut other = scenario.clone();
             other.eye.level = level;
@@ -237,29 +244,17 @@ impl Work {
         &self,
         job: Job,
         scenario: &Scenario,
-        into: &mut Totals,
+        into: &mut Accuracy,
         watch: Watch,
     ) -> Result<(), Refusal> {
         match job {
-            Job::Level(level) => {
-                let OnMesh {
-                    results,
-                    folded,
-                    elements,
-                } = at_level(scenario, level, watch)?;
-                into.levels.push(OnLevel {
-                    results,
-                    folded,
-                    elements,
-                    reference: None,
-                });
-            }
+            Job::Level(level) => into.levels.push(at_level(scenario, level, watch)?),
             Job::Reference(level) => {
                 let case = &self.cases[level as usize - 1];
                 let left = case.run(&reference(case), Keep::default(), watch)?.left;
-                into.levels[level as usize - 1].reference = Some(case.results(&left));
+                into.references.push(case.results(&left));
             }
-            Job::Run(place) => {
+            Job::Trial(place) => {
                 let (level, plan) = self.choices[place];
                 let case = &self.cases[level as usize - 1];
                 let began = Instant::now();
@@ -268,19 +263,24 @@ impl Work {
                 if matches!(ran, Err(Refusal::Cancelled)) {
                     return Err(Refusal::Cancelled);
                 }
-                if place == into.runs.len() {
-                    into.runs.push(Run {
+                if place == into.trials.len() {
+                    into.trials.push(Trial {
                         level,
                         plan,
                         is_answer: plan == answer(case),
                         step: case.longest_step(&plan),
                         results: None,
+                        elements: 0.0,
                         times: Vec::new(),
                     });
                 }
-                let run = &mut into.runs[place];
-                run.results = ran.ok().map(|ran| case.results(&ran.left));
-                run.times.push(took);
+                let trial = &mut into.trials[place];
+                trial.times.push(took);
+                if let Ok(ran) = ran {
+                    let each = case.elements_per_evaluation();
+                    trial.elements = (ran.cost.evaluations * each) as f64;
+                    trial.results = Some(case.results(&ran.left));
+                }
             }
         }
         into.done += 1;
@@ -288,33 +288,30 @@ impl Work {
     }
 }
 
-/// Every run once, with its level and its cost.
+/// Every trial once, with its level and its cost.
 fn round<'a>(
     choices: &'a [(u32, Plan)],
     cost: &'a impl Fn(u32, &Plan) -> f64,
 ) -> impl Iterator<Item = (Job, u32, f64)> + 'a {
-    let runs = choices.iter().enumerate();
-    runs.map(|(place, (level, plan))| (Job::Run(place), *level, cost(*level, plan)))
-}
-
-fn plan(case: &Compiled, integrator: crate::scenario::Integrator, share: f64) -> Plan {
-    Plan {
-        integrator,
-        step: share * case.step_limit(integrator),
-        window: case.window(),
-        multiple: 1.0,
-        local_tolerance: LOCAL_TOLERANCE,
-    }
+    let trials = choices.iter().enumerate();
+    trials.map(|(place, (level, plan))| (Job::Trial(place), *level, cost(*level, plan)))
 }
 
 /// How an answer is computed.
 fn answer(case: &Compiled) -> Plan {
     let automatic = case.rules().answer;
-    plan(case, automatic.integrator, automatic.share)
+    case.plan_at(automatic.integrator, automatic.share)
 }
 
 fn reference(case: &Compiled) -> Plan {
-    plan(case, case.rules().reference, REFERENCE_OF_TOTALS)
+    case.plan_at(case.rules().reference, REFERENCE_SHARE)
+}
+
+/// Whether a plan costs no more than is worth a trial.
+fn is_affordable(case: &Compiled, plan: &Plan) -> bool {
+    let most = MAX_EVALUATIONS * case.window() / 3e-3;
+    let evaluations = case.window() / plan.step * plan.integrator.method().evaluations() as f64;
+    evaluations <= most * f64::from(case.level())
 }
 
 /// What is tried on a level, the answer's own plan first.
@@ -322,12 +319,12 @@ fn plans(case: &Compiled) -> Vec<Plan> {
     let mut plans = vec![answer(case)];
     for &integrator in case.rules().integrators {
         if !integrator.method().adaptive() {
-            plans.extend(SHARES.map(|share| plan(case, integrator, share)));
+            plans.extend(SHARES.map(|share| case.plan_at(integrator, share)));
         }
     }
     plans.retain(|plan| is_affordable(case, plan));
     // In a short window several steps come to the same.
-    let mut seen: Vec<(crate::scenario::Integrator, usize)> = Vec::new();
+    let mut seen: Vec<(Integrator, usize)> = Vec::new();
     plans.retain(|plan| {
         let of = (plan.integrator, case.steps(plan));
         let fresh = !seen.contains(&of);
@@ -337,36 +334,43 @@ fn plans(case: &Compiled) -> Vec<Plan> {
     plans
 }
 
-/// Measures what `known`, of the same scenario, lacks; `show` is told what there is after each job.
+/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose mesh errors
+/// come from two more. `show` is told what there is after each job.
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
 pub fn measure(
     scenario: &CheckedScenario,
-    known: Option<Totals>,
+    finest: u32,
+    known: Option<Accuracy>,
     watch: Watch,
-    show: &mut dyn FnMut(&Totals),
-) -> Result<Totals, Refusal> {
-    let work = Work::of(scenario)?;
-    let mut totals = known.unwrap_or(Totals {
+    show: &mut dyn FnMut(&Accuracy),
+) -> Result<Accuracy, Refusal> {
+    let work = Work::of(scenario, finest)?;
+    let mut accuracy = known.unwrap_or_else(|| Accuracy {
         model: scenario.model,
+        element: work.cases[0].elements().0,
         levels: Vec::new(),
-        runs: Vec::new(),
+        references: Vec::new(),
+        trials: Vec::new(),
         done: 0,
         all: work.jobs.len(),
     });
     let whole: f64 = work.jobs.iter().map(|(_, cost)| cost).sum();
-    let mut done: f64 = work.jobs[..totals.done].iter().map(|(_, cost)| cost).sum();
-    for (job, cost) in &work.jobs[totals.done..] {
+    let mut done: f64 = work.jobs[..accuracy.done]
+        .iter()
+        .map(|(_, cost)| cost)
+        .sum();
+    for (job, cost) in &work.jobs[accuracy.done..] {
         let mut part = |share: f64| watch(((done + share.min(1.0) * cost) / whole).min(1.0));
-        work.add(*job, scenario, &mut totals, &mut part)?;
+        work.add(*job, scenario, &mut accuracy, &mut part)?;
         done += cost;
-        show(&totals);
+        show(&accuracy);
         if watch((done / whole).min(1.0)) == ControlFlow::Break(()) {
             return Err(Refusal::Cancelled);
         }
     }
-    Ok(totals)
+    Ok(accuracy)
 }
 
 #[cfg(test)]
@@ -384,6 +388,7 @@ mod tests {
         let mut last = None;
         let stopped = measure(
             &scenario,
+            4,
             None,
             &mut |share| {
                 if share > 0.3 {
@@ -392,15 +397,16 @@ mod tests {
                     ControlFlow::Continue(())
                 }
             },
-            &mut |totals| last = Some(totals.clone()),
+            &mut |accuracy| last = Some(accuracy.clone()),
         );
         assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
         let part = last.unwrap();
         let before = part.clone();
-        let whole = measure(&scenario, Some(part), &mut unwatched, &mut |_| {}).unwrap();
+        let whole = measure(&scenario, 4, Some(part), &mut unwatched, &mut |_| {}).unwrap();
         assert!(before.done > 3 && before.done < whole.done);
-        assert_eq!(whole.levels[0], OnLevel { ..before.levels[0] });
-        assert!(whole.runs.iter().all(|run| run.times.len() == ROUNDS));
+        assert_eq!(whole.levels[0], before.levels[0]);
+        let timed = |trial: &Trial| trial.times.len() == ROUNDS;
+        assert!(whole.trials.iter().all(timed));
 
         let totals = whole.of(Quantity::Damage);
         assert!(totals.is_sorted_by(|a, b| a.seconds <= b.seconds));
@@ -411,6 +417,40 @@ mod tests {
             of.map(Total::error).fold(f64::INFINITY, f64::min)
         };
         assert!(least(1) > least(4), "{} {}", least(1), least(4));
-        assert!(whole.results().contains(&Quantity::Damage));
+        assert_eq!(whole.to_show(None), Some(Quantity::Damage));
+        assert_eq!(whole.to_show(Some(Quantity::Apex)), Some(Quantity::Apex));
+        for percent in TOLERANCES {
+            let within = |total: &Total| total.error() <= percent;
+            let (faster, rest) =
+                totals.split_at(cheapest(&totals, percent).unwrap_or(totals.len()));
+            assert!(rest.first().is_none_or(within) && !faster.iter().any(within));
+        }
+    }
+
+    /// The watch stops it at its first word beyond `limit`, and hears nothing after that.
+    #[test]
+    fn it_can_be_stopped_within_every_run_that_it_makes() {
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        let scenario = scenario.check().unwrap();
+        for limit in [0.0, 0.05, 0.3, 0.62, 0.9] {
+            let (mut last, mut after) = (0.0, 0);
+            let mut watch = |share| {
+                assert!((last..=1.0).contains(&share), "{share} after {last}");
+                after += usize::from(last > limit);
+                last = share;
+                if share > limit {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            let outcome = measure(&scenario, 1, None, &mut watch, &mut |_| {});
+            assert_eq!(outcome.unwrap_err(), Refusal::Cancelled);
+            assert_eq!(after, 0, "{limit}");
+            assert!(last - limit < 0.1, "{limit}: only at {last}");
+        }
     }
 }
