@@ -103,7 +103,11 @@ fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
     }
     let mesh_and_step =
         |t: &Value| number(t, "mesh_error_percent") + number(t, "step_error_percent");
-    assert!(trials.iter().all(|t| (error(t) / mesh_and_step(t) - 1.0).abs() < 1e-12));
+    assert!(
+        trials
+            .iter()
+            .all(|t| (error(t) / mesh_and_step(t) - 1.0).abs() < 1e-12)
+    );
     assert!(trials.iter().any(|t| t["on_front"] == true));
     let cheapest = object["cheapest"].as_array().unwrap();
     let named = cheapest.iter().filter_map(|best| {

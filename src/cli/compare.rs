@@ -7,7 +7,7 @@ use crate::cli::ensemble::result;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
-use crate::many::comparison::{columns, compare, sort};
+use crate::many::comparison::{Column, compare, leading, order};
 use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
 use crate::report::compare::{Table, csv, json};
@@ -28,7 +28,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
     let entries = compare(
-        asked,
+        &asked,
         |_| Keep::default(),
         &stop,
         |done, of| lock().count("simulating", done, of),
@@ -39,7 +39,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         other => other.into(),
     })?;
     if let Some(by) = by {
-        sort(&mut entries, by);
+        entries.sort_by(|a, b| order(a, b, (Column::Result(by), true)));
     }
     if args.json {
         return Ok(write_json(out, &json(&entries))?);
@@ -47,7 +47,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if args.csv {
         return Ok(csv(&entries, out)?);
     }
-    let table = Table::of(&entries, &columns(&entries, by));
+    let table = Table::of(&entries, &leading(&entries, by));
     if args.md {
         table.markdown(out)?;
     } else {

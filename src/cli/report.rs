@@ -31,7 +31,7 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let progress = Mutex::new(Progress::new());
     let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
     let entries = compare(
-        asked,
+        &asked,
         |scenario| keep(scenario),
         &stop,
         |done, of| lock().count("simulating", done, of),

@@ -9,6 +9,14 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+/// A watch that goes on until `stop` is set.
+pub fn until(stop: &AtomicBool) -> impl FnMut(f64) -> ControlFlow<()> + '_ {
+    |_| match stop.load(Ordering::Relaxed) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    }
+}
+
 struct Desk<T, D> {
     next: usize,
     waiting: BTreeMap<usize, T>,

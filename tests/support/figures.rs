@@ -206,14 +206,19 @@ fn from(text: &str, begin: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Of a measured accuracy the integrators over their steps.
+/// Of a measured accuracy the integrators over their steps, at level 1.
 fn methods(text: &str) -> String {
-    before(&from(text, "  integrator"), "\nfor ")
+    let rows = before(&from(text, "  level "), "\nThe cheapest");
+    only(&rows, |line| {
+        line.starts_with("  level")
+            || line.starts_with("* no")
+            || line[1..].trim().starts_with("1 ")
+    })
 }
 
 /// And the mesh levels.
 fn meshes(text: &str) -> String {
-    from(text, "level ")
+    before(&from(text, "level "), "\n  level ")
 }
 
 fn only(text: &str, keep: impl Fn(&&str) -> bool) -> String {

@@ -11,6 +11,7 @@ use ratatui::layout::Rect;
 use crate::answer::course::Course;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::Answer;
+use crate::many::comparison::Found;
 use crate::models::paper::case::{Refusal, Watch};
 use crate::plain_text::quoted;
 use crate::run::kept::Traces;
@@ -26,7 +27,7 @@ use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
 use crate::tui::work::Work;
-use comparison::{Comparison, FORM, Found, MAX_MARKED};
+use comparison::{Comparison, FORM, MAX_MARKED};
 
 /// The places of the panes.
 const LIST: usize = 0;
