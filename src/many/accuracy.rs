@@ -18,6 +18,7 @@ use crate::models::paper::case::{Refusal, Watch};
 use crate::models::paper::time::march::Plan;
 use crate::run::kept::Keep;
 use crate::scenario::{CheckedScenario, Integrator, Model, NumericsInput, Scenario};
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -42,8 +43,6 @@ const WORTH: f64 = 0.98;
 pub const ROUNDS: usize = 3;
 /// The step of the reference as a share of its stability limit: beside mesh errors its own error is nothing.
 const REFERENCE_SHARE: f64 = 0.15;
-/// Runs of 3 ms that cost more evaluations than this, per level, are left out.
-const MAX_EVALUATIONS: f64 = 8e4;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
 
@@ -110,9 +109,9 @@ pub struct Accuracy {
     pub element: Element,
     /// Levels 1, 2, 3, ... by the automatic step of a run alone.
     pub levels: Vec<OnMesh>,
-    /// What step errors are against, of the levels whose trials have begun.
+    /// What step errors are against, of the levels that are reached.
     pub references: Vec<Results>,
-    /// Every trial that was begun, by level.
+    /// Every trial, by level.
     pub trials: Vec<Trial>,
     /// Jobs done, from the first.
     pub done: usize,
@@ -186,115 +185,35 @@ enum Job {
     Trial(usize),
 }
 
-/// What is to be done.
-struct Work {
-    cases: Vec<Compiled>,
-    choices: Vec<(u32, Plan)>,
-    jobs: Vec<(Job, f64)>,
-}
-
-impl Work {
-    fn of(scenario: &Scenario, most: u32) -> Result<Self, Refusal> {
-        let case = |level| -> Result<Compiled, Refusal> {
-            let mut other = scenario.clone();
-            other.eye.level = level;
-            other.numerics = NumericsInput::default();
-            Ok(Compiled::new(&other.check()?))
-        };
-        let cases: Vec<Compiled> = (1..=most).map(case).collect::<Result<_, _>>()?;
-        let mut choices = Vec::new();
-        for (level, case) in (1..).zip(&cases) {
-            choices.extend(plans(case).into_iter().map(|plan| (level, plan)));
+/// The work and what each piece costs, from coarse to fine; then the further rounds.
+fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
+    let most = cases.len() as u32;
+    let case = |level: u32| &cases[level.min(most) as usize - 1];
+    // Above the finest level that is tried work is taken to grow with the cube.
+    let cost = |level: u32, plan: &Plan| {
+        let evaluations = plan.window / plan.step * plan.integrator.method().evaluations() as f64;
+        let finer = f64::from(level) / f64::from(level.min(most));
+        evaluations * case(level).elements_per_evaluation() as f64 * finer.powi(3)
+    };
+    let timed = |(place, trial): (usize, &Trial)| {
+        let cost = cost(trial.level, &trial.plan);
+        (Job::Trial(place), cost)
+    };
+    let places = || trials.iter().enumerate();
+    let (mut jobs, mut levels) = (Vec::new(), 0);
+    for level in 1..=most {
+        let finest = witnesses(model, level)[1];
+        for next in levels + 1..=finest {
+            jobs.push((Job::Level(next), cost(next, &answer(case(next)))));
         }
-        let cost = |level: u32, plan: &Plan| {
-            let case = &cases[level.min(most) as usize - 1];
-            let evaluations =
-                plan.window / plan.step * plan.integrator.method().evaluations() as f64;
-            let finer = f64::from(level) / f64::from(level.min(most));
-            evaluations * case.elements_per_evaluation() as f64 * finer.powi(3)
-        };
-        let answer = |level: u32| answer(&cases[level.min(most) as usize - 1]);
-        let mut jobs = Vec::new();
-        let mut levels = 0;
-        for level in 1..=most {
-            while levels < witnesses(&scenario.model, level)[1] {
-                levels += 1;
-                jobs.push((Job::Level(levels), cost(levels, &answer(levels))));
-            }
-            let reference = reference(&cases[level as usize - 1]);
-            jobs.push((Job::Reference(level), cost(level, &reference)));
-            jobs.extend(
-                round(&choices, &cost)
-                    .filter(|(_, at, _)| *at == level)
-                    .map(|(j, _, c)| (j, c)),
-            );
-        }
-        for _ in 1..ROUNDS {
-            jobs.extend(round(&choices, &cost).map(|(job, _, cost)| (job, cost)));
-        }
-        Ok(Self {
-            cases,
-            choices,
-            jobs,
-        })
+        levels = levels.max(finest);
+        jobs.push((Job::Reference(level), cost(level, &reference(case(level)))));
+        jobs.extend(places().filter(|(_, of)| of.level == level).map(timed));
     }
-
-    /// Does one job.
-    fn add(
-        &self,
-        job: Job,
-        scenario: &Scenario,
-        into: &mut Accuracy,
-        watch: Watch,
-    ) -> Result<(), Refusal> {
-        match job {
-            Job::Level(level) => into.levels.push(at_level(scenario, level, watch)?),
-            Job::Reference(level) => {
-                let case = &self.cases[level as usize - 1];
-                let left = case.run(&reference(case), Keep::default(), watch)?.left;
-                into.references.push(case.results(&left));
-            }
-            Job::Trial(place) => {
-                let (level, plan) = self.choices[place];
-                let case = &self.cases[level as usize - 1];
-                let began = Instant::now();
-                let ran = case.run(&plan, Keep::default(), watch);
-                let took = began.elapsed().as_secs_f64();
-                if matches!(ran, Err(Refusal::Cancelled)) {
-                    return Err(Refusal::Cancelled);
-                }
-                if place == into.trials.len() {
-                    into.trials.push(Trial {
-                        level,
-                        plan,
-                        is_answer: plan == answer(case),
-                        step: case.longest_step(&plan),
-                        results: None,
-                        elements: 0.0,
-                        times: Vec::new(),
-                    });
-                }
-                let trial = &mut into.trials[place];
-                trial.times.push(took);
-                if let Ok(ran) = ran {
-                    let each = case.elements_per_evaluation();
-                    trial.elements = (ran.cost.evaluations * each) as f64;
-                    trial.results = Some(case.results(&ran.left));
-                }
-            }
-        }
-        into.done += 1;
-        Ok(())
+    for _ in 1..ROUNDS {
+        jobs.extend(places().map(timed));
     }
-}
-
-/// Every trial once, with its level and its cost.
-fn round<'a>(
-    choices: &'a [(u32, Plan)],
-    cost: &'a impl Fn(u32, &Plan) -> f64,
-) -> impl Iterator<Item = (Job, u32, f64)> + 'a {
-    let trials = choices.iter().enumerate();
-    trials.map(|(place, (level, plan))| (Job::Trial(place), *level, cost(*level, plan)))
+    jobs
 }
 
 /// How an answer is computed.
@@ -307,31 +226,65 @@ fn reference(case: &Compiled) -> Plan {
     case.plan_at(case.rules().reference, REFERENCE_SHARE)
 }
 
-/// Whether a plan costs no more than is worth a trial.
-fn is_affordable(case: &Compiled, plan: &Plan) -> bool {
-    let most = MAX_EVALUATIONS * case.window() / 3e-3;
-    let evaluations = case.window() / plan.step * plan.integrator.method().evaluations() as f64;
-    evaluations <= most * f64::from(case.level())
+/// What is tried on a level, the answer's own plan first.
+fn trials(case: &Compiled) -> Vec<Trial> {
+    let fixed = |integrator: &&Integrator| !integrator.method().adaptive();
+    let others = case.rules().integrators.iter().filter(fixed);
+    let others = others.flat_map(|of| SHARES.map(|share| case.plan_at(*of, share)));
+    let mut plans: Vec<Plan> = [answer(case)].into_iter().chain(others).collect();
+    // In a short window several steps come to the same.
+    let mut seen = HashSet::new();
+    plans.retain(|plan| seen.insert((plan.integrator, case.steps(plan))));
+    let trial = |plan: Plan| Trial {
+        level: case.level(),
+        plan,
+        is_answer: plan == answer(case),
+        step: case.longest_step(&plan),
+        results: None,
+        elements: 0.0,
+        times: Vec::new(),
+    };
+    plans.into_iter().map(trial).collect()
 }
 
-/// What is tried on a level, the answer's own plan first.
-fn plans(case: &Compiled) -> Vec<Plan> {
-    let mut plans = vec![answer(case)];
-    for &integrator in case.rules().integrators {
-        if !integrator.method().adaptive() {
-            plans.extend(SHARES.map(|share| case.plan_at(integrator, share)));
+impl Accuracy {
+    /// Does one piece of the work.
+    fn add(
+        &mut self,
+        job: Job,
+        scenario: &Scenario,
+        cases: &[Compiled],
+        watch: Watch,
+    ) -> Result<(), Refusal> {
+        let case = |level: u32| &cases[level as usize - 1];
+        match job {
+            Job::Level(level) => self.levels.push(at_level(scenario, level, watch)?),
+            Job::Reference(level) => {
+                let case = case(level);
+                let left = case.run(&reference(case), Keep::default(), watch)?.left;
+                self.references.push(case.results(&left));
+            }
+            Job::Trial(place) => {
+                let trial = &mut self.trials[place];
+                let case = case(trial.level);
+                let began = Instant::now();
+                let ran = case.run(&trial.plan, Keep::default(), watch);
+                let took = began.elapsed().as_secs_f64();
+                match ran {
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    Err(_) => {}
+                    Ok(ran) => {
+                        let each = case.elements_per_evaluation();
+                        trial.elements = (ran.cost.evaluations * each) as f64;
+                        trial.results = Some(case.results(&ran.left));
+                    }
+                }
+                trial.times.push(took);
+            }
         }
+        self.done += 1;
+        Ok(())
     }
-    plans.retain(|plan| is_affordable(case, plan));
-    // In a short window several steps come to the same.
-    let mut seen: Vec<(Integrator, usize)> = Vec::new();
-    plans.retain(|plan| {
-        let of = (plan.integrator, case.steps(plan));
-        let fresh = !seen.contains(&of);
-        seen.push(of);
-        fresh
-    });
-    plans
 }
 
 /// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose mesh errors
@@ -346,24 +299,29 @@ pub fn measure(
     watch: Watch,
     show: &mut dyn FnMut(&Accuracy),
 ) -> Result<Accuracy, Refusal> {
-    let work = Work::of(scenario, finest)?;
+    let case = |level| -> Result<Compiled, Refusal> {
+        let mut other = Scenario::from(scenario.clone());
+        other.eye.level = level;
+        other.numerics = NumericsInput::default();
+        Ok(Compiled::new(&other.check()?))
+    };
+    let cases: Vec<Compiled> = (1..=finest).map(case).collect::<Result<_, _>>()?;
     let mut accuracy = known.unwrap_or_else(|| Accuracy {
         model: scenario.model,
-        element: work.cases[0].elements().0,
+        element: cases[0].elements().0,
         levels: Vec::new(),
         references: Vec::new(),
-        trials: Vec::new(),
+        trials: cases.iter().flat_map(trials).collect(),
         done: 0,
-        all: work.jobs.len(),
+        all: 0,
     });
-    let whole: f64 = work.jobs.iter().map(|(_, cost)| cost).sum();
-    let mut done: f64 = work.jobs[..accuracy.done]
-        .iter()
-        .map(|(_, cost)| cost)
-        .sum();
-    for (job, cost) in &work.jobs[accuracy.done..] {
+    let jobs = jobs(&scenario.model, &cases, &accuracy.trials);
+    accuracy.all = jobs.len();
+    let whole: f64 = jobs.iter().map(|(_, cost)| cost).sum();
+    let mut done: f64 = jobs[..accuracy.done].iter().map(|(_, cost)| cost).sum();
+    for (job, cost) in &jobs[accuracy.done..] {
         let mut part = |share: f64| watch(((done + share.min(1.0) * cost) / whole).min(1.0));
-        work.add(*job, scenario, &mut accuracy, &mut part)?;
+        accuracy.add(*job, scenario, &cases, &mut part)?;
         done += cost;
         show(&accuracy);
         if watch((done / whole).min(1.0)) == ControlFlow::Break(()) {
