@@ -1,9 +1,10 @@
 //! The cheapest mesh, integrator and step that give the damage score to a tolerance.
 //!
-//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it, which are
-//! the next to be tried, so nothing is computed twice. Once the mesh error is below the tolerance,
-//! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
-//! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
+//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it,
+//! which are the next to be tried, so nothing is computed twice. Once the mesh error is below the
+//! tolerance, what is left of it goes to the step: velocity Verlet if its own estimate allows,
+//! because it is the cheapest at low accuracy, else the fourth-order composition, with shorter
+//! steps as needed.
 
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::quantity::Quantity;
@@ -16,8 +17,8 @@ use crate::run::rules::next_share;
 use crate::scenario::Integrator;
 use crate::scenario::{CheckedScenario, Scenario};
 
-/// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level 8 can tell whether
-/// what is answered is true.
+/// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
+/// 8 can tell whether what is answered is true.
 pub const FINEST_TRIED: u32 = 5;
 /// Below this tolerance, in %, Verlet cannot be the cheapest.
 const VERLET_FROM_PERCENT: f64 = 0.2;
@@ -66,8 +67,8 @@ fn of_damage(errors: &Results) -> f64 {
     errors[Quantity::Damage].unwrap_or(f64::INFINITY)
 }
 
-/// Answers `scenario` with the damage index within `percent` of its converged value, by step and mesh
-/// together; `level` and `numerics` of the scenario are chosen anew.
+/// Answers `scenario` with the damage index within `percent` of its converged value, by step and
+/// mesh together; `level` and `numerics` of the scenario are chosen anew.
 ///
 /// # Errors
 /// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.

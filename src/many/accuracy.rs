@@ -1,13 +1,14 @@
 //! Total error against time: mesh levels, integrators and steps on one scale.
 //!
-//! A trial is one integrator at one step on one level. Its total error is the mesh error of the level, from the
-//! two finer ones as in [`crate::answer::mesh_error`], and its step error: the difference from a reference on the same
-//! mesh. Times are medians of rounds interleaved over all trials, so that a busy moment hits them alike.
+//! A trial is one integrator at one step on one level. Its total error is the mesh error of the
+//! level, from the two finer ones as in [`crate::answer::mesh_error`], and its step error: the
+//! difference from a reference on the same mesh. Times are medians of rounds interleaved over all
+//! trials, so that a busy moment hits them alike.
 //!
 //! The work is a list of jobs from coarse to fine, so that what was stopped goes on where it was.
 //!
-//! Left out: methods that choose their own step, whose tolerance a scenario does not hold, and steps so short
-//! that only a step error shows them.
+//! Left out: methods that choose their own step, whose tolerance a scenario does not hold, and
+//! steps so short that only a step error shows them.
 
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, finest, witnesses};
 use crate::answer::quantity::Quantity;
@@ -41,7 +42,8 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
-/// The step of the reference as a share of its stability limit: beside mesh errors its own error is nothing.
+/// The step of the reference as a share of its stability limit: beside mesh errors its own error is
+/// nothing.
 const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
@@ -287,8 +289,8 @@ impl Accuracy {
     }
 }
 
-/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose mesh errors
-/// come from two more. `show` is told what there is after each job.
+/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose
+/// mesh errors come from two more. `show` is told what there is after each job.
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.

@@ -1,7 +1,8 @@
-//! Several scenarios side by side: what came of each with the errors of step and mesh, which results are worth a column,
-//! and which blow is worse.
+//! Several scenarios side by side: what came of each with the errors of step and mesh, which
+//! results are worth a column, and which blow is worse.
 //!
-//! [`compare`] answers them on all cores; what one of them refuses is kept beside the answers of the others.
+//! [`compare`] answers them on all cores; what one of them refuses is kept beside the answers of
+//! the others.
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;
@@ -103,8 +104,8 @@ impl Column {
     }
 }
 
-/// Which of two stands first in the order of a column, of a risk by its curve that is believed first: the largest
-/// first or last, and what has none last either way.
+/// Which of two stands first in the order of a column, of a risk by its curve that is believed
+/// first: the largest first or last, and what has none last either way.
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,
@@ -120,8 +121,8 @@ pub fn order<A: Borrow<Answer>>(
     }
 }
 
-/// Every column, from the left: the names, what to believe, then the results that some answer has, or all before there
-/// are answers.
+/// Every column, from the left: the names, what to believe, then the results that some answer has,
+/// or all before there are answers.
 pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<Column> {
     let answers = || entries.iter().filter_map(Entry::answer);
     let none = answers().next().is_none();
@@ -133,8 +134,8 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<Column> {
     columns
 }
 
-/// The results worth printing: those that lead in one of the entries, the risks that are believed first, and the one
-/// that sorts.
+/// The results worth printing: those that lead in one of the entries, the risks that are believed
+/// first, and the one that sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
         let is_believed = Column::Result(of).is_believed();
@@ -149,8 +150,8 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         .collect()
 }
 
-/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard` is told
-/// how many are done of how many.
+/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard`
+/// is told how many are done of how many.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.

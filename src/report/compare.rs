@@ -1,7 +1,8 @@
-//! A comparison as text of 80 columns, Markdown, CSV and JSON: a row for each blow, a column for each result.
+//! A comparison as text of 80 columns, Markdown, CSV and JSON: a row for each blow, a column for
+//! each result.
 //!
-//! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON have all digits
-//! and every result, with the errors beside them.
+//! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON
+//! have all digits and every result, with the errors beside them.
 
 use std::io::{self, Write};
 
@@ -178,8 +179,8 @@ impl Table {
     }
 }
 
-/// Prints it as CSV: every result with its errors in %, then those that are at least so large, flags, caution and
-/// refusal.
+/// Prints it as CSV: every result with its errors in %, then those that are at least so large,
+/// flags, caution and refusal.
 ///
 /// # Errors
 /// Whatever `out` reports.

@@ -100,8 +100,8 @@ pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
 }
 
-/// The share of its step that a run with too large an `error` takes next: a little less than should do, at most
-/// a half of it and at least a fifth of it gone.
+/// The share of its step that a run with too large an `error` takes next: a little less than should
+/// do, between a half and four fifths.
 pub(crate) fn next_share(target: f64, error: f64, order: i32) -> f64 {
     (0.8 * share_for(target, error, order)).clamp(0.5, 0.8)
 }
