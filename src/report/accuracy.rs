@@ -53,12 +53,12 @@ pub fn text(
     });
     writeln!(
         out,
-        "\n  level integrator            step us {counted:>10}        ms  step error       error"
+        "\n  level integrator           step us {counted:>10}        ms step error      error"
     )?;
     for total in totals {
         writeln!(
             out,
-            "{} {:>5} {:<20} {:>8.4} {:>10.3} {:>9.3} {:>11} {:>11}",
+            "{} {:>5} {:<19} {:>8.4} {:>10.3} {:>9.3} {:>10} {:>10}",
             if total.on_front { "*" } else { " " },
             total.level,
             name(total),
