@@ -11,9 +11,12 @@ use std::sync::{Mutex, PoisonError};
 
 /// A watch that goes on until `stop` is set.
 pub fn until(stop: &AtomicBool) -> impl FnMut(f64) -> ControlFlow<()> + '_ {
-    |_| match stop.load(Ordering::Relaxed) {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
+    |_| {
+        if stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 }
 
