@@ -6,7 +6,7 @@ use crate::answer::results::Results;
 use crate::models;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::plan::Plan;
+use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::refusal::Refusal;
 use crate::run::rules::Rules;
 use crate::run::watch::Watch;
@@ -88,6 +88,17 @@ impl Compiled {
     /// As [`Self::plan`].
     pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
         self.eye.plan_alone(scenario)
+    }
+
+    /// An integrator at a share of its stability limit, on the scenario's own window.
+    pub(crate) fn plan_at(&self, integrator: Integrator, share: f64) -> Plan {
+        Plan {
+            integrator,
+            step: share * self.step_limit(integrator),
+            window: self.window(),
+            multiple: 1.0,
+            local_tolerance: LOCAL_TOLERANCE,
+        }
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.

@@ -50,8 +50,8 @@ pub struct Limit {
 pub type Limits = PerQuantity<Option<Limit>>;
 
 /// Results on one mesh.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct OnMesh {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnMesh {
     /// The results.
     pub results: Results,
     /// When the mesh folded, in s.

@@ -1,6 +1,5 @@
 //! One blow answered: its results with their errors, and what limits them.
 
-pub mod accuracy;
 pub mod believed;
 pub mod choose;
 pub mod compiled;
@@ -10,5 +9,4 @@ pub mod point;
 pub mod results;
 pub mod solve;
 pub mod step_error;
-pub mod total;
 pub mod validity;

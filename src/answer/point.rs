@@ -19,7 +19,9 @@ use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::raised::of_motion;
 use crate::run::refusal::Refusal;
-use crate::run::rules::{LONGEST_SHARE, share_for};
+use crate::run::rules::LONGEST_SHARE;
+use crate::run::rules::next_share;
+use crate::run::rules::share_for;
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 
@@ -126,7 +128,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
             if error <= promise || answer.run.folded_at().is_some() {
                 break;
             }
-            plan.step *= (0.8 * shortening(&plan, promise, error)).clamp(0.5, 0.8);
+            plan.step *= next_share(promise, error, plan.integrator.method().order);
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }

@@ -9,14 +9,18 @@ use crate::answer::results::Results;
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled, validity};
 use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
-use crate::run::flags::{END, Flag, FlagKind};
-use crate::run::kept::{Keep, Peak};
+use crate::run::flags::END;
+use crate::run::flags::Flag;
+use crate::run::flags::FlagKind;
+use crate::run::kept::Keep;
+use crate::run::kept::Peak;
 use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
-use crate::run::raised::{TwoRuns, of_motion};
+use crate::run::raised::TwoRuns;
+use crate::run::raised::of_motion;
 use crate::run::refusal::Refusal;
-use crate::run::rules::share_for;
+use crate::run::rules::next_share;
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -279,8 +283,8 @@ fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
     } else if solved.run.fold.is_none() && error > rule.error_percent {
-        let share = share_for(rule.error_percent, error, case.order(plan.integrator));
-        Some((0.8 * share).clamp(0.5, 0.8))
+        let order = case.order(plan.integrator);
+        Some(next_share(rule.error_percent, error, order))
     } else {
         None
     }

@@ -1,16 +1,12 @@
 //! `contrecoup report`: a page of one blow or several, to read, print and send.
 
 use std::io::Write;
-use std::sync::{Mutex, PoisonError};
 
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
+use crate::cli::compare::answered;
 use crate::cli::{CliError, ReportArgs};
-use crate::many::comparison::compare;
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
 use crate::report::page::{Form, keep, write};
-use crate::run::refusal::Refusal;
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.
@@ -27,20 +23,7 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     };
     let asked = args.scenarios.scenarios()?;
     let command = repeating(args);
-    let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let entries = compare(
-        asked,
-        |scenario| keep(scenario),
-        &stop,
-        |done, of| lock().count("simulating", done, of),
-    );
-    lock().clear();
-    let entries = entries.map_err(|refusal| match refusal {
-        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
-        other => other.into(),
-    })?;
+    let entries = answered(&asked, |scenario| keep(scenario), "nothing was written")?;
     let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
     whole_file::write(&args.output, |file| {
         write(form, &entries, Some(&command), file)

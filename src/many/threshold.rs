@@ -11,7 +11,7 @@
 //! the inputs that are not varied may be off by (see [`crate::many::ensemble`]).
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::answer::believed::{Scene, reaches};
 use crate::answer::derived::Derived;
@@ -20,7 +20,7 @@ use crate::answer::point::single;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::injury::{Blow, Caution, Measures, Risk};
-use crate::many::ordered;
+use crate::many::ordered::{self, until};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
 use crate::run::flags::Flag;
@@ -154,7 +154,7 @@ impl Question {
 
     fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
         let scenario = self.at(value)?.check()?;
-        solve(&scenario, Keep::default(), &mut |_| until(stop))
+        solve(&scenario, Keep::default(), &mut until(stop))
     }
 
     /// The value of the field now.
@@ -286,7 +286,7 @@ impl Question {
     /// The results of one run at a value of the field.
     fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         let scenario = self.at(value)?.check()?;
-        Ok(single(&scenario, None, &mut |_| until(stop))?.values)
+        Ok(single(&scenario, None, &mut until(stop))?.values)
     }
 
     /// Neighbours on two sides of the target.
@@ -337,7 +337,7 @@ impl Question {
             caution: None,
             believed: None,
         };
-        let mut watch = |_| until(stop);
+        let mut watch = until(stop);
         let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
         tell();
         let Some(of) = answer.rests_on(self.quantity) else {
@@ -422,14 +422,6 @@ impl Question {
             verdict: verdict.words(),
             range: range.unwrap_or_default(),
         })
-    }
-}
-
-fn until(stop: &AtomicBool) -> ControlFlow<()> {
-    if stop.load(Ordering::Relaxed) {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
     }
 }
 

@@ -30,7 +30,7 @@ pub struct Rules {
     pub integrators: &'static [Integrator],
     /// What an answer takes, which has a second run for its error.
     pub answer: Automatic,
-    /// What one run alone takes, as a batch and a mesh error make it.
+    /// What one run alone takes, as a mesh error makes it.
     pub alone: Automatic,
     /// The integrator of a reference solution on the same mesh.
     pub reference: Integrator,
@@ -115,8 +115,6 @@ impl Refinement {
 pub struct MeshRules {
     /// The finest level that a scenario may ask for.
     pub finest: u32,
-    /// The finest level that is tried to meet a tolerance.
-    pub finest_by_tolerance: u32,
     /// The finest level that a study of accuracy measures.
     pub finest_in_study: u32,
     /// The two levels that tell the error of a level, the finer last.
@@ -191,4 +189,10 @@ impl Element {
 /// The share of a step that should bring an `error` that falls with `order` to `target`.
 pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
+}
+
+/// The share of its step that a run with too large an `error` takes next: a little less than should
+/// do, between a half and four fifths.
+pub(crate) fn next_share(target: f64, error: f64, order: i32) -> f64 {
+    (0.8 * share_for(target, error, order)).clamp(0.5, 0.8)
 }

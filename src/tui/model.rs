@@ -1,5 +1,6 @@
 //! Everything that the screens show. Nothing here draws and nothing here waits.
 
+use std::borrow::Borrow;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -60,6 +61,12 @@ impl Shown {
             drawing: answer.case.eye.drawing(),
             answer: Arc::new(answer),
         }
+    }
+}
+
+impl Borrow<Answer> for Box<Shown> {
+    fn borrow(&self) -> &Answer {
+        &self.answer
     }
 }
 

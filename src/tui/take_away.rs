@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
+use crate::many::comparison::Found;
 use crate::report::command::{arguments, line};
 use crate::report::page::html;
 use crate::report::summary;
@@ -98,9 +99,8 @@ impl Question for WritePage {
         let mut entries = Vec::with_capacity(self.blows.len());
         for (source, scenario, answer) in &self.blows {
             entries.push(Entry {
-                source: source.clone(),
-                scenario: scenario.check()?,
-                outcome: Ok((**answer).clone()),
+                found: Found::Answer((**answer).clone()),
+                ..Entry::new(source, scenario)
             });
         }
         match html::page(&entries, self.command.as_deref(), watch) {

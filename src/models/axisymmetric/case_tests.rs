@@ -289,30 +289,33 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
 
 #[test]
 fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
-    use crate::answer::accuracy::measure;
     use crate::answer::compiled::Compiled;
+    use crate::many::accuracy::Trial;
+    use crate::many::accuracy::measure;
     use crate::run::rules::Element;
     let checked = short().check().unwrap();
-    let report = measure(&checked, 2, &mut unwatched).unwrap();
-    assert_eq!(report.element, Element::Cell);
-    assert!(report.points.len() >= 4 && !report.folded);
-    let limit = Compiled::new(&checked).step_limit(report.reference.integrator);
-    let of_each: Vec<_> = report
-        .points
-        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator)
-        .collect();
-    assert_eq!(of_each.len(), 2);
-    for points in of_each {
-        for pair in points.windows(2) {
-            assert!(pair[1].step < pair[0].step && pair[0].step < limit);
-            assert!(pair[1].evaluations > pair[0].evaluations);
+    let accuracy = measure(&checked, 1, None, &mut unwatched, &mut |_| {}).unwrap();
+    assert_eq!(accuracy.element, Element::Cell);
+    let case = Compiled::new(&checked);
+    let bound = |trial: &Trial| case.step_limit(trial.plan.integrator);
+    for pair in accuracy.trials.windows(2) {
+        let [longer, shorter] = pair else { panic!() };
+        assert!(longer.step < bound(longer) && shorter.step < bound(shorter));
+        if longer.plan.integrator == shorter.plan.integrator && shorter.step < longer.step {
+            assert!(shorter.elements > longer.elements);
         }
-        let (first, last) = (&points[0], points.last().unwrap());
-        assert!(last.error() < 0.5 * first.error());
     }
-    let (coarse, fine) = (&report.levels[0], &report.levels[1]);
-    assert!(coarse.errors[Quantity::Pressure].unwrap() > 0.0);
-    assert!(fine.element_evaluations > coarse.element_evaluations);
+    let integrators = accuracy
+        .trials
+        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator);
+    assert_eq!(integrators.count(), 2);
+    let (coarse, fine) = (&accuracy.levels[0], &accuracy.levels[1]);
+    assert!(fine.elements > coarse.elements && accuracy.levels.len() == 3);
+    let totals = accuracy.of(Quantity::Pressure);
+    let most = |a: f64, b: f64| a.max(b);
+    let by_step = totals.iter().map(|total| total.by_step);
+    let (largest, least) = (by_step.clone().fold(0.0, most), by_step.fold(1e9, f64::min));
+    assert!(least < 0.5 * largest && totals[0].mesh > 0.0);
 }
 
 #[test]

@@ -35,7 +35,6 @@ pub(crate) static RULES: Rules = Rules {
     refinement: Refinement::WHILE_A_PERSON_WAITS,
     mesh: MeshRules {
         finest: FINEST_PHYSIOLOGICAL_LEVEL,
-        finest_by_tolerance: FINEST_PHYSIOLOGICAL_LEVEL,
         finest_in_study: 3,
         witnesses: |level| [level + 1, level + 2],
         // Level k has 2 k + 4 cells in half a side of its core.

@@ -45,7 +45,6 @@ pub(crate) static RULES: Rules = Rules {
     refinement: Refinement::WHILE_A_PERSON_WAITS,
     mesh: MeshRules {
         finest: FINEST_LEVEL,
-        finest_by_tolerance: 5,
         finest_in_study: 4,
         // At the finest levels one of them is the level itself.
         witnesses: |level| {

@@ -203,7 +203,7 @@ fn closed(outline: &[i64]) -> String {
 /// A file of the pictures alone, side by side, each with its name and first verdict.
 pub fn pictures(entries: &[Entry]) -> String {
     let answered = entries.iter().filter_map(|entry| {
-        let answer = entry.outcome.as_ref().ok()?;
+        let answer = entry.answer()?;
         Some((entry, answer, Picture::of(answer)?))
     });
     let all: Vec<_> = answered.collect();

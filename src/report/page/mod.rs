@@ -190,9 +190,7 @@ fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
 /// Everything that the page rests on, each once.
 fn sources(entries: &[Entry]) -> Vec<&'static str> {
     let mut sources = vec![SOURCE];
-    let answers = entries
-        .iter()
-        .filter_map(|entry| entry.outcome.as_ref().ok());
+    let answers = entries.iter().filter_map(Entry::answer);
     for risk in answers.flat_map(Answer::risks) {
         if !sources.contains(&risk.curve.source) {
             sources.push(risk.curve.source);

@@ -2,10 +2,10 @@
 
 use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
+use crate::many::comparison::Column;
 use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};
 use crate::run::quantity::Quantity;
-use crate::tui::screens::compare::comparison::Column;
 
 /// What an answer has in a column, and how far that may be off. Whether a mesh error is still to come.
 pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {

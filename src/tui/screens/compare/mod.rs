@@ -10,6 +10,7 @@ use ratatui::layout::Rect;
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::Answer;
+use crate::many::comparison::Found;
 use crate::plain_text::quoted;
 use crate::run::course::Course;
 use crate::run::kept::Traces;
@@ -27,7 +28,7 @@ use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
 use crate::tui::work::Work;
-use comparison::{Comparison, FORM, Found, MAX_MARKED};
+use comparison::{Comparison, FORM, MAX_MARKED};
 
 /// The places of the panes.
 const LIST: usize = 0;
