@@ -7,11 +7,9 @@ use std::sync::Arc;
 use crate::many::ensemble::{Ensemble, run};
 use crate::models::paper::case::{Refusal, Watch};
 use crate::scenario::Scenario;
-use crate::tui::guest::MOST_SAMPLES;
 use crate::tui::idle;
-use crate::tui::model::Model;
-use crate::tui::simulation;
-use crate::tui::task::{Question, Report, Task};
+use crate::tui::request::Question;
+use crate::tui::task::Task;
 use crate::tui::worker::overseen;
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
@@ -84,7 +82,7 @@ pub struct Samples {
 
 impl Samples {
     /// What is known of exactly this scenario, its name left aside.
-    fn known(&self, scenario: &Scenario) -> Option<&Arc<Ensemble>> {
+    pub(super) fn known(&self, scenario: &Scenario) -> Option<&Arc<Ensemble>> {
         let (asked, ensemble) = self.done.as_ref()?;
         (*asked == key(scenario)).then_some(ensemble)
     }
@@ -114,63 +112,10 @@ pub fn is_whole(ensemble: &Ensemble) -> bool {
 }
 
 /// What of a scenario matters.
-fn key(scenario: &Scenario) -> Scenario {
+pub(super) fn key(scenario: &Scenario) -> Scenario {
     Scenario {
         // No name would be refused.
         name: "any".to_owned(),
         ..scenario.clone()
     }
-}
-
-/// Whether nothing else is wanted for what is on show.
-fn is_settled(model: &Model) -> bool {
-    let answered = |shown: &crate::tui::model::Shown| shown.scenario == model.work.scenario;
-    let computes = model.is_busy() || simulation::lacks_mesh_error(model).is_some();
-    !computes && model.shown.as_ref().is_some_and(answered)
-}
-
-/// Runs the samples that the screen on show has room for, and no others: many where they are what it is
-/// about, else a few once nothing else is wanted. What a person stopped goes on by a key alone.
-pub(super) fn attend(model: &mut Model) {
-    let most = if model.guest { MOST_SAMPLES } else { MANY };
-    let idle = model.on_show().samples <= FEW;
-    let count = model.on_show().samples.min(most);
-    let scenario = key(&model.work.scenario);
-    let samples = &model.ensemble;
-    let known = samples.known(&scenario).cloned();
-    let lacks = known.as_ref().map_or(0, |known| known.samples.len()) < count as usize;
-    let is_free = !idle || model.idle && is_settled(model);
-    let wanted = lacks && is_free && samples.complaint(&scenario).is_none();
-    if let Some(job) = &samples.task.job {
-        let asked = &job.question;
-        let right = asked.scenario == scenario && (asked.count, asked.idle) == (count, idle);
-        // What was asked to end is about to say what it has.
-        if right && (wanted || job.ending) {
-            return;
-        }
-        model.ensemble.task.stop(None, &mut model.out);
-    }
-    if wanted {
-        let question = RunSamples {
-            scenario,
-            count,
-            known,
-            idle,
-        };
-        model.ensemble.task.ask(question, &mut model.out);
-    }
-}
-
-/// Keeps what has come.
-pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
-    let samples = &mut model.ensemble;
-    let Some((asked, Some(ensemble))) = samples.task.hear(report) else {
-        return;
-    };
-    if samples.task.job.is_none() && ensemble.stopped() {
-        let done = ensemble.samples.len();
-        let text = format!("stopped after {done} of {}", ensemble.asked);
-        samples.task.complaint = Some((asked.clone(), text));
-    }
-    samples.done = Some((asked.scenario.clone(), Arc::new(ensemble)));
 }

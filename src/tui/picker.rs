@@ -8,8 +8,11 @@ use frizbee::{CaseMatching, Config, Matcher, Pattern};
 
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, Scenario};
+use crate::tui::choices::Choice;
 use crate::tui::line::Line;
-use crate::tui::model::Choice;
+
+/// Rows of a page.
+pub const PAGE: i16 = 10;
 
 /// The list with what is typed to search it.
 #[derive(Default)]
@@ -22,8 +25,8 @@ pub struct Picker {
     pub shown: Vec<usize>,
     /// Whether it asks what hit the eye, which it does once.
     pub first: bool,
-    /// Whether it marks for the comparison what it finds.
-    pub marks: bool,
+    /// The names that are marked already, where it marks what it finds.
+    pub marked: Option<Vec<String>>,
 }
 
 impl Picker {
@@ -111,7 +114,7 @@ pub fn facts(scenario: &Scenario) -> [String; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::open::choices;
+    use crate::tui::choices::choices;
 
     fn found(text: &str) -> Vec<String> {
         let choices = choices();

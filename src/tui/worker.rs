@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::models::paper::case::Watch;
 use crate::tui::idle;
-use crate::tui::task::{Report, Request, Ticket};
+use crate::tui::request::{Report, Request, Ticket};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -177,8 +177,8 @@ mod tests {
     use crate::answer::solve::Answer;
     use crate::models::paper::case::Refusal;
     use crate::scenario::Scenario;
+    use crate::tui::request::News;
     use crate::tui::simulation::Simulate;
-    use crate::tui::task::News;
     use std::sync::mpsc::{Receiver, channel};
 
     const PATIENCE: Duration = Duration::from_secs(30);

@@ -13,10 +13,10 @@ use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
 use crate::scenario::ron_text;
 use crate::scenario::ron_text::word_at;
+use crate::tui::app::tables::{clash, open_to_choice};
 use crate::tui::config::Config;
 use crate::tui::config::table::{Kind, SETTINGS, Setting, USUAL, allowed_colours};
-use crate::tui::keys::Press;
-use crate::tui::keys::chosen::open_to_choice;
+use crate::tui::keys::press::Press;
 use crate::tui::view::palette::{ROLES, SIXTEEN};
 
 const KEYS: &str = "keys";
@@ -63,7 +63,7 @@ pub fn read(text: &str) -> Result<Config, ScenarioError> {
             }
         }
     }
-    if let Some(clash) = config.keys.clash().filter(|_| problems.is_empty()) {
+    if let Some(clash) = clash(&config.keys).filter(|_| problems.is_empty()) {
         let path = format!("{KEYS}.{}", clash.name.to_lowercase());
         let (key, other) = (clash.press.name(), clash.other);
         let message =

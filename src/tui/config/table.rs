@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use clap::ValueEnum;
 
+use crate::tui::app::tables::open_to_choice;
 use crate::tui::config::Config;
-use crate::tui::keys::Press;
-use crate::tui::keys::chosen::{Keys, open_to_choice};
+use crate::tui::keys::chosen::Keys;
+use crate::tui::keys::press::Press;
 use crate::tui::screens::SCREENS;
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
 use crate::tui::view::heat::HeatMap;

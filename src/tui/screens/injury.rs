@@ -7,10 +7,11 @@ use crate::answer::quantity::Quantity;
 use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::report::verdict::{VOID, part_of};
-use crate::tui::keys::shared::{DOWN, UP};
-use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Shown};
-use crate::tui::screens::{Pane, Screen};
+use crate::tui::keys::TimeKeys;
+use crate::tui::keys::press::{DOWN, UP, c};
+use crate::tui::model::Model;
+use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::shown::Shown;
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 
@@ -24,30 +25,50 @@ const FEW_FIGURES: u16 = 16;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
-pub(crate) const SCREEN: Screen = Screen::new(
-    ("Injury", "What would experiments say?"),
-    "what published injury curves say",
-    &[Pane {
+pub(super) const ABOUT: About = About {
+    title: "Injury",
+    question: "What would experiments say?",
+    purpose: "what published injury curves say",
+    new: || Box::new(InjuryCurves::default()),
+};
+
+/// The place of the injury curve that is explained.
+#[derive(Default)]
+pub struct InjuryCurves {
+    row: usize,
+}
+
+impl Panes for InjuryCurves {
+    const PANES: &'static [Pane<Self>] = &[Pane {
         name: "curves",
         keys: &[KEYS],
         time: TimeKeys::Absent,
-    }],
-    draw,
-);
-
-#[rustfmt::skip]
-const KEYS: KeyTable = KeyTable::new("Injury", &[
-    bind(&[UP, c('k')], |m| go(m, -1), "curve", "the curve above"),
-    bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the curve below"),
-]);
-
-fn go(model: &mut Model, by: isize) {
-    let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
-    let row = model.screens.injury.saturating_add_signed(by);
-    model.screens.injury = row.min(count.saturating_sub(1));
+    }];
 }
 
-fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+#[rustfmt::skip]
+const KEYS: PaneKeys<InjuryCurves> = PaneKeys::new("Injury", &[
+    bind(&[UP, c('k')], |s, m| s.go(m, -1), "curve", "the curve above"),
+    bind(&[DOWN, c('j')], |s, m| s.go(m, 1), "&", "the curve below"),
+]);
+
+impl InjuryCurves {
+    fn go(&mut self, model: &Model, by: isize) {
+        let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
+        self.row = self
+            .row
+            .saturating_add_signed(by)
+            .min(count.saturating_sub(1));
+    }
+}
+
+impl Screen for InjuryCurves {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        draw(self.row, model, area, buffer);
+    }
+}
+
+fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // Bars that are longer are no easier to read.
     let area = Rect {
@@ -74,7 +95,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (SCREEN.question, theme.heading()),
+        None => (ABOUT.question, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, last), right, style);
@@ -114,7 +135,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: last,
         ..area
     };
-    let chosen = model.screens.injury % risks.len();
+    let chosen = row % risks.len();
     let part = part_of(&verdicts, risks[chosen].curve);
     let all = u16::try_from(risks.len()).unwrap_or(u16::MAX);
     let most = area.height.saturating_sub(ABOVE + all.min(LISTED) + 1);

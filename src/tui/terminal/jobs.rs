@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use std::sync::mpsc::Sender;
 use std::time::Duration;
 
-use crate::tui::task::{Request, Ticket};
+use crate::tui::app::update::Message;
+use crate::tui::request::{Request, Ticket};
 use crate::tui::terminal::event::Event;
-use crate::tui::update::Message;
 use crate::tui::worker::Worker;
 
 /// One thread a kind of question.

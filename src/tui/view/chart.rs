@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::text::significant;
-use crate::tui::model::Look;
+use crate::tui::look::Look;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
@@ -284,6 +284,11 @@ fn ticks(low: f64, high: f64, count: usize) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// Tells curves apart in ASCII and in legends without colour.
+pub fn mark(index: usize) -> char {
+    ['1', '2', '3', '4', '5', '6'][index % 6]
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use ratatui::style::{Color, Modifier, Style};
 
 use crate::injury::gravity;
 use crate::models::paper::eye::mesh::Region;
-use crate::tui::model::Look;
+use crate::tui::look::Look;
 use crate::tui::terminal::caps::Depth;
 use crate::tui::view::palette::Role;
 

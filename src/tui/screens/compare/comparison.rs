@@ -9,11 +9,13 @@ use crate::answer::quantity::Quantity;
 use crate::answer::quantity::Read;
 use crate::answer::solve::Answer;
 use crate::many::comparison::order;
+use crate::models::paper::case::{Refusal, Watch};
 use crate::report;
 use crate::run::kept::Traces;
 use crate::scenario::Scenario;
-use crate::tui::model::Shown;
-use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
+use crate::tui::request::Question;
+use crate::tui::shown::Shown;
+use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::Task;
 use crate::tui::work::brief;
 
@@ -21,6 +23,45 @@ use crate::tui::work::brief;
 pub const FORM: &str = "(the form)";
 /// As many as fit side by side.
 pub const MAX_MARKED: usize = 6;
+
+/// The places of the panes.
+pub const LIST: usize = 0;
+pub const TABLE: usize = 1;
+pub const REPLAYS: usize = 2;
+
+/// Asks for the answer to a marked scenario.
+#[derive(Debug)]
+pub struct SimulateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// What is simulated for its column.
+    pub scenario: Scenario,
+}
+
+impl Question for SimulateMarked {
+    type Answer = Answer;
+
+    fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
+        Simulate(self.scenario.clone()).answer(watch)
+    }
+}
+
+/// Asks for the mesh error of a marked scenario's answer.
+#[derive(Debug)]
+pub struct EstimateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// What is estimated.
+    pub mesh: EstimateMesh,
+}
+
+impl Question for EstimateMarked {
+    type Answer = MeshError;
+
+    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
+        self.mesh.answer(watch)
+    }
+}
 
 /// A column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -144,6 +185,8 @@ impl Entry {
 /// The comparison.
 #[derive(Debug, Default)]
 pub struct Comparison {
+    /// The place of the pane with the focus.
+    pub pane: usize,
     /// What is marked, in the order of marking; differences are against the first.
     pub entries: Vec<Entry>,
     /// The row with the cursor in the list of presets.

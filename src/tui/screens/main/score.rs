@@ -10,10 +10,13 @@ use crate::injury::{Injury, Term, Verdict, lines, span};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::limit::alone;
 use crate::run::flags::Flag;
-use crate::tui::model::{Model, Shown};
+use crate::tui::model::Model;
+use crate::tui::shown::Shown;
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
+/// What the screen answers.
+pub const QUESTION: &str = "How bad?";
 /// How many rows it takes of so many; `beside` says whether all verdicts stand beside it.
 pub fn height(of: u16, beside: bool) -> u16 {
     match of {
@@ -95,7 +98,7 @@ fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut 
     }
     let (text, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (model.on_show().question, theme.heading()),
+        None => (QUESTION, theme.heading()),
     };
     let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
     let texts = match (&shown.answer.errors.mesh, model.idle) {

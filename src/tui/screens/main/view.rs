@@ -8,11 +8,12 @@ use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
 use crate::run::kept::Peak;
-use crate::tui::model::{Model, Shown};
+use crate::tui::model::Model;
 use crate::tui::screens::injury;
-use crate::tui::screens::main::DIAL;
+use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score};
 use crate::tui::screens::replay::pressures;
+use crate::tui::shown::Shown;
 use crate::tui::view::chart::{Chart, Curve, active, spark};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::raster::Ink;
@@ -74,10 +75,10 @@ pub fn layout(area: Rect) -> Layout {
 }
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let parts = layout(area);
-    form::draw(model, parts.form, buffer);
+    form::draw(pane, model, parts.form, buffer);
     for y in 0..area.height {
         put(buffer, area, (parts.form.width, y), "│", theme.line());
     }
@@ -85,7 +86,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         waiting(model, parts.right, buffer);
         return;
     };
-    eye(model, shown, parts.eye, buffer);
+    eye(model, shown, pane == DIAL, parts.eye, buffer);
     sparklines(model, shown, parts.traces, buffer);
     score::draw(model, shown, parts.risks.is_some(), parts.score, buffer);
     if let Some(place) = parts.risks {
@@ -193,9 +194,9 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
+fn eye(model: &Model, shown: &Shown, on_dial: bool, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let aiming = model.has_focus(DIAL);
+    let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
     Scene {
         shown,

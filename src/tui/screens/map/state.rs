@@ -7,8 +7,9 @@ use crate::models::paper::case::{Refusal, Watch};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
+use crate::tui::request::{Question, Report};
 use crate::tui::step::Step;
-use crate::tui::task::{Question, Report, Task};
+use crate::tui::task::Task;
 use crate::tui::worker::overseen;
 
 const ANGLE: &str = "impact.angle_deg";
@@ -248,8 +249,8 @@ impl Map {
     }
 
     /// Takes in what a worker says of a grid.
-    pub fn hear(&mut self, report: &mut Option<Report>) {
-        if let Some((question, Some(grid))) = self.task.hear(report) {
+    pub fn take_grid(&mut self, report: &mut Option<Report>) {
+        if let Some((question, Some(grid))) = self.task.take_report(report) {
             self.done = Some((question.scenario.clone(), question.spans, grid));
         }
     }
