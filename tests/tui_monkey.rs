@@ -20,7 +20,7 @@ use contrecoup::tui::prepare;
 use contrecoup::tui::request::{Report, Request};
 use contrecoup::tui::save::SaveError;
 use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
-use contrecoup::tui::screens::compare::comparison::SimulateMarked;
+use contrecoup::tui::screens::compare::comparison::{Comparison, SimulateMarked};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::view::heat::HeatMap;

@@ -18,11 +18,12 @@ use contrecoup::tui::app::update::{Message, update};
 use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::picker::Picker;
 use contrecoup::tui::request::{Question, Report};
+use contrecoup::tui::screens::accuracy::measurement::Measurement;
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::Depth;
 use contrecoup::tui::threshold::FindThreshold;
 use drawn::{
-    SIZES, app, cells, model_by, open_mapped, open_measured, open_sampled, picture, press, styled,
+    SIZES, app, app_by, cells, open_mapped, open_measured, open_sampled, picture, press, styled,
     ticket,
 };
 
@@ -117,7 +118,7 @@ fn the_picture_of_the_readme_shows_the_main_screen() {
     let solved = |scenario: &Scenario| -> Answer {
         Simulate(scenario.clone()).answer(&mut unwatched).unwrap()
     };
-    let app = model_by(&[], Depth::TwoFiveSix, solved);
+    let app = app_by(&[], Depth::TwoFiveSix, solved);
     let drawn = svg::svg(&cells(&app, (100, 30)), "contrecoup, main screen");
     if renew::is_asked("picture") {
         std::fs::write(file, &drawn).unwrap();

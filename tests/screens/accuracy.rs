@@ -1,6 +1,6 @@
 //! What keys do to the measurement of total error against time.
 
-use super::drawn::{model as open, open_measured, press};
+use super::drawn::{app as open, open_measured, press};
 use std::time::Duration;
 
 use contrecoup::answer::total::Total;
@@ -44,7 +44,7 @@ fn ticket_of(effects: &[Effect]) -> Option<Ticket> {
 }
 
 fn here(app: &App) -> &Measurement {
-    &app.state::<Measurement>()
+    app.state::<Measurement>()
 }
 
 fn chosen(app: &App) -> (usize, Total) {
@@ -131,13 +131,13 @@ fn it_measures_while_it_is_on_show_and_goes_on_where_it_was() {
 #[test]
 fn what_is_more_exact_says_what_it_costs_before_it_is_done() {
     let asked = |app: &App| match &app.model.overlay {
-        Some(Overlay::Question(Question::Adopt(words))) => words.clone(),
+        Some(Overlay::Question(Question::Adopt(words, _))) => words.clone(),
         _ => panic!("nothing is asked"),
     };
     let mut app = app();
     // Nothing is known yet: the screen opens, measures, and then asks.
     letter(&mut app, '>');
-    assert_eq!(app.on_show().title, "Accuracy");
+    assert_eq!(app.about().title, "Accuracy");
     let ticket = here(&app).task.job.as_ref().unwrap().ticket;
     let totals = super::made_up_accuracy::made_up();
     update(
@@ -156,7 +156,7 @@ fn what_is_more_exact_says_what_it_costs_before_it_is_done() {
     letter(&mut app, '>');
     asked(&app);
     assert!(simulates(&key(&mut app, KeyCode::Enter)));
-    assert_eq!(app.on_show().title, "Forces");
+    assert_eq!(app.about().title, "Forces");
     assert_eq!(app.model.work.scenario.eye.level, 2);
     letter(&mut app, '<');
     asked(&app);

@@ -1,6 +1,6 @@
 //! What the screens say of samples: which scenario they are of, how many, and their numbers apart.
 
-use super::drawn::{SIZES, line_from, model, open_sampled, picture, press, ticket};
+use super::drawn::{SIZES, app, line_from, open_sampled, picture, press, ticket};
 use super::made_up;
 use std::sync::Arc;
 use std::time::Duration;

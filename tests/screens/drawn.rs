@@ -14,9 +14,9 @@ use contrecoup::tui::look::Look;
 use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::prepare;
 use contrecoup::tui::request::{Report, Ticket};
-use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
+use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
 use contrecoup::tui::screens::compare::comparison::SimulateMarked;
-use contrecoup::tui::screens::map::state::DrawMap;
+use contrecoup::tui::screens::map::state::{DrawMap, Map};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::task::Task;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
@@ -67,11 +67,11 @@ pub fn ticket<Q>(task: &Task<Q>) -> Ticket {
 
 /// Opened on these presets, with made-up answers.
 pub fn app(sources: &[&str], depth: Depth) -> App {
-    model_by(sources, depth, made_up::answer)
+    app_by(sources, depth, made_up::answer)
 }
 
 /// Opened on these presets, with the answers that `find` gives.
-pub fn model_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> App {
+pub fn app_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> App {
     let sources: Vec<String> = sources.iter().map(|s| (*s).to_owned()).collect();
     let mut app = prepare(&sources, look(depth)).unwrap();
     // A person's own presets would change the pictures.

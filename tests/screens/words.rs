@@ -186,7 +186,7 @@ fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
         (["paper-300n", "bb-56"], "load or contact, N"),
         (["golf-ball", "bb-56"], "contact, N"),
     ] {
-        let mut app = super::drawn::model(&sources, Depth::Mono);
+        let mut app = super::drawn::app(&sources, Depth::Mono);
         press(&mut app, "\x1b4");
         let drawn = (0..30).any(|_| {
             press(&mut app, "v");

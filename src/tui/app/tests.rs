@@ -225,7 +225,7 @@ fn more_scenarios_than_can_be_marked_are_counted() {
         "bb-92",
     ]
     .map(str::to_owned);
-    let look = app().look;
+    let look = app().model.look;
     let app = prepare(&names, look).unwrap();
     assert_eq!(app.state::<Comparison>().entries.len(), 6);
     assert!(
@@ -234,7 +234,7 @@ fn more_scenarios_than_can_be_marked_are_counted() {
             .unwrap()
             .contains("first 6 are marked for comparison, 2 are not")
     );
-    assert!(prepare(&names[..6], look).unwrap().notice.is_none());
+    assert!(prepare(&names[..6], look).unwrap().model.notice.is_none());
 }
 
 #[test]
