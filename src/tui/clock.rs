@@ -172,8 +172,8 @@ impl Clock {
         };
     }
 
-    /// Jumps to the next peak after the time shown, or to the one before, of the results that are on show;
-    /// goes round.
+    /// Jumps to the next peak after the time shown, or to the one before, of the results that are
+    /// on show; goes round.
     pub fn jump(&mut self, answer: &Answer, forward: bool, on_show: impl Fn(Quantity) -> bool) {
         let now = self.time(answer);
         let mut peaks = peaks(answer);

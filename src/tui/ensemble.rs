@@ -1,7 +1,7 @@
-//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted, many where
-//! they are asked for. What is there so far is shown, and what was stopped goes on from there.
+//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
+//! many where they are asked for. What is there so far is shown, and what was stopped goes on from
+//! there.
 
-use std::fmt;
 use std::sync::Arc;
 
 use crate::many::ensemble::{Ensemble, run};
@@ -34,12 +34,6 @@ pub struct RunSamples {
     pub idle: bool,
 }
 
-impl fmt::Debug for RunSamples {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} samples of {:?}", self.count, self.scenario)
-    }
-}
-
 impl Question for RunSamples {
     type Answer = Ensemble;
 
@@ -55,7 +49,7 @@ impl Question for RunSamples {
             let run = || {
                 run(&scenario, (self.count, SEED), known, stop, &|so_far| {
                     let share = so_far.samples.len() as f64 / f64::from(self.count);
-                    desk.lay(share, || so_far.clone())
+                    desk.report(share, || so_far.clone())
                 })
             };
             if self.is_idle() {

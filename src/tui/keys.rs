@@ -1,8 +1,8 @@
 //! What a key is, what is said of it, and what it does.
 //!
-//! Whatever has keys lists them in [`KeyTable`]s, each key with what it does there. Dispatch, footer,
-//! help, the guide's table and the test of uniqueness all read these tables, which are handed in.
-//! Letters that are typed into a field are not in them.
+//! Whatever has keys lists them in [`KeyTable`]s, each key with what it does there. Dispatch,
+//! footer, help, the guide's table and the test of uniqueness all read these tables, which are
+//! handed in. Letters that are typed into a field are not in them.
 
 pub mod chosen;
 pub mod press;
@@ -128,8 +128,8 @@ pub fn begins_value(stack: &[KeyList]) -> bool {
     keys.any(|key| key.begins_value)
 }
 
-/// What the footer may show of the lists in which a key is looked up now: keys and their word, the most
-/// needed first. The list with the title `late` comes last; so many screens can be shown.
+/// What the footer may show of the lists in which a key is looked up now: keys and their word, the
+/// most needed first. The list with the title `late` comes last; so many screens can be shown.
 pub fn live(
     stack: &[KeyList],
     keys: &Keys,

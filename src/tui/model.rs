@@ -1,5 +1,5 @@
-//! What the screens share: what is worked on, its answer, the clock, and what is asked. Nothing here
-//! draws and nothing here waits; what a screen keeps to itself is not here.
+//! What the screens share: what is worked on, its answer, the clock, and what is asked. Nothing
+//! here draws and nothing here waits; what a screen keeps to itself is not here.
 
 use std::time::Duration;
 
@@ -155,7 +155,8 @@ impl Model {
         }
     }
 
-    /// Whether something is computed that somebody asked for, whatever the screens ask for themselves.
+    /// Whether something is computed that somebody asked for, whatever the screens ask for
+    /// themselves.
     pub fn is_busy(&self) -> bool {
         let samples = self.ensemble.task.job.as_ref();
         let looks =

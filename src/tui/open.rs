@@ -32,8 +32,8 @@ pub struct Options {
     /// Presets or files; several are marked for comparison
     #[arg(value_name = "PRESET|FILE.ron")]
     pub sources: Vec<String>,
-    /// For guests on a shared host: no file is read or written, and memory, priority, meshes and times
-    /// are bounded
+    /// For guests on a shared host: no file is read or written, and memory, priority, meshes and
+    /// times are bounded
     #[arg(long)]
     pub guest: bool,
     /// Minutes without a key after which a guest's session ends
@@ -101,7 +101,8 @@ impl OpenError {
     }
 }
 
-/// Opens the app and stays until the person leaves, or until a guest has touched no key for so long.
+/// Opens the app and stays until the person leaves, or until a guest has touched no key for so
+/// long.
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.

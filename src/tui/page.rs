@@ -1,6 +1,5 @@
 //! A page of one blow or several, written for a browser on another thread.
 
-use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -20,12 +19,6 @@ pub struct WritePage {
     pub blows: Vec<(String, Scenario, Arc<Answer>)>,
     /// What repeats the page, if anything does.
     pub command: Option<String>,
-}
-
-impl fmt::Debug for WritePage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a page {} of {} blows", self.stem, self.blows.len())
-    }
 }
 
 impl Question for WritePage {

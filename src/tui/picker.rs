@@ -1,8 +1,9 @@
-//! The list of everything that can be opened: which of it is shown for what is typed, and in which order.
+//! The list of everything that can be opened: which of it is shown for what is typed, and in which
+//! order.
 //!
-//! A person's own presets come first, then what flies at an eye, then blows that are a force. What is typed is
-//! searched for word by word in name and title; the nearest comes first. Where nothing has every letter, a
-//! letter of each word may be wrong.
+//! A person's own presets come first, then what flies at an eye, then blows that are a force. What
+//! is typed is searched for word by word in name and title; the nearest comes first. Where nothing
+//! has every letter, a letter of each word may be wrong.
 
 use frizbee::{CaseMatching, Config, Matcher, Pattern};
 

@@ -1,4 +1,5 @@
-//! A question for another thread, the request that carries it there, and the report that comes back.
+//! A question for another thread, the request that carries it there, and the report that comes
+//! back.
 
 use std::any::{Any, TypeId};
 use std::fmt;
@@ -11,7 +12,7 @@ use crate::models::paper::case::{Refusal, Watch};
 pub type Ticket = u64;
 
 /// Something that takes too long to be done between two keys.
-pub trait Question: fmt::Debug + Send + Sync + 'static {
+pub trait Question: Send + Sync + 'static {
     /// What comes of it.
     type Answer: Send + 'static;
 
@@ -44,7 +45,7 @@ pub trait Question: fmt::Debug + Send + Sync + 'static {
 pub(super) type Anything = Box<dyn Any + Send>;
 
 /// A question whatever its type.
-trait AnyQuestion: fmt::Debug + Send + Sync {
+trait AnyQuestion: Send + Sync {
     fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
     fn is_idle(&self) -> bool;
     fn as_any(&self) -> &dyn Any;
@@ -66,11 +67,17 @@ impl<Q: Question> AnyQuestion for Q {
 }
 
 /// A question on its way to a worker.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Request {
     /// Its ticket.
     pub ticket: Ticket,
     question: Arc<dyn AnyQuestion>,
+}
+
+impl fmt::Debug for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "request {}", self.ticket)
+    }
 }
 
 impl PartialEq for Request {
@@ -90,8 +97,8 @@ impl Request {
         self.question.as_any().downcast_ref()
     }
 
-    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one. Whether
-    /// nobody asked for it is the second part.
+    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
+    /// Whether nobody asked for it is the second part.
     pub fn kind(&self) -> (TypeId, bool) {
         (self.question.as_any().type_id(), self.question.is_idle())
     }

@@ -1,4 +1,5 @@
-//! The answer to the form: asked for at every edit, and its mesh error once nothing newer is wanted.
+//! The answer to the form: asked for at every edit, and its mesh error once nothing newer is
+//! wanted.
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
@@ -47,7 +48,8 @@ impl Question for EstimateMesh {
     }
 }
 
-/// Whether two scenarios have one answer: neither a title nor the doubt in an input changes a single run.
+/// Whether two scenarios have one answer: neither a title nor the doubt in an input changes a
+/// single run.
 pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
     let same = Scenario {
         name: b.name.clone(),

@@ -1,9 +1,9 @@
 //! Work for another thread: what was asked, how far it is, and why it gave nothing.
 //!
-//! Whoever needs such work says what its [`Question`] is and keeps a [`Task`]. The question goes out
-//! as a [`Request`] with a ticket, a worker answers it, and the report comes back to whoever holds
-//! the ticket: what there is so far, and what came of it in the end. A report on work that was given
-//! up finds nobody and is dropped.
+//! Whoever needs such work says what its [`Question`] is and keeps a [`Task`]. The question goes
+//! out as a [`Request`] with a ticket, a worker answers it, and the report comes back to whoever
+//! holds the ticket: what there is so far, and what came of it in the end. A report on work that
+//! was given up finds nobody and is dropped.
 
 use std::sync::Arc;
 
@@ -78,8 +78,9 @@ impl<Q: Question> Task<Q> {
         true
     }
 
-    /// Takes the report if it is of what is under way; gives what there is of the answer: so far, while a job
-    /// is there still, else in the end. Why something was refused is kept as the complaint.
+    /// Takes the report if it is of what is under way; gives what there is of the answer: so far,
+    /// while a job is there still, else in the end. Why something was refused is kept as the
+    /// complaint.
     pub fn take_report(
         &mut self,
         report: &mut Option<Report>,
@@ -88,7 +89,7 @@ impl<Q: Question> Task<Q> {
         let own = |any: Anything| any.downcast().ok().map(|answer| *answer);
         let outcome = match report.take_if(|report| report.ticket == job.ticket)?.news {
             News::Share(share, elapsed) => {
-                job.pace.get_or_insert_default().hear(share, elapsed);
+                job.pace.get_or_insert_default().advance(share, elapsed);
                 return None;
             }
             // A ticket is given to one question, so the answer is of its type.

@@ -1,9 +1,8 @@
 //! A question put to a number of the form: at which value of it a result reaches what is asked.
 //!
-//! It stands in front of the screen while it is answered in the background, and its answer can be taken into the
-//! form. Left out: a range of one's own, which `contrecoup threshold` takes.
+//! It stands in front of the screen while it is answered in the background, and its answer can be
+//! taken into the form. Left out: a range of one's own, which `contrecoup threshold` takes.
 
-use std::fmt;
 use std::sync::Arc;
 
 use crate::answer::quantity::Quantity;
@@ -26,13 +25,6 @@ const HALF: f64 = 50.0;
 /// Asks for every crossing.
 pub struct FindThreshold(pub Question);
 
-impl fmt::Debug for FindThreshold {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Question { field, target, .. } = &self.0;
-        write!(f, "{} until {target}", field.path)
-    }
-}
-
 impl request::Question for FindThreshold {
     type Answer = Threshold;
 
@@ -40,7 +32,7 @@ impl request::Question for FindThreshold {
         overseen(watch, &mut |()| {}, |stop, desk| {
             self.0.answer(stop, |share| {
                 // It hears of an end by `stop`.
-                let _ = desk.lay(share, || ());
+                let _ = desk.report(share, || ());
             })
         })
     }

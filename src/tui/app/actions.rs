@@ -156,7 +156,7 @@ pub(crate) fn write_page(app: &mut App) {
     let answers = app.screens[app.screen].answers(&app.model);
     match take_away::page(&app.model, &answers) {
         Ok(page) => app.model.page.ask(page, &mut app.model.out),
-        Err(why) => app.model.notice = Some(why),
+        Err(why) => app.model.notice = Some(why.to_owned()),
     }
 }
 
@@ -165,7 +165,7 @@ pub(crate) fn copy_summary(app: &mut App) {
     let answers = app.screens[app.screen].answers(&app.model);
     match take_away::summary(&app.model, &answers) {
         Ok(text) => push(app, Effect::Copy(text)),
-        Err(why) => app.model.notice = Some(why),
+        Err(why) => app.model.notice = Some(why.to_owned()),
     }
 }
 

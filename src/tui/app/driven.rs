@@ -1,4 +1,5 @@
-//! The app on the preset that opens first, in one colour, and keys for it: what the tests here start from.
+//! The app on the preset that opens first, in one colour, and keys for it: what the tests here
+//! start from.
 
 use crate::tui::app::App;
 use crate::tui::app::update::{Message, begin, update};
@@ -42,7 +43,8 @@ pub fn key(app: &mut App, code: KeyCode) -> Vec<Effect> {
     update(app, Message::Key(KeyEvent::from(code)))
 }
 
-/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every pane.
+/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every
+/// pane.
 pub fn letter(app: &mut App, letter: char) -> Vec<Effect> {
     let held = match letter {
         '0'..='9' => KeyModifiers::ALT,

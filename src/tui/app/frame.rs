@@ -1,5 +1,6 @@
-//! Drawing: a pure function of the app. The title above, the screen on show, the keys below, and what
-//! stands in front; where the terminal has only ASCII, all of it is rewritten once, at the end.
+//! Drawing: a pure function of the app. The title above, the screen on show, the keys below, and
+//! what stands in front; where the terminal has only ASCII, all of it is rewritten once, at the
+//! end.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -75,8 +76,8 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
     // A long name gives way before the screens do.
     let full = text::width(&app.model.title());
     let name = full.min(LONGEST_NAME) + 2;
-    // Where room is short the program's name gives way, then the question of the screen on show, then the space
-    // between the names of the screens, then those of the others.
+    // Where room is short the program's name gives way, then the question of the screen on show,
+    // then the space between the names of the screens, then those of the others.
     let label = |place: usize, screen: &About, (form, asks): (Form, bool)| {
         let (number, title) = (place + 1, screen.title);
         match form {
@@ -163,7 +164,8 @@ fn title(app: &App, area: Rect, buffer: &mut Buffer) {
         x = put(buffer, row, (at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
-    // The mark of an edit is worth more than the name, of which parts are worth nothing while it is short.
+    // The mark of an edit is worth more than the name, of which parts are worth nothing while it is
+    // short.
     let (short, mark) = if model.is_edited() {
         (format!("{} *", model.work.name()), "*")
     } else {

@@ -16,8 +16,8 @@ use crate::tui::view::{PURPOSE, SMALLEST};
 const HELP: u16 = 76;
 const KEYS: u16 = 18;
 
-/// The help as lines: a heading, or keys and what they do. First what counts on the screen on show, then the rest,
-/// then every word explained.
+/// The help as lines: a heading, or keys and what they do. First what counts on the screen on show,
+/// then the rest, then every word explained.
 fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     let screen = app.about();
     let heading = |text: String| (text, String::new());

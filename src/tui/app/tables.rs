@@ -216,8 +216,8 @@ pub(crate) fn in_front(model: &Model) -> Option<&'static KeyTable<AppAct>> {
     }
 }
 
-/// The tables of every screen that count behind the pane with the focus: those of time, if it has them,
-/// and those that count everywhere.
+/// The tables of every screen that count behind the pane with the focus: those of time, if it has
+/// them, and those that count everywhere.
 pub(crate) fn shared(app: &App) -> Vec<&'static KeyTable<AppAct>> {
     match app.focus().time {
         TimeKeys::Absent => vec![&EVERYWHERE],

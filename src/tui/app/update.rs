@@ -1,7 +1,7 @@
 //! What every message does to the app, and what it asks of the world outside.
 //!
-//! It reads no clock and touches no file: time comes with messages, and what must be done goes out as
-//! an [`Effect`].
+//! It reads no clock and touches no file: time comes with messages, and what must be done goes out
+//! as an [`Effect`].
 
 use std::time::Duration;
 
@@ -95,8 +95,8 @@ fn tick(app: &mut App, now: Duration) {
     }
 }
 
-/// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody has is
-/// typed.
+/// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody
+/// has is typed.
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
     if let Some(table) = tables::in_front(&app.model) {

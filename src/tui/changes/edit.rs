@@ -7,8 +7,8 @@ use crate::tui::model::Model;
 use crate::tui::simulation::is_alike;
 use crate::tui::work::Work;
 
-/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if the
-/// change stands for itself.
+/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
+/// the change stands for itself.
 pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
     if work == model.work {
         return;

@@ -16,8 +16,9 @@ fn is_settled(model: &Model, screens_busy: bool) -> bool {
     !computes && model.shown.as_ref().is_some_and(answered)
 }
 
-/// Runs the samples that the screen on show has `room` for, and no others: many where they are what it is
-/// about, else a few once nothing else is wanted. What a person stopped goes on by a key alone.
+/// Runs the samples that the screen on show has `room` for, and no others: many where they are what
+/// it is about, else a few once nothing else is wanted. What a person stopped goes on by a key
+/// alone.
 pub(crate) fn refresh_requests(model: &mut Model, room: u32, screens_busy: bool) {
     let most = if model.guest { MOST_SAMPLES } else { MANY };
     let idle = room <= FEW;

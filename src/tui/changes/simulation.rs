@@ -54,8 +54,8 @@ pub(crate) fn lacks_mesh_error(model: &Model) -> Option<&Shown> {
     shown.filter(|shown| !refused(shown))
 }
 
-/// Estimates the mesh error of the answer on show while nothing is computed that somebody asked for; stops
-/// where it is of another answer or not wanted any more.
+/// Estimates the mesh error of the answer on show while nothing is computed that somebody asked
+/// for; stops where it is of another answer or not wanted any more.
 pub(crate) fn refresh_requests(model: &mut Model, screens_busy: bool) {
     let free = model.idle && !model.is_busy() && !screens_busy;
     let wanted = lacks_mesh_error(model).filter(|_| free);

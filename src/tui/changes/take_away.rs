@@ -11,14 +11,12 @@ use crate::tui::shown::Shown;
 /// An answer by the name of its source.
 pub(crate) type Named<'a> = (String, &'a Shown);
 
-/// Why there is nothing to take; nothing if there is.
-fn obstacle(model: &Model, answers: &[Named]) -> Option<String> {
+/// Says why there is nothing to take, if so.
+fn check(model: &Model, answers: &[Named]) -> Result<(), &'static str> {
     match model.stale() {
-        _ if answers.is_empty() => Some("there is no answer yet".to_owned()),
-        Some(_) if answers.len() == 1 => {
-            Some("the answer to the last edit is not there yet".to_owned())
-        }
-        _ => None,
+        _ if answers.is_empty() => Err("there is no answer yet"),
+        Some(_) if answers.len() == 1 => Err("the answer to the last edit is not there yet"),
+        _ => Ok(()),
     }
 }
 
@@ -42,13 +40,11 @@ fn repeating(model: &Model, answers: &[Named]) -> Option<Vec<String>> {
 ///
 /// # Errors
 /// Says why there is none.
-pub(crate) fn page(model: &Model, answers: &[Named]) -> Result<WritePage, String> {
+pub(crate) fn page(model: &Model, answers: &[Named]) -> Result<WritePage, &'static str> {
     if model.guest {
-        return Err("a guest writes no files".to_owned());
+        return Err("a guest writes no files");
     }
-    if let Some(why) = obstacle(model, answers) {
-        return Err(why);
-    }
+    check(model, answers)?;
     let stem = if answers.len() > 1 {
         "comparison"
     } else {
@@ -87,10 +83,8 @@ pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
 ///
 /// # Errors
 /// Says why there is none.
-pub(crate) fn summary(model: &Model, answers: &[Named]) -> Result<String, String> {
-    if let Some(why) = obstacle(model, answers) {
-        return Err(why);
-    }
+pub(crate) fn summary(model: &Model, answers: &[Named]) -> Result<String, &'static str> {
+    check(model, answers)?;
     let one = |answer: &Named| {
         let command = repeating(model, std::slice::from_ref(answer));
         let command = command.map(|words| line("run", &words));

@@ -1,4 +1,5 @@
-//! Asking at which value of a number a result reaches what is typed, and taking the answer into the form.
+//! Asking at which value of a number a result reaches what is typed, and taking the answer into the
+//! form.
 
 use crate::many::threshold::Question;
 use crate::scenario::fields::Kind;

@@ -28,8 +28,8 @@ pub(crate) fn begin(model: &mut Model, empty: bool) {
     });
 }
 
-/// A key that is no binding. A letter that can be no part of a number is refused, as whoever presses it
-/// takes it for a key.
+/// A key that is no binding. A letter that can be no part of a number is refused, as whoever
+/// presses it takes it for a key.
 pub(crate) fn key(model: &mut Model, event: KeyEvent) {
     let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let field = match (&model.overlay, &model.form.typing) {
@@ -70,8 +70,9 @@ pub(crate) fn paste(model: &mut Model, text: &str, begins_value: bool) {
     });
 }
 
-/// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
-/// makes none leaves the value from before, not a part of what was typed. A value stands while its doubt is typed.
+/// Changes the text that is being typed. A value that makes sense is simulated while it is typed;
+/// one that makes none leaves the value from before, not a part of what was typed. A value stands
+/// while its doubt is typed.
 pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Line)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {

@@ -116,11 +116,7 @@ pub(super) const ABOUT: About = About {
 };
 
 impl Panes for Forces {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "forces",
-        keys: &[KEYS],
-        time: TimeKeys::Early,
-    }];
+    const PANES: &'static [Pane<Self>] = &[Pane::new("forces", TimeKeys::Early, &[KEYS])];
 }
 
 #[rustfmt::skip]

@@ -1,4 +1,5 @@
-//! The published injury curves beside the paper's index: one line a curve, the chosen one explained.
+//! The published injury curves beside the paper's index: one line a curve, the chosen one
+//! explained.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -39,11 +40,7 @@ pub struct InjuryCurves {
 }
 
 impl Panes for InjuryCurves {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "curves",
-        keys: &[KEYS],
-        time: TimeKeys::Absent,
-    }];
+    const PANES: &'static [Pane<Self>] = &[Pane::new("curves", TimeKeys::Absent, &[KEYS])];
 }
 
 #[rustfmt::skip]
@@ -169,7 +166,8 @@ pub fn void(room: u16) -> &'static str {
     texts.find(|text| width(text) <= room).unwrap_or("")
 }
 
-/// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if one is.
+/// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if
+/// one is.
 pub fn curves(
     (risks, verdicts): (&[Risk], &[Verdict]),
     chosen: Option<usize>,
@@ -219,8 +217,8 @@ pub fn curves(
     }
 }
 
-/// The verdicts, a line for each injury or, if all words are wanted, as many as they take; returns the rows taken.
-/// The words of a single one are wrapped.
+/// The verdicts, a line for each injury or, if all words are wanted, as many as they take; returns
+/// the rows taken. The words of a single one are wrapped.
 pub fn answers(
     verdicts: &[Verdict],
     whole: bool,
@@ -317,8 +315,8 @@ fn line(
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
-/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences as so many
-/// rows hold, the most needed first.
+/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences
+/// as so many rows hold, the most needed first.
 fn explained(risk: &Risk, part: Option<&Part>, room: usize, rows: usize) -> Vec<String> {
     let curve = risk.curve;
     let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);

@@ -1,5 +1,5 @@
-//! The screens. A new one is a module here and a line in [`SCREENS`]; nothing else in the app asks for a
-//! screen by its name.
+//! The screens. A new one is a module here and a line in [`SCREENS`]; nothing else in the app asks
+//! for a screen by its name.
 
 pub mod accuracy;
 pub mod compare;

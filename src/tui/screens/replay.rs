@@ -40,11 +40,11 @@ pub(super) const ABOUT: About = About {
 pub struct Replay;
 
 impl Panes for Replay {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "replay",
-        keys: &[PaneKeys::new("Replay", FrameKeys::ALL)],
-        time: TimeKeys::Early,
-    }];
+    const PANES: &'static [Pane<Self>] = &[Pane::new(
+        "replay",
+        TimeKeys::Early,
+        &[PaneKeys::new("Replay", FrameKeys::ALL)],
+    )];
 }
 
 /// The keys of a screen that go from frame to frame, wherever the eye is replayed.

@@ -1,5 +1,5 @@
-//! What a screen is made of: its own state, its keys, what it asks for, and its picture. Whatever it
-//! leaves out does nothing.
+//! What a screen is made of: its own state, its keys, what it asks for, and its picture. Whatever
+//! it leaves out does nothing.
 
 use std::any::Any;
 
@@ -80,14 +80,14 @@ pub trait Screen: Keyed + Any {
     /// Takes the choice of this place in the list that it opened to mark some.
     fn mark_choice(&mut self, _model: &mut Model, _place: usize) {}
 
-    /// Proposes what is more exact than the answer on show, or faster, or shall be shown to find that out
-    /// first; whether this is its business, and whether it is to be shown.
+    /// Proposes what is more exact than the answer on show, or faster, or shall be shown to find
+    /// that out first; whether this is its business, and whether it is to be shown.
     fn propose(&mut self, _model: &mut Model, _exact: bool) -> Option<bool> {
         None
     }
 
-    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be told of
-    /// drags from there.
+    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be told
+    /// of drags from there.
     fn mouse(&mut self, model: &mut Model, mouse: Mouse, _area: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
             self.step_time(model, step.reversed());
@@ -147,10 +147,17 @@ pub struct PaneKeys<S: 'static> {
 impl<S> PaneKeys<S> {
     /// Keys that always count where their pane has the focus.
     pub const fn new(title: &'static str, bindings: &'static [Binding<Act<S>>]) -> Self {
-        Self {
-            table: KeyTable::new(title, bindings),
-            counts: |_, _| true,
-        }
+        Self::when(|_, _| true, title, bindings)
+    }
+
+    /// Keys that count there at times.
+    pub const fn when(
+        counts: fn(&S, &Model) -> bool,
+        title: &'static str,
+        bindings: &'static [Binding<Act<S>>],
+    ) -> Self {
+        let table = KeyTable::new(title, bindings);
+        Self { table, counts }
     }
 }
 
@@ -162,6 +169,13 @@ pub struct Pane<S: 'static> {
     pub keys: &'static [PaneKeys<S>],
     /// Whether the keys of time count too.
     pub time: TimeKeys,
+}
+
+impl<S> Pane<S> {
+    /// A pane of this name.
+    pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
+        Self { name, keys, time }
+    }
 }
 
 /// A screen that says what its panes are.

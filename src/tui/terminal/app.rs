@@ -398,8 +398,8 @@ impl EventLoop {
         Ok(())
     }
 
-    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as well, since
-    /// tmux may pass on one or the other.
+    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as
+    /// well, since tmux may pass on one or the other.
     fn copy(&mut self, text: &str) -> io::Result<()> {
         let said = match clipboard(|name| std::env::var(name).ok()) {
             Clipboard::None => "this terminal has no clipboard",

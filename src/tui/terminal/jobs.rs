@@ -19,7 +19,8 @@ pub(super) struct Jobs {
 }
 
 impl Jobs {
-    /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is stopped.
+    /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is
+    /// stopped.
     pub(super) fn new(send: Sender<Event>, limit: Option<Duration>) -> Self {
         let workers = HashMap::new();
         Self {

@@ -37,7 +37,8 @@ const ACTIVE: f64 = 0.02;
 /// Left before and after, as a share of the whole.
 const LEFT: f64 = 0.03;
 
-/// From when to when something happens in any of some values over the same times, of all up to `window`.
+/// From when to when something happens in any of some values over the same times, of all up to
+/// `window`.
 pub fn active<'a>(
     time: &[f64],
     values: impl Iterator<Item = &'a [f64]>,
@@ -83,8 +84,8 @@ fn range(curves: &[Curve], (from, to): (f64, f64)) -> (f64, f64) {
     range
 }
 
-/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots spans all values
-/// that fall into it, so no peak is lost.
+/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots
+/// spans all values that fall into it, so no peak is lost.
 fn plot(
     raster: &mut Raster,
     curves: &[Curve],

@@ -358,8 +358,8 @@ impl Picture<'_> {
         digits
     }
 
-    /// The nodes whose forces are shown, by the first letter of their names; the one that has its peak now in
-    /// reverse.
+    /// The nodes whose forces are shown, by the first letter of their names; the one that has its
+    /// peak now in reverse.
     fn monitors(&self, raster: &Raster) -> Vec<((u16, u16), char, Style)> {
         let forces = [
             Quantity::ForceCentre,

@@ -1,5 +1,5 @@
-//! What pictures are made of, whichever screen draws them: text, charts, the eye, lists and questions
-//! in front. All of it draws with Unicode.
+//! What pictures are made of, whichever screen draws them: text, charts, the eye, lists and
+//! questions in front. All of it draws with Unicode.
 
 pub mod chart;
 pub mod eye;

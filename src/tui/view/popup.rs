@@ -52,7 +52,8 @@ pub fn frame(
     Rect::new(place.x + 2, place.y + 1, wide - MARGIN, high - 2)
 }
 
-/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is selected looks like that.
+/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is selected
+/// looks like that.
 pub fn input(line: &Line, style: Style, cursor: Style, area: Rect, buffer: &mut Buffer) {
     let input = &line.input;
     let style = if line.selected { cursor } else { style };

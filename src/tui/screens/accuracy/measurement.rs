@@ -1,7 +1,8 @@
-//! Total error against time as the app holds it: what is measured, what the cursor stands on, and what to propose.
+//! Total error against time as the app holds it: what is measured, what the cursor stands on, and
+//! what to propose.
 //!
-//! It belongs to a scenario apart from the scenario's own level, integrator and step, which are what it is there
-//! to choose.
+//! It belongs to a scenario apart from the scenario's own level, integrator and step, which are
+//! what it is there to choose.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -175,8 +176,8 @@ impl Measurement {
         }
     }
 
-    /// Something more exact than the scenario is solved now, or something faster; an error says why there is
-    /// none, and nothing that too little is known yet.
+    /// Something more exact than the scenario is solved now, or something faster; an error says why
+    /// there is none, and nothing that too little is known yet.
     pub fn proposal(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
         let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
         let shown = known.of(of);

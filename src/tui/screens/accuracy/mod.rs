@@ -1,5 +1,5 @@
-//! Total error against time: measures mesh levels, integrators and steps while it is on show, adopts what is
-//! chosen, and proposes what is more exact or faster.
+//! Total error against time: measures mesh levels, integrators and steps while it is on show,
+//! adopts what is chosen, and proposes what is more exact or faster.
 
 mod log_axis;
 pub mod measurement;
@@ -26,11 +26,7 @@ pub(super) const ABOUT: About = About {
 };
 
 impl Panes for Measurement {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "points",
-        keys: &[KEYS],
-        time: TimeKeys::Absent,
-    }];
+    const PANES: &'static [Pane<Self>] = &[Pane::new("points", TimeKeys::Absent, &[KEYS])];
 }
 
 #[rustfmt::skip]
@@ -49,8 +45,8 @@ impl Screen for Measurement {
         view::draw(self, model, area, buffer);
     }
 
-    /// Measures while the screen is on show what is not known yet; asks what was wished for once it is
-    /// known.
+    /// Measures while the screen is on show what is not known yet; asks what was wished for once it
+    /// is known.
     fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
         let scenario = &model.work.scenario;
         let free = on_show && self.complaint(scenario).is_none();

@@ -1,7 +1,8 @@
 //! Total error against time: every run on two logarithmic axes, the front joined.
 //!
-//! A letter tells the integrator, a capital that nothing beats the run in both; levels stand in rows, as the mesh
-//! errors are mostly the larger by far. So the picture is legible without colours, which tell the level.
+//! A letter tells the integrator, a capital that nothing beats the run in both; levels stand in
+//! rows, as the mesh errors are mostly the larger by far. So the picture is legible without
+//! colours, which tell the level.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

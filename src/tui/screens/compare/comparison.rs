@@ -313,7 +313,8 @@ impl Comparison {
         };
     }
 
-    /// The column that sorts the table: by itself the risk of the gravest injury, where there is one.
+    /// The column that sorts the table: by itself the risk of the gravest injury, where there is
+    /// one.
     pub fn sorting(&self) -> Option<(Column, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_believed());
@@ -337,8 +338,8 @@ impl Comparison {
         entries
     }
 
-    /// That a risk rests on one measure here and on another there, if so: of the column with the cursor, of the
-    /// one that sorts, or of the first of `shown`.
+    /// That a risk rests on one measure here and on another there, if so: of the column with the
+    /// cursor, of the one that sorts, or of the first of `shown`.
     pub fn mixed(&self, shown: &[Column]) -> Option<String> {
         let answers = self.entries.iter();
         let answers = answers.filter_map(|entry| Some((brief(&entry.name), entry.answer()?)));

@@ -40,24 +40,16 @@ pub(super) const ABOUT: About = About {
 
 impl Panes for Comparison {
     const PANES: &'static [Pane<Self>] = &[
-        Pane {
-            name: view::PANES[LIST],
-            keys: &[LIST_KEYS],
-            time: TimeKeys::Absent,
-        },
-        Pane {
-            name: view::PANES[TABLE],
-            keys: &[TABLE_KEYS],
-            time: TimeKeys::Early,
-        },
-        Pane {
-            name: view::PANES[REPLAYS],
-            keys: &[
+        Pane::new(view::PANES[LIST], TimeKeys::Absent, &[LIST_KEYS]),
+        Pane::new(view::PANES[TABLE], TimeKeys::Early, &[TABLE_KEYS]),
+        Pane::new(
+            view::PANES[REPLAYS],
+            TimeKeys::Early,
+            &[
                 PaneKeys::new("Compare: replays", FrameKeys::ALL),
                 ALIGN_KEYS,
             ],
-            time: TimeKeys::Early,
-        },
+        ),
     ];
 }
 
@@ -123,8 +115,8 @@ impl Screen for Comparison {
         }
     }
 
-    /// Simulates the marked scenarios one after another while they are on show, and then estimates their
-    /// mesh errors; stops what nobody waits for.
+    /// Simulates the marked scenarios one after another while they are on show, and then estimates
+    /// their mesh errors; stops what nobody waits for.
     fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
         if on_show {
             self.replace(FORM, &model.work.scenario);
@@ -251,8 +243,8 @@ impl Screen for Comparison {
         }
     }
 
-    /// Those of the marked entries in the order of the table, or of the form where none is; none while
-    /// some are being simulated.
+    /// Those of the marked entries in the order of the table, or of the form where none is; none
+    /// while some are being simulated.
     fn answers<'a>(&'a self, model: &'a Model) -> Vec<(String, &'a Shown)> {
         if self.next().is_some() {
             return Vec::new();

@@ -195,7 +195,8 @@ fn title(column: Column) -> (&'static str, &'static str) {
     }
 }
 
-/// Columns from the end of a number to that of the next: room for the longest name and the mark of sorting.
+/// Columns from the end of a number to that of the next: room for the longest name and the mark of
+/// sorting.
 const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 20;

@@ -6,8 +6,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::ensemble::MANY;
+use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::keys::{KeyTable, TimeKeys};
 use crate::tui::model::Model;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 
@@ -25,11 +25,11 @@ pub struct Doubt {
 }
 
 impl Panes for Doubt {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "outputs",
-        keys: &[KEYS, STOPPED_KEYS],
-        time: TimeKeys::Absent,
-    }];
+    const PANES: &'static [Pane<Self>] = &[Pane::new(
+        "outputs",
+        TimeKeys::Absent,
+        &[KEYS, STOPPED_KEYS],
+    )];
 }
 
 #[rustfmt::skip]
@@ -39,18 +39,16 @@ const KEYS: PaneKeys<Doubt> = PaneKeys::new("Doubt", &[
 ]);
 
 /// Once Esc has stopped it.
-const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys {
-    table: KeyTable::new(
-        "Doubt: stopped",
-        &[bind(
-            &[c('m')],
-            |_, m| m.ensemble.task.complaint = None,
-            "go on",
-            "go on where Esc stopped it",
-        )],
-    ),
-    counts: |_, model| model.ensemble.complaint(&model.work.scenario).is_some(),
-};
+const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys::when(
+    |_, model| model.ensemble.complaint(&model.work.scenario).is_some(),
+    "Doubt: stopped",
+    &[bind(
+        &[c('m')],
+        |_, m| m.ensemble.task.complaint = None,
+        "go on",
+        "go on where Esc stopped it",
+    )],
+);
 
 impl Screen for Doubt {
     fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {

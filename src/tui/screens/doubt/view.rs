@@ -101,8 +101,8 @@ pub fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The results that have bands: first the risks that are believed, the gravest first, which are the answer, then
-/// other risks, and last what means nothing here.
+/// The results that have bands: first the risks that are believed, the gravest first, which are the
+/// answer, then other risks, and last what means nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
     let believed = |of: Quantity| matches!(of.row().read, Read::Believed(_));

@@ -182,7 +182,7 @@ fn draw_row(
                 buffer,
                 area,
                 (1, 0),
-                beside("Preset", &name, area.width),
+                label_within("Preset", &name, area.width),
                 style,
             );
             value(model, &name, chosen && focused, area, buffer);
@@ -215,7 +215,7 @@ fn draw_row(
                     buffer,
                     area,
                     (1, 0),
-                    beside(field.label, &text, room),
+                    label_within(field.label, &text, room),
                     style,
                 );
                 if doubtful {

@@ -18,7 +18,7 @@ use crate::tui::form::{Row, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::keys::{Binding, KeyTable, TimeKeys};
+use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::Model;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
@@ -45,16 +45,12 @@ pub struct Main {
 
 impl Panes for Main {
     const PANES: &'static [Pane<Self>] = &[
-        Pane {
-            name: "form",
-            keys: &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
-            time: TimeKeys::Late,
-        },
-        Pane {
-            name: "dial",
-            keys: &[DIAL_KEYS],
-            time: TimeKeys::Late,
-        },
+        Pane::new(
+            "form",
+            TimeKeys::Late,
+            &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
+        ),
+        Pane::new("dial", TimeKeys::Late, &[DIAL_KEYS]),
     ];
 }
 
@@ -75,26 +71,22 @@ const fn typed(
     binding
 }
 
-const NUMBER_KEYS: PaneKeys<Main> = PaneKeys {
-    table: KeyTable::new(
-        "Form: a number",
-        &[typed(NUMERALS, "type", "begin to type a value")],
-    ),
-    counts: |_, model| model.form.takes_numbers(),
-};
+const NUMBER_KEYS: PaneKeys<Main> = PaneKeys::when(
+    |_, model| model.form.takes_numbers(),
+    "Form: a number",
+    &[typed(NUMERALS, "type", "begin to type a value")],
+);
 
 /// A digit never leaves the form: whoever types one means a value.
-const OTHER_KEYS: PaneKeys<Main> = PaneKeys {
-    table: KeyTable::new(
-        "Form: another row",
-        &[typed(
-            NUMERALS.first_chunk::<10>().unwrap().as_slice(),
-            "",
-            "nothing: F2 or Alt-2 shows a screen",
-        )],
-    ),
-    counts: |_, model| !model.form.takes_numbers(),
-};
+const OTHER_KEYS: PaneKeys<Main> = PaneKeys::when(
+    |_, model| !model.form.takes_numbers(),
+    "Form: another row",
+    &[typed(
+        NUMERALS.first_chunk::<10>().unwrap().as_slice(),
+        "",
+        "nothing: F2 or Alt-2 shows a screen",
+    )],
+);
 
 #[rustfmt::skip]
 const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
@@ -167,7 +159,8 @@ fn take(model: &mut Model, path: &'static str, outcome: Result<Scenario, String>
     }
 }
 
-/// The scenario one step further; where a rule forbids a large step, as many small ones as it allows.
+/// The scenario one step further; where a rule forbids a large step, as many small ones as it
+/// allows.
 fn furthest(
     scenario: &Scenario,
     field: &Field,

@@ -1,5 +1,6 @@
-//! What to believe of the injuries, the damage index as a gauge, its three parts against their limits, what is not
-//! known of the inputs, and flags. Every figure bears its error; the line above says what of.
+//! What to believe of the injuries, the damage index as a gauge, its three parts against their
+//! limits, what is not known of the inputs, and flags. Every figure bears its error; the line above
+//! says what of.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -30,7 +31,8 @@ pub fn height(of: u16, beside: bool) -> u16 {
 /// Rows without verdicts where there is room, and how many of those there are then.
 const ROOM: u16 = 10;
 const ANSWERS: u16 = Injury::ALL.len() as u16;
-/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take what is more.
+/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take
+/// what is more.
 const LEAST: u16 = 8;
 
 /// A bar of a share of its width, the threshold at its end.
@@ -58,8 +60,8 @@ const SHORTEST: u16 = 4;
 const INDEX: u16 = 1;
 const BELOW: u16 = 5;
 
-/// Draws the score below a line that says whether it is out of date; `beside` says whether all verdicts stand
-/// beside it.
+/// Draws the score below a line that says whether it is out of date; `beside` says whether all
+/// verdicts stand beside it.
 pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
@@ -223,8 +225,9 @@ fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Bu
     }
 }
 
-/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the longest words
-/// first. Where the band holds fewer than were asked for, or folded ones, it says so, or bears a star that the screen of its own explains.
+/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the
+/// longest words first. Where the band holds fewer than were asked for, or folded ones, it says so,
+/// or bears a star that the screen of its own explains.
 fn bands(model: &Model, shown: &Shown) -> Vec<String> {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "to come" } else { "off" };
@@ -324,7 +327,8 @@ fn part(
     }
 }
 
-/// What the index tends to on finer meshes, right of the column where the line begins to be free, if there is room.
+/// What the index tends to on finer meshes, right of the column where the line begins to be free,
+/// if there is room.
 fn tends(shown: &Shown, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let Some(limit) = alone(&shown.answer, Quantity::Damage) else {
         return;

@@ -114,8 +114,8 @@ pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an eye without one
-/// what acts on it.
+/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an
+/// eye without one what acts on it.
 fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     put(buffer, area, (1, 0), "What to believe", theme.heading());
@@ -240,8 +240,9 @@ const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.
 const LONGEST: usize = 7;
 
-/// The name of a curve, its peak with its error and the time of that, which together fit with a space between them.
-/// Where room is short the spaces give way, then letters of the name, the time, and at last the error.
+/// The name of a curve, its peak with its error and the time of that, which together fit with a
+/// space between them. Where room is short the spaces give way, then letters of the name, the time,
+/// and at last the error.
 fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
     let name = of.row().short;
     let ms = peak.time * 1e3;

@@ -9,10 +9,10 @@ use ratatui::layout::Rect;
 use crate::many::map::Span;
 use crate::tui::changes::edit::change;
 use crate::tui::form::words;
+use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::keys::{KeyTable, TimeKeys};
 use crate::tui::model::Model;
 use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
@@ -29,11 +29,8 @@ pub(super) const ABOUT: About = About {
 };
 
 impl Panes for Map {
-    const PANES: &'static [Pane<Self>] = &[Pane {
-        name: "map",
-        keys: &[KEYS, STOPPED_KEYS],
-        time: TimeKeys::Absent,
-    }];
+    const PANES: &'static [Pane<Self>] =
+        &[Pane::new("map", TimeKeys::Absent, &[KEYS, STOPPED_KEYS])];
 }
 
 #[rustfmt::skip]
@@ -55,18 +52,16 @@ const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
 ]);
 
 /// Once Esc has stopped it.
-const STOPPED_KEYS: PaneKeys<Map> = PaneKeys {
-    table: KeyTable::new(
-        "Map: stopped",
-        &[bind(
-            &[c('m')],
-            |s, _| s.task.complaint = None,
-            "go on",
-            "go on where Esc stopped it",
-        )],
-    ),
-    counts: |map, _| map.task.complaint.is_some(),
-};
+const STOPPED_KEYS: PaneKeys<Map> = PaneKeys::when(
+    |map, _| map.task.complaint.is_some(),
+    "Map: stopped",
+    &[bind(
+        &[c('m')],
+        |s, _| s.task.complaint = None,
+        "go on",
+        "go on where Esc stopped it",
+    )],
+);
 
 impl Screen for Map {
     fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {

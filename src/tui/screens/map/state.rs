@@ -62,7 +62,7 @@ impl Question for DrawMap {
                 stop,
                 &|grid| {
                     let (known, all) = grid.known();
-                    desk.lay(known as f64 / all as f64, || grid.clone())
+                    desk.report(known as f64 / all as f64, || grid.clone())
                 },
             )
         }))
@@ -148,8 +148,8 @@ fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
 }
 
 impl Map {
-    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges where what it
-    /// holds lies outside them.
+    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges
+    /// where what it holds lies outside them.
     pub fn settle(&mut self, scenario: &Scenario) {
         let holds = |span: &Span| {
             number(span.field, scenario)
@@ -304,7 +304,8 @@ impl Map {
         Some((moved(x, self.cursor.0), moved(y, self.cursor.1)))
     }
 
-    /// The inputs that the cursor was moved over, each with its value there, and the scenario with those.
+    /// The inputs that the cursor was moved over, each with its value there, and the scenario with
+    /// those.
     pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
         let ((x, y), (across, up)) = (self.spans?, self.moved(scenario)?);
         let (a, b) = self.values()?;

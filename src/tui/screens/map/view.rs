@@ -1,5 +1,6 @@
 //! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half and
-//! the whole of it. The scale is that of the table of results, or else reaches to the largest value.
+//! the whole of it. The scale is that of the table of results, or else reaches to the largest
+//! value.
 //!
 //! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
 //! folded its mesh the map is hatched, as no number holds there.
@@ -34,7 +35,8 @@ const FOLDED: &str = "▒";
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
-/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its runs.
+/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its
+/// runs.
 const MAPPED: f64 = 10.0;
 
 /// Draws the screen.
@@ -286,7 +288,8 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
-/// Whether a result is a risk by energy where the object under the cursor is larger than what such curves hold for.
+/// Whether a result is a risk by energy where the object under the cursor is larger than what such
+/// curves hold for.
 pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
     let Read::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy) = of.row().read else {
         return false;
