@@ -39,6 +39,7 @@ pub struct Binding<A> {
 
 impl<A: Copy> Binding<A> {
     /// The same, for which a person may choose other keys by this name.
+    #[must_use]
     pub const fn named(self, name: &'static str) -> Self {
         let key = Key { name, ..self.key };
         let act = self.act;

@@ -229,7 +229,7 @@ fn draw_row(
 }
 
 /// As many words of a label as there is room for beside a value.
-fn beside<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
+fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
     let ends = label.match_indices(' ').map(|(at, _)| &label[..at]);
     let mut shorter: Vec<&str> = ends.chain([label]).collect();
     shorter.reverse();
