@@ -49,7 +49,7 @@ impl Progress {
 
     fn put(&mut self, what: &str, share: f64, of: Option<usize>) {
         let elapsed = self.began.elapsed();
-        self.pace.hear(share, elapsed);
+        self.pace.advance(share, elapsed);
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
         if !self.visible || elapsed <= PATIENCE || self.shown.as_ref().is_some_and(recent) {
             return;
