@@ -42,12 +42,12 @@ pub fn solve_all(scenarios: &[CheckedScenario]) -> Vec<Result<Outcome, Refusal>>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::coverage::Drawn;
+    use crate::verify::scenes::Scenes;
 
     #[test]
     fn a_batch_gives_the_same_bits_on_any_number_of_threads() {
         let scenarios: Vec<CheckedScenario> = (0..12)
-            .map(|i| Drawn::Pulses.scene(i, 3).check().unwrap())
+            .map(|i| Scenes::Pulses.scene(i, 3).check().unwrap())
             .collect();
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new()

@@ -4,7 +4,7 @@
 //! extrapolation). For a method of order p the difference of the two is about (r^p - 1) times the error
 //! of the finer run, and (1 - r^-p) times that of the coarser. Results seldom follow the order exactly,
 //! peaks least of all, so the estimate is multiplied by a safety factor, and no result is claimed to
-//! be better than what two runs may share by chance. `coverage` measures how often the claims hold.
+//! be better than what two runs may share by chance. `verify` measures how often the claims hold.
 //!
 //! Every number that decides about steps and their errors stands here with its reason.
 
