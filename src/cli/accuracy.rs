@@ -21,7 +21,7 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
                 .to_owned(),
         ));
     }
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let finest = args.finest_level.max(scenario.eye.level);
     let report = measure(&scenario, finest, &mut |share| progress.measured(share))?;
     progress.clear();

@@ -1,7 +1,6 @@
 //! `contrecoup compare`: several blows side by side.
 
 use std::io::Write;
-use std::sync::{Mutex, PoisonError};
 
 use crate::cli::ensemble::result;
 use crate::cli::interrupt;
@@ -25,15 +24,14 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         .map(|key| result("--sort", key))
         .transpose()?;
     let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let progress = Progress::new();
     let entries = compare(
         asked,
         |_| Keep::default(),
         &stop,
-        |done, of| lock().count("simulating", done, of),
+        |done, of| progress.count("simulating", done, of),
     );
-    lock().clear();
+    progress.clear();
     let mut entries = entries.map_err(|refusal| match refusal {
         Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
         other => other.into(),

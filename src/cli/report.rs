@@ -1,7 +1,6 @@
 //! `contrecoup report`: a page of one blow or several, to read, print and send.
 
 use std::io::Write;
-use std::sync::{Mutex, PoisonError};
 
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
@@ -28,15 +27,14 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let asked = args.scenarios.scenarios()?;
     let command = repeating(args);
     let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let progress = Progress::new();
     let entries = compare(
         asked,
         |scenario| keep(scenario),
         &stop,
-        |done, of| lock().count("simulating", done, of),
+        |done, of| progress.count("simulating", done, of),
     );
-    lock().clear();
+    progress.clear();
     let entries = entries.map_err(|refusal| match refusal {
         Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
         other => other.into(),

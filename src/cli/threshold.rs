@@ -1,7 +1,6 @@
 //! `contrecoup threshold`: at which value of one field a result reaches a value.
 
 use std::io::Write;
-use std::sync::{Mutex, PoisonError};
 
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
@@ -30,10 +29,8 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let (of, path) = (question.quantity.key(), question.field.path);
     let (from, to) = question.range;
     progress.announce(&format!("looking for {of} over {path} = {from}:{to} ..."));
-    let progress = Mutex::new(progress);
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
-    let found = question.answer(&stop, |share| lock().show("looking", share));
-    lock().clear();
+    let found = question.answer(&stop, |share| progress.show("looking", share));
+    progress.clear();
     let found = found.map_err(|refusal| match refusal {
         Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
         other => other.into(),

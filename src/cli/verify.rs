@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
 
 use clap::{Args, Subcommand};
 use serde_json::Value;
@@ -152,13 +151,12 @@ fn run_hard_cases(json: bool, out: &mut dyn Write) -> Result<(), CliError> {
 
 /// What `work` finds, which tells the share that is done.
 fn shown<T>(what: &str, work: impl FnOnce(&(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T) -> T {
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let progress = Progress::new();
     let found = work(&|share| {
-        lock().show(what, share);
+        progress.show(what, share);
         ControlFlow::Continue(())
     });
-    lock().clear();
+    progress.clear();
     found
 }
 
