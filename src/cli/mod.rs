@@ -227,6 +227,7 @@ pub struct SweepArgs {
 const SWEEP_HELP: &str = "\
 Example:
   contrecoup sweep paper-300n --vary impact.force_n=50:500:40
+
 Job arrays: each task takes its own shard and file; the shell fills in the number.
   Slurm:         sbatch --array=1-8 --wrap 'contrecoup sweep paper-300n \\
                    --vary impact.force_n=50:500:40 \\
