@@ -224,6 +224,7 @@ pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
         && let Some((_, now)) = RENAMED.iter().find(|(old, _)| old == typed)
     {
         let tip = format!("it is `contrecoup {now}` now");
+        error.remove(ContextKind::SuggestedSubcommand);
         error.insert(
             ContextKind::Suggested,
             ContextValue::StyledStrs(vec![tip.into()]),

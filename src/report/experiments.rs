@@ -62,7 +62,7 @@ fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
         experiment.what,
     );
     writeln!(out, "{line}")?;
-    let standing = experiment.mark.name();
+    let standing = experiment.standing();
     note(
         &format!("{}; {}; {standing}", experiment.source, experiment.species),
         out,
@@ -151,7 +151,7 @@ fn row(row: &Rerun) -> Value {
         "met": row.is_met(),
         "because": (!row.is_met()).then_some(experiment.because),
         "fitted": experiment.fitted,
-        "mark": experiment.mark.name(),
+        "mark": experiment.standing(),
         "species": experiment.species,
         "source": experiment.source,
         "step_error_percent": row.step_error,

@@ -391,13 +391,13 @@ mod tests {
     #[test]
     fn a_tolerance_that_is_refused_is_no_claim() {
         let subject = Subject::Tolerance(20.0);
-        let claims = [None, None, Some((20.0, 4.0)), Some((20.0, 30.0)), None];
+        let claims = [None, None, Some((20.0, 4.0)), Some((20.0, 40.0)), None];
         let rows = found(Study::Tolerances, subject, claims).coverage();
         assert_eq!(
             (rows[0].claims, rows[0].misses, rows[0].without_claim),
             (2, 1, 2)
         );
-        assert_eq!(rows[0].median_ratio, Some(0.5 * (5.0 + 20.0 / 30.0)));
+        assert_eq!(rows[0].median_ratio, Some(2.75));
         assert_eq!(
             (rows[0].within, rows[0].median_cost),
             (Some(50.0), Some(3.0))

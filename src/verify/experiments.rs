@@ -90,25 +90,6 @@ impl MeasuredBand {
     }
 }
 
-/// How well an experiment's figures are founded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
-    /// In the cited source.
-    Published,
-    /// Part of it is from memory.
-    Unverified,
-}
-
-impl Mark {
-    /// In a word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Published => "published",
-            Self::Unverified => "unverified",
-        }
-    }
-}
-
 /// One figure of one experiment.
 #[derive(Debug, Clone, Copy)]
 pub struct Experiment {
@@ -124,14 +105,25 @@ pub struct Experiment {
     pub measured: MeasuredBand,
     /// Whether the model was fitted to it.
     pub fitted: bool,
-    /// How well founded the figure is.
-    pub mark: Mark,
+    /// Whether part of the figure is from memory.
+    pub unverified: bool,
     /// Whose eyes.
     pub species: &'static str,
     /// Where it was published.
     pub source: &'static str,
     /// Why it is not met, where it is not.
     pub because: &'static str,
+}
+
+impl Experiment {
+    /// How well founded the figure is, in a word.
+    pub fn standing(&self) -> &'static str {
+        if self.unverified {
+            "unverified"
+        } else {
+            "published"
+        }
+    }
 }
 
 fn eye(species: Species, support: Support) -> Physiological {
@@ -245,7 +237,7 @@ const ROW: Experiment = Experiment {
     reading: Gauge::Of(Quantity::Pressure),
     measured: MeasuredBand::Between(0.0, 0.0),
     fitted: false,
-    mark: Mark::Published,
+    unverified: false,
     species: "human, in gelatin",
     source: STITZEL,
     because: "",
@@ -292,7 +284,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: rod_6,
         reading: Gauge::Sensor,
         measured: MeasuredBand::Single(0.27, NO_SPREAD),
-        mark: Mark::Unverified,
+        unverified: true,
         species: "pig, in gelatin; mass and speed of the rod assumed",
         source: DUMA_2012,
         ..ROW
@@ -314,7 +306,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || bb(56.0),
         reading: Gauge::Of(Quantity::Pressure),
         measured: MeasuredBand::Below(BURST),
-        mark: Mark::Unverified,
+        unverified: true,
         ..ROW
     },
     Experiment {
@@ -323,7 +315,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || bb(92.0),
         reading: Gauge::Of(Quantity::Pressure),
         measured: MeasuredBand::Above(BURST),
-        mark: Mark::Unverified,
+        unverified: true,
         ..ROW
     },
     Experiment {
@@ -332,7 +324,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || bb(56.0),
         reading: Gauge::Of(Quantity::ScleralStress),
         measured: MeasuredBand::Below(BURST_STRESS),
-        mark: Mark::Unverified,
+        unverified: true,
         source: STRESS,
         ..ROW
     },
@@ -342,7 +334,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || bb(92.0),
         reading: Gauge::Of(Quantity::ScleralStress),
         measured: MeasuredBand::Above(BURST_STRESS),
-        mark: Mark::Unverified,
+        unverified: true,
         source: STRESS,
         ..ROW
     },
@@ -373,7 +365,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: foam,
         reading: Gauge::Of(Quantity::Pressure),
         measured: MeasuredBand::Below(BURST),
-        mark: Mark::Unverified,
+        unverified: true,
         source: "Stitzel 2002 and 2005; PMC3217427",
         ..ROW
     },
@@ -383,7 +375,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || baseball(34.4),
         reading: Gauge::Of(Quantity::Pressure),
         measured: MeasuredBand::Below(BURST),
-        mark: Mark::Unverified,
+        unverified: true,
         because: "a ball's surface is known within a factor of ten, and pressure follows it; nothing was fitted to this row",
         ..ROW
     },
@@ -393,7 +385,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: || baseball(41.2),
         reading: Gauge::Of(Quantity::Pressure),
         measured: MeasuredBand::Above(BURST),
-        mark: Mark::Unverified,
+        unverified: true,
         ..ROW
     },
     Experiment {
@@ -402,7 +394,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: bb_62,
         reading: Gauge::Of(Quantity::Shortening),
         measured: MeasuredBand::Single(41.0, NO_SPREAD),
-        mark: Mark::Unverified,
+        unverified: true,
         species: "pig, free",
         source: DELORI,
         because: "a softer wall would shorten more, and then pressures fail; the figure is from memory",
@@ -414,7 +406,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: bb_62,
         reading: Gauge::Of(Quantity::MeridianGrowth),
         measured: MeasuredBand::Single(28.0, NO_SPREAD),
-        mark: Mark::Unverified,
+        unverified: true,
         species: "pig, free",
         source: DELORI,
         because: "a wall as soft as that would need fails every pressure; the figure is from memory",
@@ -426,7 +418,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
         scenario: bb_62,
         reading: Gauge::TimeOf(Quantity::MeridianGrowth),
         measured: MeasuredBand::Single(0.4, NO_SPREAD),
-        mark: Mark::Unverified,
+        unverified: true,
         species: "pig, free",
         source: DELORI,
         ..ROW
