@@ -183,9 +183,10 @@ fn thresholds() {
 
 #[test]
 fn what_is_not_allowed_is_refused_in_words() {
-    let refused: [(&str, &[&str]); 7] = [
+    let refused: [(&str, &[&str]); 8] = [
         ("nothing", &[]),
         ("unknown_command", &["jump"]),
+        ("renamed_command", &["coverage"]),
         ("unknown_preset", &["run", "paper-30n"]),
         (
             "unknown_field",

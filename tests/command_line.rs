@@ -49,7 +49,9 @@ fn help_and_version_go_to_standard_output() {
         starts_with(format!("contrecoup {} (commit ", env!("CARGO_PKG_VERSION")))
             .and(contains(kernel)),
     );
-    run(&["man"]).success().stdout(contains("kernel ").not());
+    run(&["generate", "man"])
+        .success()
+        .stdout(contains("kernel ").not());
 }
 
 #[test]
@@ -344,16 +346,18 @@ fn flags_are_refused_in_the_words_of_the_registry() {
 #[test]
 fn completions_and_manual_pages_are_printed() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        run(&["completions", shell])
+        run(&["generate", "completions", shell])
             .success()
             .stdout(contains("contrecoup"));
     }
-    run(&["completions", "cmd"]).code(2);
-    run(&["man"]).success().stdout(contains(".TH contrecoup 1"));
-    run(&["man", "run"])
+    run(&["generate", "completions", "cmd"]).code(2);
+    run(&["generate", "man"])
+        .success()
+        .stdout(contains(".TH contrecoup 1"));
+    run(&["generate", "man", "run"])
         .success()
         .stdout(contains("contrecoup\\-run").and(contains("\\-\\-set")));
-    run(&["man", "jump"])
+    run(&["generate", "man", "jump"])
         .code(2)
         .stderr(contains("there is no such command"));
 }
@@ -361,9 +365,9 @@ fn completions_and_manual_pages_are_printed() {
 #[test]
 fn a_reader_that_stops_early_is_no_failure() {
     for arguments in [
-        &["completions", "zsh"][..],
+        &["generate", "completions", "zsh"][..],
         &["presets", "--json"],
-        &["man"],
+        &["generate", "man"],
         &["--help"],
     ] {
         let config = config_with(&[]);

@@ -327,11 +327,11 @@ fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
 #[test]
 fn stopping_early_changes_no_result_in_random_scenes() {
     use contrecoup::models::paper::case::Case;
-    use contrecoup::verify::coverage::Drawn;
+    use contrecoup::verify::scenes::Scenes;
     let mut stopped = [0, 0];
     // The second mesh has its own proof for the shell.
     for (index, level) in (0..40).map(|i| (i, 1)).chain((0..16).map(|i| (i, 2))) {
-        let mut scenario = Drawn::Pulses.scene(index, 7);
+        let mut scenario = Scenes::Pulses.scene(index, 7);
         scenario.eye.level = level;
         let case = Case::new(&scenario.check().unwrap());
         let plan = case.plan(&scenario).unwrap();

@@ -147,7 +147,7 @@ fn arguments_are_safe_in_what_the_parser_of_arguments_says() {
         &["run", "paper-300n", "--level", HOSTILE],
         &["tui", HOSTILE],
         &[HOSTILE],
-        &["man", HOSTILE],
+        &["generate", "man", HOSTILE],
         &["presets", "show", HOSTILE],
         &["sweep", "paper-300n", "--vary", HOSTILE],
         &["ensemble", "paper-300n", "--drives", HOSTILE],

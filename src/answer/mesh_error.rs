@@ -11,7 +11,7 @@
 //! damage index and the meridian of a section, which are smoother, to the second. The factor 2 and the shares s were
 //! read off 144 random scenes, in which the error of the damage index at levels 1 to 3 then holds in 99 % or
 //! more, and for the eye of revolution off random objects; they are checked on others, see
-//! [`crate::verify::mesh_coverage`].
+//! [`crate::verify::claims`].
 //!
 //! A result has no limit, and no error is stated, where d(a) and d(b) are far apart, where the error is
 //! several times the result, and where the mesh folds at one of the levels. Left out: what all levels

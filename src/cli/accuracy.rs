@@ -25,7 +25,7 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     let chosen = args.result.as_ref().map(|key| result("--result", key));
     let chosen = chosen.transpose()?;
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let mut watch = |share| progress.measured(share);
     let finest = args.finest_level.unwrap_or(finest_tried(&scenario));
     let known = measure(&scenario, finest, None, &mut watch, &mut |_| {})?;

@@ -7,6 +7,7 @@ use std::io::{self, Write};
 use std::str::FromStr;
 
 use clap::Args;
+use clap::error::{ContextKind, ContextValue};
 
 use crate::cli::CliError;
 use crate::plain_text;
@@ -203,12 +204,32 @@ fn complaint(flag: &str, path: &str, error: &ScenarioError) -> CliError {
     CliError::Input(plain_text::lines(error.problems.iter().map(line)))
 }
 
+/// Commands by the names that they had once.
+const RENAMED: [(&str, &str); 6] = [
+    ("coverage", "verify steps"),
+    ("stability", "verify hard-cases"),
+    ("validate", "verify experiments"),
+    ("calibrate", "verify fit"),
+    ("completions", "generate completions"),
+    ("man", "generate man"),
+];
+
 /// Prints why the arguments were refused, or the help that was asked for. An argument is repeated in
 /// it, and may hold anything.
 ///
 /// # Errors
 /// Where nobody can be told.
-pub(super) fn explain(error: &clap::Error) -> io::Result<()> {
+pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
+    if let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidSubcommand)
+        && let Some((_, now)) = RENAMED.iter().find(|(old, _)| old == typed)
+    {
+        let tip = format!("it is `contrecoup {now}` now");
+        error.remove(ContextKind::SuggestedSubcommand);
+        error.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![tip.into()]),
+        );
+    }
     let text = error.to_string();
     let lines = text.lines().map(plain_text::message);
     let safe = lines.collect::<Vec<_>>().join("\n") + "\n";

@@ -20,7 +20,7 @@ pub(super) fn answered(
     otherwise: &str,
 ) -> Result<Vec<Entry>, CliError> {
     let stop = interrupt::flag()?;
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let entries = compare(asked, keep, &stop, |done, of| {
         progress.count("simulating", done, of);
     });

@@ -2,7 +2,6 @@
 
 use std::io::Write;
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
 
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
@@ -21,14 +20,13 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let drives = result("--drives", &args.drives)?;
     let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let progress = Progress::new();
     let count = (args.samples, args.seed);
     let ensemble = run_samples(&scenario, count, None, &stop, &|so_far| {
-        lock().count("samples", so_far.samples.len(), so_far.asked as usize);
+        progress.count("samples", so_far.samples.len(), so_far.asked as usize);
         ControlFlow::Continue(())
     });
-    lock().clear();
+    progress.clear();
     let ensemble = ensemble?;
     if args.json {
         write_json(out, &json(&scenario, &ensemble))?;

@@ -45,7 +45,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     };
     // Who is told to stop takes the unfinished file away.
     let stop = interrupt::flag()?;
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let answer = solve(&scenario, keep, &mut |share| {
         let _ = progress.simulated(share);
         unless(&stop)
@@ -54,7 +54,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(path) = &args.frames {
         let mut count = 0;
         save(path, |file| {
-            count = write_frames(&answer, every_us * 1e-6, file, &stop, &mut progress)?;
+            count = write_frames(&answer, every_us * 1e-6, file, &stop, &progress)?;
             Ok(())
         })?;
         writeln!(out, "{}: {count} frames", shown(path))?;
@@ -91,7 +91,7 @@ fn write_frames(
     every: f64,
     file: &mut dyn Write,
     stop: &AtomicBool,
-    progress: &mut Progress,
+    progress: &Progress,
 ) -> io::Result<usize> {
     let regions = answer.case.eye.regions();
     let mut writer = FrameWriter::new(file).map_err(csv_to_io)?;

@@ -1,20 +1,44 @@
-//! `contrecoup completions` and `contrecoup man`: made from the definition of the arguments, so
+//! `contrecoup generate`: the manual page and completions, made from the definition of the arguments, so
 //! that they cannot disagree with it.
 
 use std::io::Write;
 
-use clap::CommandFactory;
 use clap::builder::Resettable;
+use clap::{CommandFactory, Subcommand};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
-use crate::cli::{Cli, CliError};
+use crate::cli::{Cli, CliError, example};
 
-/// Prints the completion script of a shell.
+/// What is printed.
+#[derive(Debug, Subcommand)]
+pub enum GenerateCommand {
+    /// Print a script that completes commands in a shell
+    #[command(after_help = example("generate completions bash"))]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page, of the program or of one command
+    #[command(after_help = example("generate man run"))]
+    Man {
+        /// The command
+        command: Option<String>,
+    },
+}
+
+/// Prints what was asked for.
 ///
 /// # Errors
-/// Where the output cannot be written.
-pub fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {
+/// Where there is no such command or the output cannot be written.
+pub fn run(what: &GenerateCommand, out: &mut dyn Write) -> Result<(), CliError> {
+    match what {
+        GenerateCommand::Completions { shell } => completions(*shell, out),
+        GenerateCommand::Man { command } => man(command.as_deref(), out),
+    }
+}
+
+fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {
     // The generator panics if its writer fails, so it writes to memory.
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "contrecoup", &mut script);
@@ -22,11 +46,7 @@ pub fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Prints the manual page of the program, or of one of its commands.
-///
-/// # Errors
-/// Where there is no such command or the output cannot be written.
-pub fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
+fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     // A page is for every machine, so it names no kernel.
     let mut program = Cli::command().long_version(Resettable::Reset);
     program.build();

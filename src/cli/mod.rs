@@ -9,7 +9,6 @@ mod accuracy;
 mod arguments;
 mod compare;
 mod config;
-mod coverage;
 mod ensemble;
 mod error;
 mod export;
@@ -20,10 +19,9 @@ mod presets;
 mod progress;
 mod report;
 mod run;
-mod stability;
 mod sweep;
 mod threshold;
-mod validate;
+mod verify;
 
 pub use crate::cli::arguments::{Assignment, Changes, ScenarioArgs, ScenariosArgs};
 pub use crate::cli::error::CliError;
@@ -35,14 +33,11 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use clap::{Args, Parser, Subcommand};
-use clap_complete::Shell;
 
 use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
 use crate::many::sweep::Axis;
 use crate::models::paper::forces::kernel::name as kernel_name;
 use crate::tui;
-use crate::verify::coverage::MAX_SCENES;
-use crate::verify::mesh_coverage::FINEST_CHECKED;
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
@@ -61,6 +56,11 @@ pub struct Cli {
     pub command: Option<Command>,
 }
 
+/// The end of a command's help: how it may be typed.
+fn example(command: &str) -> String {
+    format!("Example:\n  contrecoup {command}")
+}
+
 /// What a report of a fault needs: version, commit and the vectors that compute on this machine.
 fn long_version() -> &'static str {
     static TEXT: LazyLock<String> = LazyLock::new(|| {
@@ -76,50 +76,53 @@ fn long_version() -> &'static str {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Open the terminal app: what no command at all does too
+    #[command(after_help = example("tui paper-300n bb-56 --mouse"))]
     Tui(tui::Options),
     /// Simulate one blow and print the results
+    #[command(after_help = example("run bb-56 --set impact.speed_m_s=40 --json"))]
     Run(RunArgs),
     /// Print the settings of the app, with what each does and may be
+    #[command(after_help = example("config > contrecoup.ron"))]
     Config,
     /// List the presets, or show one
+    #[command(after_help = example("presets show bb-56"))]
     Presets(PresetsArgs),
     /// Simulate one blow and write its frames and traces to files
+    #[command(after_help = example("export paper-300n --frames frames.csv --traces traces.csv"))]
     Export(ExportArgs),
     /// Measure total error against time: mesh levels, integrators and steps, and the cheapest for a tolerance
+    #[command(after_help = example("accuracy paper-300n --finest-level 3"))]
     Accuracy(AccuracyArgs),
-    /// Run the hard cases against references and print what the program made of each
-    Stability(StabilityArgs),
-    /// Check on random scenes how often the stated step errors hold
-    Coverage(CoverageArgs),
-    /// Run published experiments again and print what was measured beside what the model gives
-    Validate(ValidateArgs),
-    /// Repeat the fit of the one free number, the bulk modulus of orbital fat, to published experiments
-    Calibrate(CalibrateArgs),
+    /// Check what is claimed: errors in random scenes, hard cases, published experiments
+    #[command(after_help = example("verify steps --scenes 20"))]
+    Verify(verify::VerifyArgs),
     /// Simulate several blows and print them side by side
+    #[command(after_help = example("compare bb-56 golf-ball squash-ball --sort peak_pressure_mpa"))]
     Compare(CompareArgs),
     /// Write a page of one blow or several, to read, print and send
+    #[command(after_help = example("report bb-56 paintball --output balls.html"))]
     Report(ReportArgs),
     /// Run many samples over what is not known of the inputs: median, band and what drives it
+    #[command(after_help = example(r#"ensemble paper-300n --set impact.force_n="300 +- 20""#))]
     Ensemble(EnsembleArgs),
     /// Run a grid over some fields, in shards for a cluster, and go on after a kill
     Sweep(SweepArgs),
     /// Find the speed, force or other input at which a result reaches a value
+    #[command(after_help = example(r#"threshold paper-300n --vary impact.force_n --until "damage_percent = 50""#))]
     Threshold(ThresholdArgs),
     /// Read the guide: keys, glossary, accuracy, evidence and more; lists its topics by itself
+    #[command(after_help = example("guide accuracy"))]
     Guide {
         /// The topic
         #[arg(value_parser = guide::topics())]
         topic: Option<String>,
     },
-    /// Print a script that completes commands in a shell
-    Completions {
-        /// The shell
-        shell: Shell,
-    },
-    /// Print the manual page, of the program or of one command
-    Man {
-        /// The command
-        command: Option<String>,
+    /// Print the manual page, or a script that completes commands in a shell
+    #[command(after_help = example("generate completions bash"))]
+    Generate {
+        /// What is printed.
+        #[command(subcommand)]
+        what: generate::GenerateCommand,
     },
 }
 
@@ -159,22 +162,6 @@ pub struct AccuracyArgs {
     pub json: bool,
 }
 
-/// Arguments of `validate`.
-#[derive(Debug, Args)]
-pub struct ValidateArgs {
-    /// Print JSON instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `calibrate`.
-#[derive(Debug, Args)]
-pub struct CalibrateArgs {
-    /// Print JSON instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// Arguments of `export`.
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("files").required(true).multiple(true))]
@@ -192,40 +179,6 @@ pub struct ExportArgs {
     /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
     pub every_us: Option<f64>,
-}
-
-/// Arguments of `stability`.
-#[derive(Debug, Args)]
-pub struct StabilityArgs {
-    /// Print JSON instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `coverage`.
-#[derive(Debug, Args)]
-pub struct CoverageArgs {
-    /// How many scenes
-    #[arg(long, value_name = "N", default_value_t = 200,
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SCENES)))]
-    pub scenes: u32,
-    /// Which scenes: a seed gives the same ones for good
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u32,
-    /// Throw random objects at the eye of revolution, in place of pulses at the Paper model
-    #[arg(long)]
-    pub objects: bool,
-    /// Check mesh errors in place of step errors, of answers at this level [without K: 1], until so many
-    /// scenes have folded on no mesh
-    #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "1",
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED)))]
-    pub mesh: Option<u32>,
-    /// Check whether answers of `run --tolerance P` are within P, for several P, in as many such scenes
-    #[arg(long, conflicts_with_all = ["mesh", "objects"])]
-    pub tolerance: bool,
-    /// Print JSON instead of text
-    #[arg(long)]
-    pub json: bool,
 }
 
 /// Arguments of `ensemble`.
@@ -275,6 +228,9 @@ pub struct SweepArgs {
 }
 
 const SWEEP_HELP: &str = "\
+Example:
+  contrecoup sweep paper-300n --vary impact.force_n=50:500:40
+
 Job arrays: each task takes its own shard and file; the shell fills in the number.
   Slurm:         sbatch --array=1-8 --wrap 'contrecoup sweep paper-300n \\
                    --vary impact.force_n=50:500:40 \\
@@ -348,6 +304,7 @@ pub struct PresetsArgs {
 #[derive(Debug, Subcommand)]
 pub enum PresetsCommand {
     /// Print the file of one preset as it stands
+    #[command(after_help = example("presets show bb-56"))]
     Show {
         /// Its name
         name: String,
@@ -359,10 +316,11 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            return match arguments::explain(&error) {
+            let code = u8::try_from(error.exit_code()).unwrap_or(2);
+            return match arguments::explain(error) {
                 // Nobody is left to hear about a closed pipe.
                 Err(failed) if failed.kind() != io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
-                _ => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)),
+                _ => ExitCode::from(code),
             };
         }
     };
@@ -400,21 +358,17 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
     match &cli.command {
         Some(Command::Run(args)) => run::run(args, out),
         Some(Command::Export(args)) => export::run(args, out),
-        Some(Command::Coverage(args)) => coverage::run(args, out),
-        Some(Command::Validate(args)) => validate::run(args, out),
-        Some(Command::Calibrate(args)) => validate::fit(args, out),
+        Some(Command::Verify(args)) => verify::run(args, out),
         Some(Command::Config) => config::run(out),
         Some(Command::Presets(args)) => presets::run(args, out),
         Some(Command::Accuracy(args)) => accuracy::run(args, out),
-        Some(Command::Stability(args)) => stability::run(args, out),
         Some(Command::Ensemble(args)) => ensemble::run(args, out),
         Some(Command::Compare(args)) => compare::run(args, out),
         Some(Command::Report(args)) => report::run(args, out),
         Some(Command::Sweep(args)) => sweep::run(args, out),
         Some(Command::Threshold(args)) => threshold::run(args, out),
         Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),
-        Some(Command::Completions { shell }) => generate::completions(*shell, out),
-        Some(Command::Man { command }) => generate::man(command.as_deref(), out),
+        Some(Command::Generate { what }) => generate::run(what, out),
         // The app has been run already.
         None | Some(Command::Tui(_)) => Ok(()),
     }
@@ -428,5 +382,39 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn there_are_few_commands_and_the_help_of_each_ends_with_one_that_can_be_typed() {
+        let mut program = Cli::command();
+        program.build();
+        assert!(program.get_subcommands().count() <= 15);
+        let of = |command: &clap::Command| {
+            let all = command.get_subcommands();
+            let own = all.filter(|command| command.get_name() != "help");
+            own.cloned().collect::<Vec<_>>()
+        };
+        let commands = of(&program);
+        let below = commands.iter().flat_map(of);
+        for command in commands.iter().cloned().chain(below) {
+            let name = command.get_display_name().unwrap().replace('-', " ");
+            let help = command
+                .get_after_help()
+                .map(ToString::to_string)
+                .unwrap_or_default();
+            let example = help
+                .lines()
+                .find_map(|line| line.trim().strip_prefix("contrecoup "));
+            let example = example.unwrap_or_else(|| panic!("{name} has no example"));
+            let typed = example.split(" > ").next().unwrap();
+            let words = shell_words::split(&format!("contrecoup {typed}")).unwrap();
+            assert!(
+                words.join(" ").replace('-', " ").starts_with(&name),
+                "{name}: {example}"
+            );
+            if let Err(error) = Cli::try_parse_from(&words) {
+                panic!("{example}: {error}");
+            }
+        }
     }
 }

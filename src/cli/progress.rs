@@ -2,6 +2,7 @@
 
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::report::pace::Pace;
@@ -11,22 +12,30 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// A line on standard error, if that is a terminal, once the work takes long.
+/// A line on standard error, if that is a terminal, once the work takes long. Any thread may write it.
 pub(super) struct Progress {
     began: Instant,
+    visible: bool,
+    line: Mutex<Line>,
+}
+
+#[derive(Default)]
+struct Line {
     pace: Pace,
     shown: Option<(String, Instant)>,
-    visible: bool,
 }
 
 impl Progress {
     pub fn new() -> Self {
         Self {
             began: Instant::now(),
-            pace: Pace::default(),
-            shown: None,
             visible: io::stderr().is_terminal(),
+            line: Mutex::default(),
         }
+    }
+
+    fn line(&self) -> MutexGuard<'_, Line> {
+        self.line.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Says once what is begun, where no line of progress can follow it: in a log or a pipe.
@@ -38,44 +47,45 @@ impl Progress {
     }
 
     /// Shows what share of the work is done.
-    pub fn show(&mut self, what: &str, share: f64) {
+    pub fn show(&self, what: &str, share: f64) {
         self.put(what, share, None);
     }
 
     /// Shows how many are done of how many.
-    pub fn count(&mut self, what: &str, done: usize, of: usize) {
+    pub fn count(&self, what: &str, done: usize, of: usize) {
         self.put(what, done as f64 / of.max(1) as f64, Some(of));
     }
 
-    fn put(&mut self, what: &str, share: f64, of: Option<usize>) {
+    fn put(&self, what: &str, share: f64, of: Option<usize>) {
         let elapsed = self.began.elapsed();
-        self.pace.advance(share, elapsed);
+        let mut line = self.line();
+        line.pace.advance(share, elapsed);
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
-        if !self.visible || elapsed <= PATIENCE || self.shown.as_ref().is_some_and(recent) {
+        if !self.visible || elapsed <= PATIENCE || line.shown.as_ref().is_some_and(recent) {
             return;
         }
-        let line = format!("{what}: {}", self.pace.words(of));
-        if self.shown.as_ref().is_none_or(|(shown, _)| *shown != line) {
+        let text = format!("{what}: {}", line.pace.words(of));
+        if line.shown.as_ref().is_none_or(|(shown, _)| *shown != text) {
             // Nobody is hurt if a line of progress is lost.
-            let _ = write!(io::stderr(), "\r{line}\x1b[K");
-            self.shown = Some((line, Instant::now()));
+            let _ = write!(io::stderr(), "\r{text}\x1b[K");
+            line.shown = Some((text, Instant::now()));
         }
     }
 
     /// Shows how much has been simulated; never stops the run.
-    pub fn simulated(&mut self, share: f64) -> ControlFlow<()> {
+    pub fn simulated(&self, share: f64) -> ControlFlow<()> {
         self.show("simulating", share);
         ControlFlow::Continue(())
     }
 
     /// Shows how much has been measured; never stops it.
-    pub fn measured(&mut self, share: f64) -> ControlFlow<()> {
+    pub fn measured(&self, share: f64) -> ControlFlow<()> {
         self.show("measuring", share);
         ControlFlow::Continue(())
     }
 
-    pub fn clear(&mut self) {
-        if self.shown.take().is_some() {
+    pub fn clear(&self) {
+        if self.line().shown.take().is_some() {
             let _ = write!(io::stderr(), "\r\x1b[K");
         }
     }

@@ -24,7 +24,7 @@ use crate::scenario::{EyeInput, Scenario};
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let mut watch = |share| progress.simulated(share);
     if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
         return Err(CliError::Input(format!(

@@ -11,7 +11,6 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::atomic::Ordering;
-use std::sync::{Mutex, PoisonError};
 
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
@@ -131,8 +130,7 @@ fn work(
     sink: &mut dyn Sink,
 ) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
-    let progress = Mutex::new(Progress::new());
-    let lock = || progress.lock().unwrap_or_else(PoisonError::into_inner);
+    let progress = Progress::new();
     let (send, receive) = std::sync::mpsc::sync_channel(MAX_UNREAD);
     let mut written = done;
     let mut failed = None;
@@ -155,10 +153,10 @@ fn work(
                 break;
             }
             written += 1;
-            lock().count("rows", written, rows.len());
+            progress.count("rows", written, rows.len());
         }
     });
-    lock().clear();
+    progress.clear();
     if let Some(error) = failed {
         return Err(error.into());
     }

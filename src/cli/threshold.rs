@@ -25,7 +25,7 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let question = Question::read((*scenario).clone(), &args.vary, until);
     let question = question.map_err(refused("--vary"))?;
     let stop = interrupt::flag()?;
-    let mut progress = Progress::new();
+    let progress = Progress::new();
     let (of, path) = (question.quantity.key(), question.field.path);
     let (from, to) = question.range;
     progress.announce(&format!("looking for {of} over {path} = {from}:{to} ..."));

@@ -140,7 +140,7 @@ pub static SPREADS: &[Spread] = &[
         path: "model.fat_bulk_mpa",
         nominal: 0.40,
         shape: Shape::LogUniform(0.20, 0.55),
-        source: "fits published tests nearly as well as 0.40 (contrecoup calibrate)",
+        source: "fits published tests nearly as well as 0.40 (contrecoup verify fit)",
     },
 ];
 

@@ -71,7 +71,7 @@ impl Physiological {
 
     /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of 0.48
     /// makes half of it, which is what the two tests of an impactor in the orbit want: the one number
-    /// that is fitted (`contrecoup calibrate`).
+    /// that is fitted (`contrecoup verify fit`).
     pub const PUBLISHED_FAT_BULK_MPA: f64 = 0.78;
 }
 

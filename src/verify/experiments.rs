@@ -1,7 +1,7 @@
 //! Published experiments as scenarios, with what was measured and what is read from the run.
 //!
 //! Each has its own species, support and object. Moduli are published ones: nothing was fitted but the
-//! bulk modulus of orbital fat, by the two rows that are marked (see [`crate::verify::calibrate`]).
+//! bulk modulus of orbital fat, by the two rows that are marked (see [`crate::verify::fit`]).
 //!
 //! What the sources leave open is taken as follows, and said in the row. The impactor in the orbit: a
 //! cylinder of 20 mm with an edge of 2 mm, heavy enough (1 kg) to keep its speed. The slow rod: 3.5 g, about
@@ -19,7 +19,7 @@ use crate::scenario::{
 
 /// What is read from a run to be compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Reading {
+pub enum Gauge {
     /// Force of contact when the object has come so far in, in mm: N.
     ForceAt(f64),
     /// A result, in its unit.
@@ -32,7 +32,7 @@ pub enum Reading {
     Volume,
 }
 
-impl Reading {
+impl Gauge {
     /// The unit of what is read.
     pub fn unit(self) -> &'static str {
         match self {
@@ -47,7 +47,7 @@ impl Reading {
 
 /// What was measured, in the unit of what is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Band {
+pub enum MeasuredBand {
     /// A mean with its spread.
     Spread(f64, f64),
     /// A single value without a spread; a share of it is allowed on both sides.
@@ -60,7 +60,7 @@ pub enum Band {
     Above(f64),
 }
 
-impl Band {
+impl MeasuredBand {
     /// Least and greatest value that agrees.
     pub fn limits(self) -> (f64, f64) {
         match self {
@@ -90,25 +90,6 @@ impl Band {
     }
 }
 
-/// How well an experiment's figures are founded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
-    /// In the cited source.
-    Published,
-    /// Part of it is from memory.
-    Unverified,
-}
-
-impl Mark {
-    /// In a word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Published => "published",
-            Self::Unverified => "unverified",
-        }
-    }
-}
-
 /// One figure of one experiment.
 #[derive(Debug, Clone, Copy)]
 pub struct Experiment {
@@ -119,19 +100,30 @@ pub struct Experiment {
     /// The same as a scenario, on the coarsest of the meshes that are compared.
     pub scenario: fn() -> Scenario,
     /// What is compared.
-    pub reading: Reading,
+    pub reading: Gauge,
     /// With what.
-    pub measured: Band,
+    pub measured: MeasuredBand,
     /// Whether the model was fitted to it.
     pub fitted: bool,
-    /// How well founded the figure is.
-    pub mark: Mark,
+    /// Whether part of the figure is from memory.
+    pub unverified: bool,
     /// Whose eyes.
     pub species: &'static str,
     /// Where it was published.
     pub source: &'static str,
     /// Why it is not met, where it is not.
     pub because: &'static str,
+}
+
+impl Experiment {
+    /// How well founded the figure is, in a word.
+    pub fn standing(&self) -> &'static str {
+        if self.unverified {
+            "unverified"
+        } else {
+            "published"
+        }
+    }
 }
 
 fn eye(species: Species, support: Support) -> Physiological {
@@ -177,24 +169,13 @@ fn impactor(speed: f64, window_ms: f64) -> Scenario {
         2.0,
     )
 }
-fn impactor_8() -> Scenario {
-    impactor(8.2, 1.1)
-}
-fn impactor_10() -> Scenario {
-    impactor(10.0, 1.4)
-}
 
 /// The ball of 6.35 mm is steel: 1.05 g.
 fn ball(speed: f64) -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
     shot("6.35 mm steel ball", model, (1.05, 6.35, speed), 2.0)
 }
-fn ball_6() -> Scenario {
-    ball(6.2)
-}
-fn ball_66() -> Scenario {
-    ball(66.5)
-}
+
 fn rod_6() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
     flat(shot("9.25 mm rod", model, (3.5, 9.25, 6.2), 2.0), 0.5)
@@ -204,20 +185,17 @@ fn bb(speed: f64) -> Scenario {
     let model = eye(Species::Human, Support::Gelatin);
     shot("steel BB", model, (0.345, 4.5, speed), 2.0)
 }
-fn bb_56() -> Scenario {
-    bb(56.0)
-}
-fn bb_92() -> Scenario {
-    bb(92.0)
-}
+
 fn bb_62() -> Scenario {
     let model = eye(Species::Pig, Support::Free);
     shot("steel BB, free eye", model, (0.345, 4.5, 62.5), 2.0)
 }
+
 fn airsoft_99() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
     shot("airsoft pellet", model, (0.25, 6.0, 99.0), 2.0)
 }
+
 fn foam() -> Scenario {
     let model = eye(Species::Human, Support::Gelatin);
     shot("airbag foam", model, (0.03, 6.0, 30.0), 2.0)
@@ -236,12 +214,6 @@ fn baseball(speed: f64) -> Scenario {
     }
     scenario
 }
-fn baseball_34() -> Scenario {
-    baseball(34.4)
-}
-fn baseball_41() -> Scenario {
-    baseball(41.2)
-}
 
 const KENNEDY: &str = "Kennedy and Duma 2008, J Biomech 41:3297";
 const DUMA_2012: &str = "Duma 2012, Curr Eye Res 37:43";
@@ -257,223 +229,209 @@ const PIG_BURST_LOW: f64 = 1.32;
 /// Allowed on both sides where a source gives one value without a spread.
 const NO_SPREAD: f64 = 0.3;
 
+/// What many rows have in common; each gives the rest.
+const ROW: Experiment = Experiment {
+    key: "",
+    what: "",
+    scenario: Scenario::default,
+    reading: Gauge::Of(Quantity::Pressure),
+    measured: MeasuredBand::Between(0.0, 0.0),
+    fitted: false,
+    unverified: false,
+    species: "human, in gelatin",
+    source: STITZEL,
+    because: "",
+};
+
 /// Every comparison, fitted ones first.
 pub static EXPERIMENTS: &[Experiment] = &[
     Experiment {
         key: "orbit-force",
         what: "blunt impactor 8.2 m/s: force at 7.5 mm",
-        scenario: impactor_8,
-        reading: Reading::ForceAt(7.5),
-        measured: Band::Spread(271.0, 51.0),
+        scenario: || impactor(8.2, 1.1),
+        reading: Gauge::ForceAt(7.5),
+        measured: MeasuredBand::Spread(271.0, 51.0),
         fitted: true,
-        mark: Mark::Published,
         species: "human, in the orbit",
         source: KENNEDY,
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "orbit-force-10",
         what: "blunt impactor 10 m/s: force at 12 mm",
-        scenario: impactor_10,
-        reading: Reading::ForceAt(12.0),
-        measured: Band::Single(295.0, NO_SPREAD),
+        scenario: || impactor(10.0, 1.4),
+        reading: Gauge::ForceAt(12.0),
+        measured: MeasuredBand::Single(295.0, NO_SPREAD),
         fitted: true,
-        mark: Mark::Published,
         species: "human, in the orbit, one test",
         source: "interim report of the same group",
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "fast-ball",
         what: "6.35 mm ball 66.5 m/s: pressure at back",
-        scenario: ball_66,
-        reading: Reading::Sensor,
-        measured: Band::Single(3.52, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Published,
+        scenario: || ball(66.5),
+        reading: Gauge::Sensor,
+        measured: MeasuredBand::Single(3.52, NO_SPREAD),
         species: "pig, in gelatin",
         source: DUMA_2012,
         because: "level 3 lies 9 % below what counts: coarser meshes focus the wave of the shell too sharply, and how fast the sensor was is not published",
+        ..ROW
     },
     Experiment {
         key: "slow-rod",
         what: "9.25 mm rod 6.2 m/s: pressure at back",
         scenario: rod_6,
-        reading: Reading::Sensor,
-        measured: Band::Single(0.27, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Unverified,
+        reading: Gauge::Sensor,
+        measured: MeasuredBand::Single(0.27, NO_SPREAD),
+        unverified: true,
         species: "pig, in gelatin; mass and speed of the rod assumed",
         source: DUMA_2012,
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "slow-ball",
         what: "6.35 mm ball 6.2 m/s: pressure at back",
-        scenario: ball_6,
-        reading: Reading::Sensor,
-        measured: Band::Single(0.27, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Published,
+        scenario: || ball(6.2),
+        reading: Gauge::Sensor,
+        measured: MeasuredBand::Single(0.27, NO_SPREAD),
         species: "pig, in gelatin",
         source: DUMA_2012,
         because: "the source gives the least pressure of a ball and two rods together; it need not be the ball's, and a rod comes out right",
+        ..ROW
     },
     Experiment {
         key: "bb-whole",
         what: "BB 56 m/s, globe whole: mean pressure",
-        scenario: bb_56,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Below(BURST),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
-        source: STITZEL,
-        because: "",
+        scenario: || bb(56.0),
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Below(BURST),
+        unverified: true,
+        ..ROW
     },
     Experiment {
         key: "bb-burst",
         what: "BB 92 m/s, globe burst: mean pressure",
-        scenario: bb_92,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Above(BURST),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
-        source: STITZEL,
-        because: "",
+        scenario: || bb(92.0),
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Above(BURST),
+        unverified: true,
+        ..ROW
     },
     Experiment {
         key: "bb-whole-stress",
         what: "BB 56 m/s, globe whole: scleral stress",
-        scenario: bb_56,
-        reading: Reading::Of(Quantity::ScleralStress),
-        measured: Band::Below(BURST_STRESS),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
+        scenario: || bb(56.0),
+        reading: Gauge::Of(Quantity::ScleralStress),
+        measured: MeasuredBand::Below(BURST_STRESS),
+        unverified: true,
         source: STRESS,
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "bb-burst-stress",
         what: "BB 92 m/s, globe burst: scleral stress",
-        scenario: bb_92,
-        reading: Reading::Of(Quantity::ScleralStress),
-        measured: Band::Above(BURST_STRESS),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
+        scenario: || bb(92.0),
+        reading: Gauge::Of(Quantity::ScleralStress),
+        measured: MeasuredBand::Above(BURST_STRESS),
+        unverified: true,
         source: STRESS,
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "bb-volume",
         what: "BB 56 m/s: volume of the globe",
-        scenario: bb_56,
-        reading: Reading::Volume,
-        measured: Band::Between(99.0, 101.0),
-        fitted: false,
-        mark: Mark::Published,
+        scenario: || bb(56.0),
+        reading: Gauge::Volume,
+        measured: MeasuredBand::Between(99.0, 101.0),
         species: "computed, human",
         source: "after Ikeda 2024, Clin Ophthalmol 18:2575",
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "pellet-burst",
         what: "airsoft 99 m/s, globe opened: pressure",
         scenario: airsoft_99,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Above(PIG_BURST_LOW),
-        fitted: false,
-        mark: Mark::Published,
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Above(PIG_BURST_LOW),
         species: "pig, in gelatin",
         source: "Marshall 2011, Am J Forensic Med Pathol 32; PMC3217427",
         because: "it lies at the limit, which is a mean less one standard deviation: the mesh decides, and level 3 is inside",
+        ..ROW
     },
     Experiment {
         key: "foam-whole",
         what: "airbag foam 30 m/s, globe whole: pressure",
         scenario: foam,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Below(BURST),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Below(BURST),
+        unverified: true,
         source: "Stitzel 2002 and 2005; PMC3217427",
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "baseball-whole",
         what: "baseball 34.4 m/s, globe whole: pressure",
-        scenario: baseball_34,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Below(BURST),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
-        source: STITZEL,
+        scenario: || baseball(34.4),
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Below(BURST),
+        unverified: true,
         because: "a ball's surface is known within a factor of ten, and pressure follows it; nothing was fitted to this row",
+        ..ROW
     },
     Experiment {
         key: "baseball-burst",
         what: "baseball 41.2 m/s, globe burst: pressure",
-        scenario: baseball_41,
-        reading: Reading::Of(Quantity::Pressure),
-        measured: Band::Above(BURST),
-        fitted: false,
-        mark: Mark::Unverified,
-        species: "human, in gelatin",
-        source: STITZEL,
-        because: "",
+        scenario: || baseball(41.2),
+        reading: Gauge::Of(Quantity::Pressure),
+        measured: MeasuredBand::Above(BURST),
+        unverified: true,
+        ..ROW
     },
     Experiment {
         key: "bb-shortening",
         what: "BB 62.5 m/s: shortening front to back",
         scenario: bb_62,
-        reading: Reading::Of(Quantity::Shortening),
-        measured: Band::Single(41.0, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Unverified,
+        reading: Gauge::Of(Quantity::Shortening),
+        measured: MeasuredBand::Single(41.0, NO_SPREAD),
+        unverified: true,
         species: "pig, free",
         source: DELORI,
         because: "a softer wall would shorten more, and then pressures fail; the figure is from memory",
+        ..ROW
     },
     Experiment {
         key: "bb-widening",
         what: "BB 62.5 m/s: growth of the equator",
         scenario: bb_62,
-        reading: Reading::Of(Quantity::MeridianGrowth),
-        measured: Band::Single(28.0, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Unverified,
+        reading: Gauge::Of(Quantity::MeridianGrowth),
+        measured: MeasuredBand::Single(28.0, NO_SPREAD),
+        unverified: true,
         species: "pig, free",
         source: DELORI,
         because: "a wall as soft as that would need fails every pressure; the figure is from memory",
+        ..ROW
     },
     Experiment {
         key: "bb-time",
         what: "the same: when the equator is widest",
         scenario: bb_62,
-        reading: Reading::TimeOf(Quantity::MeridianGrowth),
-        measured: Band::Single(0.4, NO_SPREAD),
-        fitted: false,
-        mark: Mark::Unverified,
+        reading: Gauge::TimeOf(Quantity::MeridianGrowth),
+        measured: MeasuredBand::Single(0.4, NO_SPREAD),
+        unverified: true,
         species: "pig, free",
         source: DELORI,
-        because: "",
+        ..ROW
     },
     Experiment {
         key: "paper-apex",
         what: "Paper model, 300 N for 0.2 ms: apex",
         scenario: Scenario::default,
-        reading: Reading::Of(Quantity::Apex),
-        measured: Band::Between(1.0, 3.0),
-        fitted: false,
-        mark: Mark::Published,
+        reading: Gauge::Of(Quantity::Apex),
+        measured: MeasuredBand::Between(1.0, 3.0),
         species: "the paper's own claim",
         source: "the paper, figure 9",
-        because: "",
+        ..ROW
     },
 ];
 
@@ -488,8 +446,8 @@ mod tests {
             assert!(!EXPERIMENTS[..i].iter().any(|e| e.key == experiment.key));
             assert!(experiment.what.len() <= 41, "{}", experiment.what);
             assert!(experiment.measured.holds(match experiment.measured {
-                Band::Below(limit) => 0.99 * limit,
-                Band::Above(limit) => 1.01 * limit,
+                MeasuredBand::Below(limit) => 0.99 * limit,
+                MeasuredBand::Above(limit) => 1.01 * limit,
                 other => other.typical(),
             }));
         }

@@ -20,6 +20,7 @@ use crate::scenario::Integrator;
 use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use nalgebra::Vector2;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -66,7 +67,7 @@ const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
 
 /// What became of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Verdict {
+pub enum CaseVerdict {
     /// No flag, and every listed result within its claimed step error or within 1 %.
     Accurate,
     /// The answer carries flags; numbers outside the claim are covered by one.
@@ -79,7 +80,7 @@ pub enum Verdict {
     Wrong,
 }
 
-impl Verdict {
+impl CaseVerdict {
     /// Name as printed and as used in JSON.
     pub fn name(self) -> &'static str {
         match self {
@@ -94,13 +95,13 @@ impl Verdict {
 
 /// A case with what became of it.
 #[derive(Debug, Clone)]
-pub struct Outcome {
+pub struct CaseOutcome {
     /// The case's name.
     pub name: &'static str,
     /// What it stresses.
     pub stresses: &'static str,
     /// The verdict.
-    pub verdict: Verdict,
+    pub verdict: CaseVerdict,
     /// Largest true error of a leading result in %, where the references agree.
     pub true_error: Option<f64>,
     /// The step error that the answer claims, in %.
@@ -230,7 +231,7 @@ impl HardCase {
     }
 
     /// Solves the case and its references and compares.
-    pub fn run(&self) -> Outcome {
+    pub fn run(&self) -> CaseOutcome {
         let solved = self.compiled().and_then(|case| {
             solve_case(
                 Compiled::with(Arc::new(case), &self.scenario),
@@ -242,7 +243,7 @@ impl HardCase {
         let answer = match solved {
             Ok(answer) => answer,
             Err(refusal) => {
-                return self.outcome(Verdict::Refused, None, refusal.to_string());
+                return self.outcome(CaseVerdict::Refused, None, refusal.to_string());
             }
         };
         let [first, second] = self.references;
@@ -252,13 +253,13 @@ impl HardCase {
             (Ok(first), Ok(second)) => self.judge(&answer, &first, &second),
             (Err(refusal), _) | (_, Err(refusal)) => {
                 let note = format!("a reference failed: {refusal}");
-                self.outcome(Verdict::Wrong, Some(&answer), note)
+                self.outcome(CaseVerdict::Wrong, Some(&answer), note)
             }
         }
     }
 
-    fn outcome(&self, verdict: Verdict, answer: Option<&Answer>, note: String) -> Outcome {
-        Outcome {
+    fn outcome(&self, verdict: CaseVerdict, answer: Option<&Answer>, note: String) -> CaseOutcome {
+        CaseOutcome {
             name: self.name,
             stresses: self.stresses,
             verdict,
@@ -270,13 +271,13 @@ impl HardCase {
         }
     }
 
-    fn judge(&self, answer: &Answer, first: &Results, second: &Results) -> Outcome {
+    fn judge(&self, answer: &Answer, first: &Results, second: &Results) -> CaseOutcome {
         let results = answer.results();
         let claimed = &answer.errors.time_step;
         let finite = |numbers: &Results| numbers.present().all(|(_, n)| n.is_finite());
         if ![&results, claimed, first, second].into_iter().all(finite) {
             let note = "a result or its error is not a finite number".to_owned();
-            return self.outcome(Verdict::Wrong, Some(answer), note);
+            return self.outcome(CaseVerdict::Wrong, Some(answer), note);
         }
         // In % of the answer, as claims are.
         let between = second.apart_percent(first, &results);
@@ -293,13 +294,13 @@ impl HardCase {
         let within = worst.is_none_or(|(_, truth, _)| truth <= ACCURATE_PERCENT);
         let unproven = !known || !within;
         let verdict = if answer.flags.iter().any(of(FlagKind::NotPredictable)) {
-            Verdict::NotPredictable
+            CaseVerdict::NotPredictable
         } else if unproven && !answer.flags.iter().any(doubts_numbers) {
-            Verdict::Wrong
+            CaseVerdict::Wrong
         } else if answer.flags.is_empty() {
-            Verdict::Accurate
+            CaseVerdict::Accurate
         } else {
-            Verdict::Flagged
+            CaseVerdict::Flagged
         };
         let note = if !known {
             format!("two references disagree by {between:.1} %")
@@ -311,7 +312,7 @@ impl HardCase {
         } else {
             String::new()
         };
-        Outcome {
+        CaseOutcome {
             true_error: known.then(|| worst_error(&truth, &results)),
             ..self.outcome(verdict, Some(answer), note)
         }
@@ -353,17 +354,16 @@ fn reference(
     Ok(answer.case.results(&solution))
 }
 
-/// Runs all cases on all cores, in their order; `done` is told how many of how many are.
-pub fn run(done: impl Fn(usize, usize) + Sync) -> Vec<Outcome> {
+/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is left out if it
+/// wants to stop.
+pub fn run(watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
-    let finished = AtomicUsize::new(0);
-    cases
-        .par_iter()
-        .with_max_len(1)
-        .map(|case| {
-            let outcome = case.run();
-            done(finished.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
-            outcome
-        })
-        .collect()
+    let done = AtomicUsize::new(0);
+    let outcomes = cases.par_iter().with_max_len(1).map(|case| {
+        let outcome = case.run();
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        let _ = watch(done as f64 / cases.len() as f64);
+        outcome
+    });
+    outcomes.collect()
 }

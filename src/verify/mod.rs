@@ -1,10 +1,8 @@
 //! Whether what is claimed holds: the program against references, and the models against experiments.
 
-pub mod calibrate;
-pub mod coverage;
+pub mod claims;
 pub mod experiments;
+pub mod fit;
 pub mod hard_cases;
-pub mod mesh_coverage;
-pub mod random_object;
-pub mod tolerance_coverage;
-pub mod validate;
+pub mod rerun;
+pub mod scenes;

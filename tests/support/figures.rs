@@ -2,6 +2,7 @@
 
 use std::process::Command;
 
+use contrecoup::verify::experiments::EXPERIMENTS;
 use contrecoup::verify::hard_cases::cases;
 
 /// A block of figures that stands in the README or in the guide.
@@ -24,13 +25,15 @@ pub enum Form {
     Rows(fn() -> Vec<&'static str>),
 }
 
-const COVERAGE: &str = "contrecoup coverage";
-const FEW: Form = Form::Of("contrecoup coverage --scenes 8");
+const COVERAGE: &str = "contrecoup verify steps";
+const FEW: Form = Form::Of("contrecoup verify steps --scenes 8");
 const ACCURACY: &str = "contrecoup accuracy paper-300n";
 const SHORT: Form = Form::Of("contrecoup accuracy paper-300n --set window_ms=0.2");
 const ACCURACY_OF_REVOLUTION: &str = "contrecoup accuracy bb-62";
 const SHORT_OF_REVOLUTION: Form = Form::Of("contrecoup accuracy bb-62 --set window_ms=0.1");
-const VALIDATE: &str = "contrecoup validate";
+/// To run them again takes half a minute, which tests/experiments.rs does.
+const EXPERIMENT_ROWS: fn() -> Vec<&'static str> = || EXPERIMENTS.iter().map(|e| e.what).collect();
+const VALIDATE: &str = "contrecoup verify experiments";
 const BENCH: &str = "cargo bench --bench speed";
 
 /// Rows of the benchmark that answer how long one waits.
@@ -82,19 +85,19 @@ pub static FIGURES: &[Figures] = &[
     },
     Figures {
         name: "mesh-coverage",
-        command: "contrecoup coverage --mesh",
+        command: "contrecoup verify meshes",
         form: Form::Rows(|| vec!["result ", "damage index ", "peak force, top ", "scene "]),
         excerpt: str::to_owned,
     },
     Figures {
         name: "object-coverage",
-        command: "contrecoup coverage --objects",
+        command: "contrecoup verify objects",
         form: Form::Rows(|| vec!["result ", "damage index ", "rebound speed ", "scene "]),
         excerpt: str::to_owned,
     },
     Figures {
         name: "tolerance",
-        command: "contrecoup coverage --tolerance",
+        command: "contrecoup verify tolerance",
         form: Form::Rows(|| vec!["asked for ", "50 % ", "20 % ", "10 % ", "5.0 % ", "2.0 % "]),
         excerpt: str::to_owned,
     },
@@ -124,20 +127,20 @@ pub static FIGURES: &[Figures] = &[
     },
     Figures {
         name: "hard-cases",
-        command: "contrecoup stability",
+        command: "contrecoup verify hard-cases",
         form: Form::Rows(|| cases().iter().map(|case| case.name).collect()),
         excerpt: str::to_owned,
     },
     Figures {
         name: "evidence",
         command: VALIDATE,
-        form: Form::Of(VALIDATE),
+        form: Form::Rows(EXPERIMENT_ROWS),
         excerpt: |text| before(text, "Research"),
     },
     Figures {
         name: "evidence-in-short",
         command: VALIDATE,
-        form: Form::Of(VALIDATE),
+        form: Form::Rows(EXPERIMENT_ROWS),
         excerpt: |text| only(&before(text, "\nEach row"), |line| !is_note(line)),
     },
     Figures {

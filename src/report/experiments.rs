@@ -2,9 +2,9 @@
 
 use crate::report::text::{block, digits, significant};
 use crate::scenario::Physiological;
-use crate::verify::calibrate::{Fit, PATH, STEP};
-use crate::verify::experiments::{Band, Experiment};
-use crate::verify::validate::{MESHES, OnEach, Row};
+use crate::verify::experiments::{Experiment, MeasuredBand};
+use crate::verify::fit::{Fit, PATH, STEP};
+use crate::verify::rerun::{MESHES, OnEach, Rerun};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -23,11 +23,11 @@ fn measured(experiment: &Experiment) -> String {
         }
     };
     match experiment.measured {
-        Band::Spread(mean, sd) => format!("{} +- {}", number(mean), number(sd)),
-        Band::Single(value, _) => number(value),
-        Band::Between(low, high) => format!("{} to {}", number(low), number(high)),
-        Band::Below(limit) => format!("< {}", number(limit)),
-        Band::Above(limit) => format!("> {}", number(limit)),
+        MeasuredBand::Spread(mean, sd) => format!("{} +- {}", number(mean), number(sd)),
+        MeasuredBand::Single(value, _) => number(value),
+        MeasuredBand::Between(low, high) => format!("{} to {}", number(low), number(high)),
+        MeasuredBand::Below(limit) => format!("< {}", number(limit)),
+        MeasuredBand::Above(limit) => format!("> {}", number(limit)),
     }
 }
 
@@ -41,7 +41,7 @@ fn note(text: &str, out: &mut dyn Write) -> io::Result<()> {
     block(text, "    ", "    ", out)
 }
 
-fn line(row: &Row, out: &mut dyn Write) -> io::Result<()> {
+fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
     let experiment = row.experiment;
     let unit = experiment.reading.unit();
     let measured = format!("{} {unit}", measured(experiment));
@@ -59,7 +59,7 @@ fn line(row: &Row, out: &mut dyn Write) -> io::Result<()> {
         experiment.what,
     );
     writeln!(out, "{line}")?;
-    let standing = experiment.mark.name();
+    let standing = experiment.standing();
     note(
         &format!("{}; {}; {standing}", experiment.source, experiment.species),
         out,
@@ -85,7 +85,7 @@ fn line(row: &Row, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
+fn lines(rows: &[&Rerun], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "{:<41}{:>13} {:>6} {:>6} {:>6} in",
@@ -98,7 +98,7 @@ fn lines(rows: &[&Row], out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
+pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
     let inside = |mesh: usize| rows.iter().filter(|row| row.inside()[mesh]).count();
     let counts: [usize; MESHES] = std::array::from_fn(inside);
     writeln!(
@@ -115,7 +115,7 @@ pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
     );
     let tested = "Not fitted, moduli as published: these test the model".to_owned();
     for (heading, of) in [(fitted, true), (tested, false)] {
-        let part: Vec<&Row> = rows.iter().filter(|r| r.experiment.fitted == of).collect();
+        let part: Vec<&Rerun> = rows.iter().filter(|r| r.experiment.fitted == of).collect();
         let inside = part.iter().filter(|row| row.is_met()).count();
         writeln!(out, "{heading} ({inside} of {} on all levels)", part.len())?;
         lines(&part, out)?;
@@ -125,7 +125,7 @@ pub fn text(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "Research and education, not diagnosis.")
 }
 
-fn row(row: &Row) -> Value {
+fn row(row: &Rerun) -> Value {
     let experiment = row.experiment;
     let (low, high) = experiment.measured.limits();
     let bound = |value: f64| value.is_finite().then_some(value);
@@ -146,7 +146,7 @@ fn row(row: &Row) -> Value {
         "met": row.is_met(),
         "because": (!row.is_met()).then_some(experiment.because),
         "fitted": experiment.fitted,
-        "mark": experiment.mark.name(),
+        "mark": experiment.standing(),
         "species": experiment.species,
         "source": experiment.source,
         "step_error_percent": row.step_error,
@@ -155,11 +155,11 @@ fn row(row: &Row) -> Value {
 }
 
 /// The same as JSON.
-pub fn json(rows: &[Row]) -> Value {
+pub fn json(rows: &[Rerun]) -> Value {
     json!({ "rows": rows.iter().map(row).collect::<Vec<_>>() })
 }
 
-/// Prints what a calibration found.
+/// Prints what the fit found.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -178,7 +178,11 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     )?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for tried in &fit.tried {
-        let chosen = if *tried == fit.best { "  taken" } else { "" };
+        let chosen = if tried.mpa == fit.best.mpa {
+            "  taken"
+        } else {
+            ""
+        };
         writeln!(
             out,
             "{:>6.2}{:>9.2}{:>8}{chosen}",
@@ -186,7 +190,7 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     writeln!(out)?;
-    lines(&fit.rows.iter().collect::<Vec<_>>(), out)
+    lines(&fit.best.rows.iter().collect::<Vec<_>>(), out)
 }
 
 /// The same as JSON.
@@ -204,7 +208,7 @@ pub fn fit_json(fit: &Fit) -> Value {
         "step": STEP,
         "misfit": fit.best.misfit,
         "tried": tried,
-        "rows": fit.rows.iter().map(row).collect::<Vec<_>>(),
+        "rows": fit.best.rows.iter().map(row).collect::<Vec<_>>(),
     })
 }
 
@@ -215,19 +219,19 @@ mod tests {
     use crate::verify::experiments::EXPERIMENTS;
 
     /// Every experiment with a figure on each mesh: those of every third are far off on one of them.
-    fn made_up() -> Vec<Row> {
+    fn made_up() -> Vec<Rerun> {
         let row = |(i, experiment): (usize, &'static Experiment)| {
             let inside = match experiment.measured {
-                Band::Below(limit) => 0.5 * limit,
-                Band::Above(limit) => 2.0 * limit,
+                MeasuredBand::Below(limit) => 0.5 * limit,
+                MeasuredBand::Above(limit) => 2.0 * limit,
                 other => other.typical(),
             };
             let off = match experiment.measured {
-                Band::Above(limit) => 0.1 * limit,
+                MeasuredBand::Above(limit) => 0.1 * limit,
                 other => 10.0 * other.typical(),
             };
             let finest = if i % 3 == 0 { off } else { inside };
-            Row {
+            Rerun {
                 experiment,
                 predicted: [Ok(inside), Ok(inside), Ok(finest)],
                 published: experiment.fitted.then_some([Ok(1.0), Ok(2.0), Ok(3.0)]),

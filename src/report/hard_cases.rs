@@ -1,14 +1,14 @@
 //! The hard cases as a table of 80 columns and as JSON. The names are a contract.
 
 use crate::report::text::{WIDTH, percent, wrapped};
-use crate::verify::hard_cases::{Outcome, Verdict};
+use crate::verify::hard_cases::{CaseOutcome, CaseVerdict};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Columns that a note is moved in.
 const INDENT: usize = 4;
 
-fn flags(outcome: &Outcome) -> Vec<&'static str> {
+fn flags(outcome: &CaseOutcome) -> Vec<&'static str> {
     outcome.flags.iter().map(|kind| kind.name()).collect()
 }
 
@@ -16,7 +16,7 @@ fn flags(outcome: &Outcome) -> Vec<&'static str> {
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn table(outcomes: &[Outcome], out: &mut dyn Write) -> io::Result<()> {
+pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "{:<29}{:<16}{:>11}{:>12}{:>12}",
@@ -49,11 +49,11 @@ pub fn table(outcomes: &[Outcome], out: &mut dyn Write) -> io::Result<()> {
         out,
         "\n{} cases: {} accurate, {} flagged, {} not predictable, {} refused, {} wrong",
         outcomes.len(),
-        count(Verdict::Accurate),
-        count(Verdict::Flagged),
-        count(Verdict::NotPredictable),
-        count(Verdict::Refused),
-        count(Verdict::Wrong),
+        count(CaseVerdict::Accurate),
+        count(CaseVerdict::Flagged),
+        count(CaseVerdict::NotPredictable),
+        count(CaseVerdict::Refused),
+        count(CaseVerdict::Wrong),
     )?;
     writeln!(
         out,
@@ -64,7 +64,7 @@ pub fn table(outcomes: &[Outcome], out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// The same as one object.
-pub fn json(outcomes: &[Outcome]) -> Value {
+pub fn json(outcomes: &[CaseOutcome]) -> Value {
     let cases: Vec<Value> = outcomes
         .iter()
         .map(|outcome| {
@@ -81,16 +81,4 @@ pub fn json(outcomes: &[Outcome]) -> Value {
         })
         .collect();
     json!({ "cases": cases })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_break_between_words() {
-        assert_eq!(wrapped("one two three", 8), ["one two", "three"]);
-        assert_eq!(wrapped("", 8), Vec::<String>::new());
-        assert_eq!(wrapped("longer-than-that", 8), ["longer-than-that"]);
-    }
 }

@@ -1,4 +1,4 @@
-//! The one calibration of the eye of revolution, so that anybody can repeat it.
+//! The one fit of the Physiological model, so that anybody can repeat it.
 //!
 //! One number is free: the bulk modulus of orbital fat. Published is a Young's modulus of 47 kPa; with a
 //! Poisson ratio of 0.49 that makes 0.78 `MPa`, but in so soft a material the last digit of the Poisson
@@ -11,9 +11,11 @@
 
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::{Model, Scenario};
-use crate::verify::experiments::{EXPERIMENTS, Experiment};
-use crate::verify::validate::{Row, readings, rows_of, squared_misfit};
+use crate::verify::experiments::MeasuredBand;
+use crate::verify::rerun::Rerun;
+use crate::verify::rerun::fitted;
+use crate::verify::rerun::rerun;
+use crate::verify::rerun::with_fat;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -28,7 +30,7 @@ const COUNT: u32 = 20;
 const NEARLY: f64 = 3.84;
 
 /// One value of the free number.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Tried {
     /// Bulk modulus of fat, `MPa`.
     pub mpa: f64,
@@ -36,9 +38,11 @@ pub struct Tried {
     pub misfit: f64,
     /// How many figures lie inside what was measured.
     pub inside: usize,
+    /// The fitted rows.
+    pub rows: Vec<Rerun>,
 }
 
-/// What a calibration found.
+/// What a fit found.
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// The best.
@@ -47,73 +51,89 @@ pub struct Fit {
     pub nearly: (f64, f64),
     /// All that were tried.
     pub tried: Vec<Tried>,
-    /// The fitted rows at the best.
-    pub rows: Vec<Row>,
 }
 
-fn fitted() -> impl Iterator<Item = &'static Experiment> {
-    EXPERIMENTS.iter().filter(|e| e.fitted)
-}
-
-fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
-    if let Model::Physiological(model) = &mut scenario.model {
-        model.fat_bulk_mpa = mpa;
+impl Tried {
+    /// Runs the fitted experiments with a bulk modulus of fat, in `MPa`.
+    pub fn run(mpa: f64) -> Self {
+        Self::of(mpa, rerun(fitted(), |scenario| with_fat(scenario, mpa)))
     }
-    scenario
-}
 
-/// How well a bulk modulus of fat, in `MPa`, fits.
-pub fn tried(mpa: f64) -> Tried {
-    let mut tried = Tried {
-        mpa,
-        misfit: 0.0,
-        inside: 0,
-    };
-    let read = readings(fitted(), |scenario| with_fat(scenario, mpa));
-    for (experiment, values) in fitted().zip(read) {
-        for value in values {
-            let measured = experiment.measured;
-            tried.inside += usize::from(value.is_some_and(|value| measured.holds(value)));
+    /// How well a modulus fits that gave these rows.
+    pub fn of(mpa: f64, rows: Vec<Rerun>) -> Self {
+        let misfit = |row: &Rerun| {
+            let measured = row.experiment.measured;
             // What cannot be run does not fit.
-            tried.misfit += value.map_or(f64::INFINITY, |value| squared_misfit(measured, value));
+            let of = |value: &Result<f64, _>| {
+                value
+                    .as_ref()
+                    .map_or(f64::INFINITY, |v| squared_misfit(measured, *v))
+            };
+            row.predicted.iter().map(of).sum::<f64>()
+        };
+        let inside = rows.iter().flat_map(Rerun::inside).filter(|inside| *inside);
+        Self {
+            mpa,
+            misfit: rows.iter().map(misfit).sum(),
+            inside: inside.count(),
+            rows,
         }
     }
-    tried
+
+    /// Whether it fits better: with more figures inside, of as many with less misfit.
+    pub fn beats(&self, other: &Self) -> bool {
+        (self.inside, -self.misfit) > (other.inside, -other.misfit)
+    }
 }
 
 /// Fits the free number; `watch` hears the share done.
 ///
 /// # Errors
 /// [`Refusal::Cancelled`] if the watch stopped it.
-pub fn calibrate(watch: Watch) -> Result<Fit, Refusal> {
+pub fn fit(watch: Watch) -> Result<Fit, Refusal> {
     let grid: Vec<f64> = (1..=COUNT)
         // To the digits that are printed: what is printed is what was run.
         .map(|i| (f64::from(i) * STEP * 1e2).round() / 1e2)
         .collect();
     let mut all: Vec<Tried> = Vec::new();
     for chunk in grid.chunks(rayon::current_num_threads().max(1)) {
-        all.par_extend(chunk.par_iter().map(|&mpa| tried(mpa)));
+        all.par_extend(chunk.par_iter().map(|&mpa| Tried::run(mpa)));
         if let ControlFlow::Break(()) = watch(all.len() as f64 / grid.len() as f64) {
             return Err(Refusal::Cancelled);
         }
     }
-    let better = |a: &Tried, b: &Tried| {
-        let most_inside = b.inside.cmp(&a.inside);
-        most_inside.then(a.misfit.total_cmp(&b.misfit))
-    };
-    let best = *all
-        .iter()
-        .min_by(|a, b| better(a, b))
-        .ok_or(Refusal::Cancelled)?;
+    let mut best = all.first().ok_or(Refusal::Cancelled)?;
+    for other in &all {
+        if other.beats(best) {
+            best = other;
+        }
+    }
     let least = all.iter().map(|t| t.misfit).fold(f64::INFINITY, f64::min);
     let near = all.iter().filter(|t| t.misfit <= least + NEARLY);
     let nearly = near.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| {
         (low.min(t.mpa), high.max(t.mpa))
     });
     Ok(Fit {
-        best,
+        best: best.clone(),
         nearly,
-        rows: rows_of(fitted(), |scenario| with_fat(scenario, best.mpa)),
         tried: all,
     })
+}
+
+/// Squared distance of `value` from what was measured, in standard deviations. Where a source gives none,
+/// a factor of 1.3 counts as one.
+fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
+    let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
+    let z = match measured {
+        MeasuredBand::Spread(mean, sd) => (value - mean) / sd,
+        MeasuredBand::Single(single, _) => logs(single),
+        MeasuredBand::Between(..) | MeasuredBand::Below(_) | MeasuredBand::Above(_)
+            if measured.holds(value) =>
+        {
+            0.0
+        }
+        MeasuredBand::Between(low, high) => logs(if value < low { low } else { high }),
+        MeasuredBand::Below(limit) | MeasuredBand::Above(limit) => logs(limit),
+    };
+    z * z
 }

@@ -1,0 +1,176 @@
+//! `contrecoup verify`: whether what the program claims holds.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+
+use clap::{Args, Subcommand};
+use serde_json::Value;
+
+use crate::cli::progress::Progress;
+use crate::cli::{CliError, example};
+use crate::plain_text::write_json;
+use crate::report::{claims, experiments, hard_cases as cases};
+use crate::verify::claims::{FINEST_CHECKED, Study, check};
+use crate::verify::fit::fit;
+use crate::verify::hard_cases::{self, CaseVerdict};
+use crate::verify::rerun::rerun_all;
+use crate::verify::scenes::{MAX_SCENES, Scenes};
+
+/// Arguments of `verify`.
+#[derive(Debug, Args)]
+pub struct VerifyArgs {
+    /// What is checked.
+    #[command(subcommand)]
+    pub what: VerifyCommand,
+    /// Print JSON instead of text
+    #[arg(long, global = true)]
+    pub json: bool,
+}
+
+/// What is checked.
+#[derive(Debug, Subcommand)]
+pub enum VerifyCommand {
+    /// Stated step errors, in random pulses, against a hundred times as many steps
+    #[command(after_help = example("verify steps --scenes 20"))]
+    Steps(SceneArgs),
+    /// Stated mesh errors, in random pulses that fold on no mesh, against the finest mesh
+    #[command(after_help = example("verify meshes --level 2 --scenes 20"))]
+    Meshes {
+        /// Which scenes.
+        #[command(flatten)]
+        scenes: SceneArgs,
+        /// Level of the answers
+        #[arg(long, value_name = "K", default_value_t = 1, value_parser = checked_level())]
+        level: u32,
+    },
+    /// Whether answers of `run --tolerance P` are within P, for several P, in as many such pulses
+    #[command(after_help = example("verify tolerance --scenes 10 --json"))]
+    Tolerance(SceneArgs),
+    /// Stated step errors, or mesh errors, of random objects at the Physiological model
+    #[command(after_help = example("verify objects --scenes 5"))]
+    Objects {
+        /// Which scenes.
+        #[command(flatten)]
+        scenes: SceneArgs,
+        /// Check mesh errors of answers at this level, in place of step errors
+        #[arg(long, value_name = "K", value_parser = checked_level())]
+        level: Option<u32>,
+    },
+    /// Cases made to break simulations, each against references: what the program says of them
+    #[command(after_help = example("verify hard-cases"))]
+    HardCases,
+    /// Published experiments run again: what was measured beside what the model gives
+    #[command(after_help = example("verify experiments --json"))]
+    Experiments,
+    /// The fit of the one free number, the bulk modulus of orbital fat, to published experiments
+    #[command(after_help = example("verify fit"))]
+    Fit,
+}
+
+/// Which random scenes.
+#[derive(Debug, Args)]
+pub struct SceneArgs {
+    /// How many scenes
+    #[arg(long, value_name = "N", default_value_t = 200,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SCENES)))]
+    pub scenes: u32,
+    /// Which scenes: a seed gives the same ones for good
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u32,
+}
+
+fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED))
+}
+
+/// Checks what was asked for and prints what was found.
+///
+/// # Errors
+/// Where a simulation fails, a hard case is silently wrong (after printing), or the output cannot be written.
+pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
+    let json = args.json;
+    let (study, scenes) = match &args.what {
+        VerifyCommand::Steps(scenes) => (Study::Steps(Scenes::Pulses), scenes),
+        VerifyCommand::Meshes { scenes, level } => (Study::Meshes(Scenes::Pulses, *level), scenes),
+        VerifyCommand::Tolerance(scenes) => (Study::Tolerances, scenes),
+        VerifyCommand::Objects { scenes, level } => match level {
+            None => (Study::Steps(Scenes::Objects), scenes),
+            Some(level) => (Study::Meshes(Scenes::Objects, *level), scenes),
+        },
+        VerifyCommand::HardCases => return run_hard_cases(json, out),
+        VerifyCommand::Experiments => {
+            let rows = rerun_all();
+            return print(
+                json,
+                || experiments::json(&rows),
+                |out| experiments::text(&rows, out),
+                out,
+            );
+        }
+        VerifyCommand::Fit => {
+            let fit = shown("fitting", |watch| fit(&mut |share| watch(share)))?;
+            return print(
+                json,
+                || experiments::fit_json(&fit),
+                |out| experiments::fit_text(&fit, out),
+                out,
+            );
+        }
+    };
+    let (count, seed) = (scenes.scenes, scenes.seed);
+    let found = shown("checking scenes", |watch| check(study, count, seed, watch))?;
+    print(
+        json,
+        || claims::json(&found),
+        |out| claims::text(&found, out),
+        out,
+    )
+}
+
+fn run_hard_cases(json: bool, out: &mut dyn Write) -> Result<(), CliError> {
+    let outcomes = shown("hard cases", |watch| hard_cases::run(watch));
+    print(
+        json,
+        || cases::json(&outcomes),
+        |out| cases::text(&outcomes, out),
+        out,
+    )?;
+    out.flush()?;
+    let wrong = outcomes
+        .iter()
+        .filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
+    let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    Err(CliError::Failed(format!(
+        "silently wrong: {}",
+        names.join(", ")
+    )))
+}
+
+/// What `work` finds, which tells the share that is done.
+fn shown<T>(what: &str, work: impl FnOnce(&(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T) -> T {
+    let progress = Progress::new();
+    let found = work(&|share| {
+        progress.show(what, share);
+        ControlFlow::Continue(())
+    });
+    progress.clear();
+    found
+}
+
+/// Prints what was found in the form that was asked for.
+fn print(
+    as_json: bool,
+    json: impl FnOnce() -> Value,
+    text: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    out: &mut dyn Write,
+) -> Result<(), CliError> {
+    if as_json {
+        write_json(out, &json())?;
+    } else {
+        text(out)?;
+    }
+    Ok(())
+}

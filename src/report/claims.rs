@@ -1,0 +1,189 @@
+//! How often what is claimed holds, as text of 80 columns and as one JSON object.
+
+use crate::answer::mesh_error::witnesses;
+use crate::report::text::{WIDTH, significant, wrapped};
+use crate::verify::claims::{Claim, Coverage, Findings, REFERENCE_LEVEL, Study, Subject};
+use crate::verify::scenes::Scenes;
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// An error in percent with two digits, however small.
+fn error(percent: f64) -> String {
+    if percent == 0.0 || (1e-3..1e3).contains(&percent) {
+        crate::report::text::percent(percent)
+    } else {
+        format!("{percent:.1e} %")
+    }
+}
+
+fn label(subject: Subject) -> String {
+    match subject {
+        Subject::Result(quantity) => quantity.label().to_owned(),
+        Subject::Tolerance(percent) => error(percent),
+    }
+}
+
+fn scenes(study: Study) -> &'static str {
+    match study.scenes() {
+        Scenes::Pulses => "random pulses",
+        Scenes::Objects => "random objects",
+    }
+}
+
+/// What was checked, in which scenes, against what.
+fn heading(found: &Findings) -> String {
+    let Findings { study, seed, .. } = found;
+    let folded = found.folded().len();
+    let why = match study.scenes() {
+        Scenes::Pulses => "as a mesh folded",
+        Scenes::Objects => "as a mesh folded or the object went through",
+    };
+    let of = |count: usize| format!("{count} {} of seed {seed}", scenes(*study));
+    let promising = of(found.scenes.len() - folded);
+    let passed_over = |level: u32| {
+        let [coarser, finer] = witnesses(&study.scenes().scene(0, *seed).model, level);
+        format!("{level}, {coarser}, {finer} or {REFERENCE_LEVEL}, {why}: {folded}")
+    };
+    match study {
+        Study::Steps(_) => format!(
+            "Stated step errors of {}, each against a reference that takes {} times as many steps. \
+             Promised nothing, {why}: {folded}.",
+            of(found.scenes.len()),
+            study.fineness().unwrap_or(1.0)
+        ),
+        Study::Meshes(_, level) => format!(
+            "Stated mesh errors at level {level} of {promising}, each against level {REFERENCE_LEVEL}. \
+             Passed over at level {}.",
+            passed_over(*level)
+        ),
+        Study::Tolerances => format!(
+            "Answers of --tolerance P in {promising}, each against level {REFERENCE_LEVEL}. \
+             Passed over at level {}.",
+            passed_over(1)
+        ),
+    }
+}
+
+/// Some figure of every subject that has it, in one sentence.
+fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<String>) -> String {
+    let each = rows
+        .iter()
+        .filter_map(|row| Some(format!("{} {}", label(row.subject), figure(row)?)));
+    let each: Vec<String> = each.collect();
+    let each = if each.is_empty() {
+        "none".to_owned()
+    } else {
+        each.join(", ")
+    };
+    format!("{what}: {each}.")
+}
+
+/// Prints the table of what was found and every claim that did not hold.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
+    let paragraph = |text: &str, out: &mut dyn Write| {
+        let lines = wrapped(text, WIDTH);
+        lines.iter().try_for_each(|line| writeln!(out, "{line}"))
+    };
+    paragraph(&heading(found), out)?;
+    let (first, silence) = match found.study {
+        Study::Tolerances => ("asked for", "Scenes in which it was refused"),
+        _ => ("result", "Scenes without a limit and a claim"),
+    };
+    writeln!(
+        out,
+        "\n{:<20}{:>11}{:>16}{:>16}{:>16}\n{first:<20}{:>11}{:>16}{:>16}{:>16}",
+        "",
+        "within",
+        "claimed/true",
+        "true error",
+        "true error",
+        "the claim",
+        "median",
+        "median",
+        "largest"
+    )?;
+    let rows = found.coverage();
+    for row in &rows {
+        let or_dash = |figure: Option<f64>, written: fn(f64) -> String| {
+            figure.map_or_else(|| "-".to_owned(), written)
+        };
+        writeln!(
+            out,
+            "{:<20}{:>11}{:>16}{:>16}{:>16}",
+            label(row.subject),
+            or_dash(row.within, |within| format!("{within:.1} %")),
+            or_dash(row.median_ratio, |ratio| format!("{ratio:.1}")),
+            or_dash(row.median_truth, error),
+            or_dash(row.largest_truth, error),
+        )?;
+    }
+    if !matches!(found.study, Study::Steps(_)) {
+        let missing =
+            |row: &Coverage| (row.without_claim > 0).then(|| row.without_claim.to_string());
+        writeln!(out)?;
+        paragraph(&list(silence, &rows, missing), out)?;
+    }
+    if found.study == Study::Tolerances {
+        let what = "Springs computed, over those of one run at level 1, in the median";
+        paragraph(
+            &list(what, &rows, |row| row.median_cost.map(significant)),
+            out,
+        )?;
+    }
+    let misses = found.misses();
+    if misses.is_empty() {
+        return writeln!(out, "\nEvery claim held.");
+    }
+    writeln!(out, "\nClaims that did not hold: {}", misses.len())?;
+    writeln!(
+        out,
+        "{:<8}{first:<20}{:>14}{:>14}",
+        "scene", "claimed", "true"
+    )?;
+    for (
+        scene,
+        Claim {
+            subject,
+            claimed,
+            truth,
+            ..
+        },
+    ) in misses
+    {
+        let [claimed, truth] = [claimed, truth].map(|e| e.map_or_else(String::new, error));
+        writeln!(
+            out,
+            "{scene:<8}{:<20}{claimed:>14}{truth:>14}",
+            label(subject)
+        )?;
+    }
+    Ok(())
+}
+
+/// The same as one object. A claim that did not hold comes with its scenario, to be run again.
+pub fn json(found: &Findings) -> Value {
+    let study = found.study;
+    let miss = |(scene, claim): (u32, Claim)| {
+        let scenario = study.scenes().scene(scene, found.seed);
+        json!({ "scene": scene, "claim": claim, "scenario": scenario })
+    };
+    let level = match study {
+        Study::Meshes(_, level) => Some(level),
+        _ => None,
+    };
+    json!({
+        "drawn": scenes(study),
+        "seed": found.seed,
+        "scenes": found.scenes.len(),
+        "mesh_level": level,
+        "reference_level": study.fineness().is_none().then_some(REFERENCE_LEVEL),
+        "reference_fineness": study.fineness(),
+        "folded_scenes": found.folded(),
+        "coverage": found.coverage(),
+        "misses": found.misses().into_iter().map(miss).collect::<Vec<_>>(),
+        "by_scene": found.scenes,
+    })
+}

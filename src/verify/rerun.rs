@@ -1,0 +1,176 @@
+//! Every published experiment run again on three neighbouring meshes, and what was read beside what was
+//! measured.
+//!
+//! Left out: judgement. A row that misses stays in the table with its ratio.
+
+use crate::answer::solve::{Answer, solve};
+use crate::run::flags::FlagKind;
+use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::scenario::{Model, Physiological, Scenario};
+use crate::verify::experiments::{EXPERIMENTS, Experiment, Gauge};
+use rayon::prelude::*;
+
+/// How many meshes: that of the experiment and the next finer ones.
+pub const MESHES: usize = 3;
+
+/// Something on each mesh, or why there is nothing.
+pub type OnEach<T, E = String> = [Result<T, E>; MESHES];
+
+/// One experiment, run.
+#[derive(Debug, Clone)]
+pub struct Rerun {
+    /// The published experiment.
+    pub experiment: &'static Experiment,
+    /// What the model gives, in the unit of the reading.
+    pub predicted: OnEach<f64>,
+    /// Of a fitted row the same with all moduli as published.
+    pub published: Option<OnEach<f64>>,
+    /// Largest step error of the leading results of the runs, in %.
+    pub step_error: Option<f64>,
+    /// What limits the results of any mesh.
+    pub flags: Vec<FlagKind>,
+}
+
+impl Rerun {
+    fn read(experiment: &'static Experiment, answers: &OnEach<Answer, Refusal>) -> Self {
+        let solved = || answers.iter().filter_map(|answer| answer.as_ref().ok());
+        let mut flags: Vec<FlagKind> = Vec::new();
+        for flag in solved().flat_map(|answer| &answer.flags) {
+            if !flags.contains(&flag.kind) && limits(experiment.reading, flag.kind) {
+                flags.push(flag.kind);
+            }
+        }
+        let step_errors = solved().map(|answer| answer.errors.time_step_percent());
+        Self {
+            experiment,
+            predicted: answers.each_ref().map(|answer| read(experiment, answer)),
+            published: None,
+            step_error: step_errors.reduce(f64::max),
+            flags,
+        }
+    }
+
+    /// What is predicted on each mesh over what was measured.
+    pub fn ratios(&self) -> [Option<f64>; MESHES] {
+        let typical = self.experiment.measured.typical();
+        let ratio = |value: &Result<f64, String>| Some(value.as_ref().ok()? / typical);
+        self.predicted.each_ref().map(ratio)
+    }
+
+    /// Whether the prediction of each mesh lies where the measurement says.
+    pub fn inside(&self) -> [bool; MESHES] {
+        let measured = self.experiment.measured;
+        let inside = |value: &Result<f64, String>| value.as_ref().is_ok_and(|v| measured.holds(*v));
+        self.predicted.each_ref().map(inside)
+    }
+
+    /// Whether all do.
+    pub fn is_met(&self) -> bool {
+        self.inside() == [true; MESHES]
+    }
+}
+
+/// Runs every experiment, the fitted ones also with the published modulus.
+pub fn rerun_all() -> Vec<Rerun> {
+    let (mut rows, published) = rayon::join(
+        || rerun(EXPERIMENTS.iter(), |scenario| scenario),
+        || {
+            rerun(fitted(), |s| {
+                with_fat(s, Physiological::PUBLISHED_FAT_BULK_MPA)
+            })
+        },
+    );
+    // The fitted ones come first.
+    for (row, published) in rows.iter_mut().zip(published) {
+        row.published = Some(published.predicted);
+    }
+    rows
+}
+
+/// The experiments that the free number was fitted to.
+pub fn fitted() -> impl Iterator<Item = &'static Experiment> {
+    EXPERIMENTS.iter().filter(|experiment| experiment.fitted)
+}
+
+/// `scenario` with a bulk modulus of orbital fat, in `MPa`.
+pub(crate) fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
+    if let Model::Physiological(model) = &mut scenario.model {
+        model.fat_bulk_mpa = mpa;
+    }
+    scenario
+}
+
+/// Runs each scenario, as `change` makes it, once for all experiments that share it; in their order.
+pub(crate) fn rerun(
+    experiments: impl Iterator<Item = &'static Experiment>,
+    change: impl Fn(Scenario) -> Scenario + Sync,
+) -> Vec<Rerun> {
+    let mut groups: Vec<(Scenario, Vec<(usize, &'static Experiment)>)> = Vec::new();
+    for (place, experiment) in experiments.enumerate() {
+        let scenario = change((experiment.scenario)());
+        match groups.iter_mut().find(|(known, _)| *known == scenario) {
+            Some((_, members)) => members.push((place, experiment)),
+            None => groups.push((scenario, vec![(place, experiment)])),
+        }
+    }
+    let mut rows: Vec<(usize, Rerun)> = groups
+        .into_par_iter()
+        .flat_map_iter(|(scenario, members)| {
+            let answers = answers(&scenario);
+            let row = move |(place, experiment)| (place, Rerun::read(experiment, &answers));
+            members.into_iter().map(row)
+        })
+        .collect();
+    rows.sort_by_key(|(place, _)| *place);
+    rows.into_iter().map(|(_, row)| row).collect()
+}
+
+/// Answers of the scenario's own mesh and of the next finer ones.
+fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
+    let on = |finer: u32| {
+        let mut scenario = scenario.clone();
+        scenario.eye.level += finer;
+        let keep = Keep {
+            traces: true,
+            frames: None,
+        };
+        solve(&scenario.check()?, keep, &mut unwatched)
+    };
+    let (finest, (finer, own)) = rayon::join(|| on(2), || rayon::join(|| on(1), || on(0)));
+    [own, finer, finest]
+}
+
+/// Whether a flag matters to a reading. That at a way of the object is taken before its window ends, which
+/// cuts what comes after on purpose.
+fn limits(reading: Gauge, kind: FlagKind) -> bool {
+    let ends = matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort);
+    !(ends && matches!(reading, Gauge::ForceAt(_)))
+}
+
+/// Reads one figure.
+fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
+    let answer = answer.as_ref().map_err(Refusal::to_string)?;
+    let value = match experiment.reading {
+        Gauge::ForceAt(way) => answer.run.traces.as_ref().and_then(|traces| {
+            let after = traces.intrusion.iter().position(|&x| x >= 1e-3 * way)?;
+            let before = after.checked_sub(1)?;
+            let (x0, x1) = (traces.intrusion[before], traces.intrusion[after]);
+            let force = &traces.contact_force;
+            let share = (1e-3 * way - x0) / (x1 - x0);
+            Some(force[before] + share * (force[after] - force[before]))
+        }),
+        Gauge::Of(quantity) => answer.result(quantity),
+        Gauge::Sensor => answer.run.detail("peak_sensor_pressure_mpa"),
+        Gauge::TimeOf(quantity) => answer.peak(quantity).map(|peak| 1e3 * peak.time),
+        Gauge::Volume => {
+            let least = answer.run.detail("least_globe_volume_percent");
+            let most = answer.run.detail("largest_globe_volume_percent");
+            let ends = [least, most].into_iter().flatten();
+            ends.max_by(|a, b| (a - 100.0).abs().total_cmp(&(b - 100.0).abs()))
+        }
+    };
+    let finite = value.filter(|value| value.is_finite());
+    finite.ok_or_else(|| "the run does not reach it".to_owned())
+}
