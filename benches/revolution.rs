@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench revolution` prints the fastest of many interleaved rounds and their ratios.
 
-use contrecoup::models::axisymmetric::eye::RevolutionEye;
+use contrecoup::models::axisymmetric::eye::AxisymmetricEye;
 use contrecoup::models::axisymmetric::eye::parameters::Parameters;
 use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
@@ -37,7 +37,7 @@ fn cpu_seconds() -> f64 {
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-fn hit(form: Form, eye: &RevolutionEye) -> (f64, EngineRun) {
+fn hit(form: Form, eye: &AxisymmetricEye) -> (f64, EngineRun) {
     let start = cpu_seconds();
     let mut watch = |_| ControlFlow::Continue(());
     let run = run_as(
@@ -53,7 +53,7 @@ fn hit(form: Form, eye: &RevolutionEye) -> (f64, EngineRun) {
 }
 
 /// Fastest time of each form, in s, and its run.
-fn fastest(forms: &[Form], eye: &RevolutionEye) -> Vec<(f64, EngineRun)> {
+fn fastest(forms: &[Form], eye: &AxisymmetricEye) -> Vec<(f64, EngineRun)> {
     let mut best: Vec<_> = forms.iter().map(|&form| hit(form, eye)).collect();
     for _ in 1..ROUNDS {
         for (best, &form) in best.iter_mut().zip(forms) {
@@ -67,8 +67,8 @@ fn main() {
     let mut forms = vec![Form::Plain];
     forms.extend(vector_sets().into_iter().map(Form::Vectors));
     println!("BB at 60 m/s, orbit, 3 ms: the run, and its time a cell and step");
-    for level in 1..=RevolutionEye::FINEST {
-        let eye = RevolutionEye::new(&Parameters::default(), level);
+    for level in 1..=AxisymmetricEye::FINEST {
+        let eye = AxisymmetricEye::new(&Parameters::default(), level);
         for (form, (time, run)) in forms.iter().zip(fastest(&forms, &eye)) {
             println!(
                 "level {level} {:>5} cells {:>6} steps to {:.2} ms {:9.2} ms {:8.2} ns  {form:?}",

@@ -6,7 +6,7 @@
 use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::solve;
 use contrecoup::many::statistics::median;
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::models::paper::forces::kernel::{
     Survey, name as kernel_name, vector_sets, vectors_name,
 };
@@ -99,17 +99,17 @@ fn row(what: &str, seconds: f64, error: Option<f64>) {
     println!("{what:<62}{:>9.3} ms{error}", seconds * 1e3);
 }
 
-fn case(level: u32, whole: bool, portable: bool) -> Case {
+fn case(level: u32, whole: bool, portable: bool) -> PaperCase {
     let mut scenario = Scenario::default();
     scenario.eye.level = level;
-    Case::with(&scenario.check().unwrap(), whole, portable)
+    PaperCase::with(&scenario.check().unwrap(), whole, portable)
 }
 
-fn plain(case: &Case) -> Plain {
+fn plain(case: &PaperCase) -> Plain {
     Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load)
 }
 
-fn plan(case: &Case, integrator: Integrator, share: f64) -> Plan {
+fn plan(case: &PaperCase, integrator: Integrator, share: f64) -> Plan {
     Plan {
         integrator,
         step: share * case.step_limit(integrator),
@@ -120,7 +120,7 @@ fn plan(case: &Case, integrator: Integrator, share: f64) -> Plan {
 }
 
 /// Seconds an evaluation of some forms and of the plain loop, which comes last.
-fn evaluation_times<const N: usize>(cases: &[&Case], window: f64, rounds: usize) -> [f64; N] {
+fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: usize) -> [f64; N] {
     let mut edges = plain(cases[0]);
     let step = SHARE * cases[0].step_limit(Integrator::VelocityVerlet);
     let mut times = Fastest::<N>::new();
@@ -202,7 +202,7 @@ fn evaluations(targets: &mut Targets) {
 
 /// Largest error in % of the four peak forces and the apex displacement of a plain run, as sampled
 /// at its steps, against the reference values.
-fn plain_error(case: &Case, step: f64, truth: &[f64; 5]) -> f64 {
+fn plain_error(case: &PaperCase, step: f64, truth: &[f64; 5]) -> f64 {
     let marks = &case.eye.landmarks;
     let rest: Vec<f64> = marks
         .apex
@@ -329,7 +329,7 @@ fn standard_case(targets: &mut Targets) {
 
 /// Both runs of an answer, one after the other: the work of one core.
 fn on_one_core(scenario: &CheckedScenario) {
-    let case = Case::new(scenario);
+    let case = PaperCase::new(scenario);
     for share in SHARES {
         let plan = plan(&case, Integrator::Srkn6b, share);
         black_box(case.record(&plan, Keep::default(), &mut unwatched).is_ok());
@@ -360,7 +360,7 @@ fn finer_meshes(targets: &mut Targets) {
 
 /// One run of a scene with its eye, results only.
 fn one_run(scenario: &CheckedScenario) -> bool {
-    let case = Case::new(scenario);
+    let case = PaperCase::new(scenario);
     let plan = case.plan_alone(scenario).expect("runs");
     case.run(&plan, Keep::default(), &mut unwatched).is_ok()
 }
@@ -402,7 +402,7 @@ fn many_scenes(targets: &mut Targets) {
         });
         times.time(4, || {
             for scenario in some {
-                black_box(Case::new(scenario));
+                black_box(PaperCase::new(scenario));
             }
         });
     }

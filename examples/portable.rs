@@ -5,7 +5,7 @@
 
 use contrecoup::Error;
 use contrecoup::answer::compiled::Compiled;
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::library;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 fn main() -> Result<(), Error> {
     let asked = std::env::args().nth(1);
     let blow = library::resolve(asked.as_deref().unwrap_or("paper-300n"))?.check()?;
-    let case = Compiled::with(Arc::new(Case::with(&blow, false, true)), &blow);
+    let case = Compiled::with(Arc::new(PaperCase::with(&blow, false, true)), &blow);
     let run = case.run(&case.plan(&blow)?, Keep::default(), &mut unwatched)?;
     for (quantity, value) in case.results(&run).present() {
         println!("{:<20} {value:.9e}", quantity.row().label);

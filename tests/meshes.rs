@@ -4,7 +4,7 @@
 //! It took the share of a spring that lies in the lens from samples, so its lens differs a little.
 
 use contrecoup::injury::DamageIndex;
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::model::EyeModel;
 use contrecoup::run::quantity::Quantity;
@@ -46,7 +46,7 @@ fn found(blow: &ForcePulse, level: u32, lens: Lens) -> Found {
     };
     scenario.eye.level = level;
     scenario.eye.lens = lens;
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     let plan = case.plan_alone(&scenario).unwrap();
     let run = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
     let value = |of| run.readings.value(of).unwrap();

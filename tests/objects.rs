@@ -1,6 +1,6 @@
 //! The objects of the library at the eye of revolution, beside what is reported of them.
 
-use contrecoup::models::axisymmetric::case::RevolutionCase;
+use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::axisymmetric::recording::results::Extremes;
 use contrecoup::models::axisymmetric::time::run::{STEP_SHARE, run};
 use contrecoup::run::kept::Keep;
@@ -25,7 +25,7 @@ fn hit(scenario: &CheckedScenario) -> Extremes {
         let Model::Physiological(model) = &scenario.model else {
             panic!("{} is of another model", scenario.name);
         };
-        RevolutionCase::new(scenario, model)
+        AxisymmetricCase::new(scenario, model)
     };
     let mut watch = |_| ControlFlow::Continue(());
     let keep = Keep::default();

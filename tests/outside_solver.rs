@@ -5,7 +5,7 @@
 //! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::forces::kernel::Survey;
 use contrecoup::models::paper::forces::state::State;
@@ -322,7 +322,7 @@ impl Observer for Nobody {
 
 /// Differences of positions and speeds from the outside solver's `y`, as shares of the `largest` of
 /// the whole motion; differences of work and loss as shares of them.
-fn disagreement(case: &Case, plan: &Plan, y: &[f64], largest: [f64; 2]) -> [f64; 4] {
+fn disagreement(case: &PaperCase, plan: &Plan, y: &[f64], largest: [f64; 2]) -> [f64; 4] {
     let mut state = State::at_rest(&case.system);
     march(&case.system, plan, &mut state, &mut Nobody).unwrap();
     let count = 2 * case.eye.nodes.len();
@@ -360,7 +360,7 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
     if !filaments {
         scenario.eye.filament_hops.clear();
     }
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     // Within the pulse, soon after it, and when the motion has died down.
     let last = scenario.window_ms;
     let times = [0.37 * blow.duration_ms, 0.31, 0.3 * last, last];

@@ -1,6 +1,6 @@
 //! Closed forms, conservation and convergence of the integrators.
 
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::eye::landmarks::Landmarks;
 use contrecoup::models::paper::eye::mesh::Node;
@@ -186,7 +186,7 @@ fn two_masses_swing_against_each_other_at_the_closed_form() {
 }
 
 /// Distance of all nodes from a fine solution at the end of a window that holds the whole pulse.
-fn position_error(integrator: Integrator, step: f64, fine: &State, case: &Case) -> f64 {
+fn position_error(integrator: Integrator, step: f64, fine: &State, case: &PaperCase) -> f64 {
     let state = end_state(integrator, step, case);
     (0..case.eye.nodes.len())
         .map(|i| {
@@ -197,7 +197,7 @@ fn position_error(integrator: Integrator, step: f64, fine: &State, case: &Case) 
         .sqrt()
 }
 
-fn end_state(integrator: Integrator, step: f64, case: &Case) -> State {
+fn end_state(integrator: Integrator, step: f64, case: &PaperCase) -> State {
     let mut state = State::at_rest(&case.system);
     let plan = Plan {
         integrator,
@@ -217,7 +217,7 @@ fn halving_the_step_shows_each_integrators_order() {
         window_ms: 0.24,
         ..Scenario::default()
     };
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for &integrator in Integrator::ALL {
         // Every edge of the pulse, 20 us, is a whole number of these steps.
@@ -246,7 +246,7 @@ fn a_jump_of_the_load_costs_no_order() {
         shape: PulseShape::SmoothRectangle { edge_fraction: 0.0 },
         ..ForcePulse::default()
     });
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for (integrator, step) in [
         (Integrator::VelocityVerlet, 5e-7),
@@ -349,7 +349,7 @@ proptest! {
         scenario.eye.filament_hops = hops;
         scenario.eye.opening_deg = opening_deg;
         scenario.window_ms = 0.12;
-        let case = Case::with(&scenario.check().unwrap(), false, portable);
+        let case = PaperCase::with(&scenario.check().unwrap(), false, portable);
         let step = 0.5 * case.step_limit(Integrator::VelocityVerlet);
         let state = end_state(Integrator::VelocityVerlet, step, &case);
         let mut plain = Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load);
@@ -368,7 +368,7 @@ fn the_energy_residual_shrinks_with_the_order_of_the_method() {
         window_ms: 0.3,
         ..Scenario::default()
     };
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     let worst = |integrator, step| {
         let mut state = State::at_rest(&case.system);
         let mut log = Log::default();
@@ -416,7 +416,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
     scenario.eye.globe_drag_ns_m = 0.0;
     scenario.eye.fat_drag_ns_m = 0.0;
     scenario.window_ms = 5.0;
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     for &integrator in Integrator::ALL {
         let limit = stability::step_limit(integrator, &case.system);
         let energy = |share: f64| {
@@ -453,7 +453,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
 fn the_same_scenario_gives_the_same_bits() {
     let scenario = Scenario::default();
     let run = || {
-        let case = Case::new(&scenario.check().unwrap());
+        let case = PaperCase::new(&scenario.check().unwrap());
         let state = end_state(Integrator::Srkn6b, 3e-6, &case);
         (0..case.eye.nodes.len())
             .map(|i| {

@@ -186,15 +186,15 @@ fn a_mirrored_angle_gives_the_mirrored_result() {
 
 #[test]
 fn the_whole_eye_and_its_mirrored_half_agree() {
-    use contrecoup::models::paper::case::Case;
+    use contrecoup::models::paper::case::PaperCase;
     for level in 1..=2 {
         let mut scenario = Scenario::default();
         scenario.eye.level = level;
         scenario.window_ms = 0.6;
-        let half = Case::new(&scenario.check().unwrap());
-        let whole = Case::with(&scenario.check().unwrap(), true, false);
+        let half = PaperCase::new(&scenario.check().unwrap());
+        let whole = PaperCase::with(&scenario.check().unwrap(), true, false);
         assert!(half.system.mirrored() && !whole.system.mirrored());
-        let run = |case: &Case| {
+        let run = |case: &PaperCase| {
             let plan = case.plan(&scenario).unwrap();
             let keep = Keep {
                 traces: true,
@@ -326,14 +326,14 @@ fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
 
 #[test]
 fn stopping_early_changes_no_result_in_random_scenes() {
-    use contrecoup::models::paper::case::Case;
+    use contrecoup::models::paper::case::PaperCase;
     use contrecoup::verify::scenes::Scenes;
     let mut stopped = [0, 0];
     // The second mesh has its own proof for the shell.
     for (index, level) in (0..40).map(|i| (i, 1)).chain((0..16).map(|i| (i, 2))) {
         let mut scenario = Scenes::Pulses.scene(index, 7);
         scenario.eye.level = level;
-        let case = Case::new(&scenario.check().unwrap());
+        let case = PaperCase::new(&scenario.check().unwrap());
         let plan = case.plan(&scenario).unwrap();
         let whole = Keep {
             traces: true,

@@ -2,7 +2,7 @@
 
 use contrecoup::injury::DamageIndex;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
-use contrecoup::models::axisymmetric::eye::{Region, RevolutionEye};
+use contrecoup::models::axisymmetric::eye::{AxisymmetricEye, Region};
 use contrecoup::models::axisymmetric::forces::object::{BallSpring, Object, Outline, Surface};
 use contrecoup::models::axisymmetric::readings;
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
@@ -28,16 +28,16 @@ fn soft(object: Object, stiffness: f64) -> Object {
     Object { surface, ..object }
 }
 
-fn eye(level: u32, surround: Option<Surround>) -> RevolutionEye {
+fn eye(level: u32, surround: Option<Surround>) -> AxisymmetricEye {
     let parameters = Parameters {
         surround,
         ..Parameters::default()
     };
-    RevolutionEye::new(&parameters, level)
+    AxisymmetricEye::new(&parameters, level)
 }
 
 fn try_hit(
-    eye: &RevolutionEye,
+    eye: &AxisymmetricEye,
     object: Object,
     window_ms: f64,
     share: f64,
@@ -54,7 +54,7 @@ fn try_hit(
     )
 }
 
-fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> EngineRun {
+fn hit(eye: &AxisymmetricEye, object: Object, window_ms: f64) -> EngineRun {
     try_hit(eye, object, window_ms, STEP_SHARE).expect("a run")
 }
 
@@ -90,7 +90,7 @@ fn a_free_eye_keeps_momentum_and_every_eye_its_energy() {
     for eye in [
         free,
         eye(2, Some(Surround::orbit())),
-        RevolutionEye::new(&pig, 2),
+        AxisymmetricEye::new(&pig, 2),
     ] {
         let run = hit(&eye, object, 1.5);
         assert!(

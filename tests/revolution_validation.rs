@@ -1,6 +1,6 @@
 //! The body of revolution against published experiments, and against an independent prototype of it.
 
-use contrecoup::models::axisymmetric::eye::RevolutionEye;
+use contrecoup::models::axisymmetric::eye::AxisymmetricEye;
 use contrecoup::models::axisymmetric::eye::mesh::Layers;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
@@ -28,7 +28,7 @@ fn flat(speed: f64) -> Object {
     }
 }
 
-fn eye(half: usize, pig: bool, surround: Option<Surround>) -> RevolutionEye {
+fn eye(half: usize, pig: bool, surround: Option<Surround>) -> AxisymmetricEye {
     let shell = if pig {
         ShellParameters::pig()
     } else {
@@ -40,10 +40,10 @@ fn eye(half: usize, pig: bool, surround: Option<Surround>) -> RevolutionEye {
         ..Parameters::default()
     };
     // The prototype's own mesh: the engines are compared, not the meshes.
-    RevolutionEye::with_core(&parameters, half, Layers::EVEN)
+    AxisymmetricEye::with_core(&parameters, half, Layers::EVEN)
 }
 
-fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> EngineRun {
+fn hit(eye: &AxisymmetricEye, object: Object, window_ms: f64) -> EngineRun {
     let keep = Keep {
         traces: true,
         frames: None,

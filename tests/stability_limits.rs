@@ -1,7 +1,7 @@
 //! The stated stability limits against the spectral radius of one step of a damped oscillator.
 
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::eye::landmarks::Landmarks;
 use contrecoup::models::paper::eye::mesh::Node;
@@ -153,7 +153,7 @@ fn the_gaps_of_the_compositions_are_where_they_are_said_to_be() {
 fn an_undamped_eye_takes_steps_below_the_first_gap() {
     let mut scenario = Scenario::default();
     set(&mut scenario, "eye.globe_drag_ns_m", "0").unwrap();
-    let case = Case::new(&scenario.check().unwrap());
+    let case = PaperCase::new(&scenario.check().unwrap());
     let limit = case.step_limit(Integrator::Srkn6b) * case.system.omega_bound();
     assert!(limit <= 3.163 * (1.0 + 1e-12));
 }

@@ -1,6 +1,6 @@
 //! The plain loop in C, built by the compiler of the machine: what a user would write by hand.
 
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::paper::case::PaperCase;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;
@@ -17,7 +17,7 @@ pub struct PlainC {
 
 impl PlainC {
     /// None where there is no C compiler.
-    pub fn new(case: &Case, step: f64) -> Option<Self> {
+    pub fn new(case: &PaperCase, step: f64) -> Option<Self> {
         let mut child = Command::new(compiled()?)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -63,7 +63,7 @@ fn compiled() -> Option<PathBuf> {
 }
 
 /// The case in the order in which the program reads it, steps and forces as `Plain::run` takes them.
-fn problem(case: &Case, step: f64) -> String {
+fn problem(case: &PaperCase, step: f64) -> String {
     let (eye, load, pulse) = (&case.eye, &case.load, &case.system.load().pulse);
     let segments = pulse.segments(case.window);
     let mut text = format!(

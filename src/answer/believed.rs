@@ -5,7 +5,7 @@
 //! model's validity it is another than where it did not, so the result may jump there.
 
 use crate::injury::{Blow, Computed, Injury, Measures, Risk, Validity, Verdict, assess, verdict};
-use crate::scenario::{Impact, Model, Scenario, Species, TRUSTED_ANGLE_DEG};
+use crate::scenario::{Scenario, Species};
 
 /// What risks rest on beside what a run left.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -21,17 +21,14 @@ pub struct Scene {
 impl Scene {
     /// That of a scenario.
     pub fn of(scenario: &Scenario) -> Self {
-        let Model::Physiological(model) = &scenario.model else {
-            return Self::default();
-        };
-        let angle = match &scenario.impact {
-            Impact::ForcePulse(pulse) => pulse.angle_deg,
-            Impact::Projectile(object) => object.angle_deg,
-        };
+        let model = &scenario.model;
+        let angle = scenario.impact.angle_deg().abs();
         Self {
             blow: Blow::of(scenario),
-            pig: model.species == Species::Pig,
-            aslant: angle.abs() > TRUSTED_ANGLE_DEG,
+            pig: model.species() == Species::Pig,
+            aslant: model
+                .trusted_angle_deg()
+                .is_some_and(|trusted| angle > trusted),
         }
     }
 

@@ -36,7 +36,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
 use crate::many::sweep::Axis;
-use crate::models::paper::forces::kernel::name as kernel_name;
+use crate::models::kernel_name;
 use crate::tui;
 
 /// Simulate a blow to a human eye.

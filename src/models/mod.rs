@@ -13,6 +13,9 @@ use crate::run::rules::Rules;
 use crate::scenario::{CheckedScenario, Model};
 use std::sync::Arc;
 
+/// The vectors that this machine computes by, in words; `portable` says what rounds alike everywhere.
+pub use paper::forces::kernel::name as kernel_name;
+
 /// What holds for every scene of a model.
 pub fn rules(model: &Model) -> &'static Rules {
     match model {
@@ -24,9 +27,9 @@ pub fn rules(model: &Model) -> &'static Rules {
 /// The eye of a scenario and what hits it, ready to be run.
 pub(crate) fn compiled(scenario: &CheckedScenario) -> Arc<dyn EyeModel> {
     match &scenario.model {
-        Model::Paper => Arc::new(paper::case::Case::new(scenario)),
+        Model::Paper => Arc::new(paper::case::PaperCase::new(scenario)),
         Model::Physiological(model) => {
-            Arc::new(axisymmetric::case::RevolutionCase::new(scenario, model))
+            Arc::new(axisymmetric::case::AxisymmetricCase::new(scenario, model))
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::many::accuracy::ROUNDS;
 use crate::many::accuracy::TOLERANCES;
 use crate::many::accuracy::Total;
 use crate::many::accuracy::cheapest;
-use crate::models::paper::forces::kernel::name as kernel_name;
+use crate::models::kernel_name;
 use crate::plain_text::printable;
 use crate::report::json::{by_result, evaluations};
 use crate::report::text::{percent, significant};

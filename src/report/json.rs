@@ -7,7 +7,7 @@
 use crate::answer::mesh_error::{Limit, Limits};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Cut, Errors};
-use crate::models::paper::forces::kernel::name as kernel_name;
+use crate::models::kernel_name;
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;
 use crate::run::quantity::Quantity;

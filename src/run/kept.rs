@@ -88,6 +88,22 @@ pub struct Frame {
     pub pressure: Option<f64>,
 }
 
+/// The place of the frame nearest to a time, in s.
+#[cfg(feature = "app")]
+pub(crate) fn nearest(frames: &[Frame], time: f64) -> usize {
+    let after = frames.partition_point(|frame| frame.time < time);
+    let before = after.saturating_sub(1);
+    let apart = |place: usize| {
+        let frame: Option<&Frame> = frames.get(place);
+        frame.map_or(f64::INFINITY, |frame| (frame.time - time).abs())
+    };
+    if apart(after) < apart(before) {
+        after
+    } else {
+        before
+    }
+}
+
 /// Values at step ends, each of the same length, or empty where a scene has no such thing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Traces {

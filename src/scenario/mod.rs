@@ -142,6 +142,22 @@ impl Model {
         }
     }
 
+    /// Whose eye it is.
+    pub fn species(&self) -> Species {
+        match self {
+            Self::Paper => Species::Human,
+            Self::Physiological(model) => model.species,
+        }
+    }
+
+    /// The angle of a blow up to which it can be trusted, in degrees, if it has one.
+    pub fn trusted_angle_deg(&self) -> Option<f64> {
+        match self {
+            Self::Paper => None,
+            Self::Physiological(_) => Some(TRUSTED_ANGLE_DEG),
+        }
+    }
+
     /// It in words, with what was chosen of it.
     pub fn description(&self) -> String {
         match self {
@@ -167,6 +183,16 @@ pub enum Impact {
     ForcePulse(ForcePulse),
     /// An object that flies at the eye.
     Projectile(Projectile),
+}
+
+impl Impact {
+    /// Front angle that it comes from, in degrees.
+    pub fn angle_deg(&self) -> f64 {
+        match self {
+            Self::ForcePulse(pulse) => pulse.angle_deg,
+            Self::Projectile(projectile) => projectile.angle_deg,
+        }
+    }
 }
 
 /// A force on an arc of the cornea, along the inward normal at its middle.

@@ -1,9 +1,9 @@
 //! The one clock that every picture follows.
 
 use crate::answer::solve::Answer;
-use crate::models::paper::recording::frames::nearest;
 use crate::report::figure::Figure;
 use crate::run::kept::Frame;
+use crate::run::kept::nearest;
 use crate::run::quantity::Quantity;
 use crate::tui::step::Step;
 

@@ -8,7 +8,7 @@
 use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_case};
-use crate::models::paper::case::Case;
+use crate::models::paper::case::PaperCase;
 use crate::models::pulse::Piece;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
@@ -134,7 +134,7 @@ fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
 /// The standard case by `integrator` at `share` of its stability limit.
 fn at_limit(share: f64, integrator: Integrator) -> Scenario {
     let mut scenario = Scenario::default();
-    let limit = Case::new(&CheckedScenario::default()).step_limit(integrator);
+    let limit = PaperCase::new(&CheckedScenario::default()).step_limit(integrator);
     scenario.numerics.integrator = Some(integrator);
     scenario.numerics.step_us = Some((share * limit * 1e10).round() * 1e-4);
     scenario
@@ -205,8 +205,8 @@ pub fn cases() -> Vec<HardCase> {
 
 impl HardCase {
     /// The case compiled, with its start.
-    fn compiled(&self) -> Result<Case, Refusal> {
-        let mut case = Case::new(&self.scenario.check()?);
+    fn compiled(&self) -> Result<PaperCase, Refusal> {
+        let mut case = PaperCase::new(&self.scenario.check()?);
         let marks = &case.eye.landmarks;
         let place = |n: usize| (case.system.place(n), case.eye.nodes[n].position);
         match self.start {

@@ -14,8 +14,8 @@ use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
 use contrecoup::many::spreads::inputs;
-use contrecoup::models::axisymmetric::case::RevolutionCase;
-use contrecoup::models::paper::case::Case;
+use contrecoup::models::axisymmetric::case::AxisymmetricCase;
+use contrecoup::models::paper::case::PaperCase;
 use contrecoup::run::flags::{Flag, FlagKind};
 use contrecoup::run::fold::Fold;
 use contrecoup::run::kept::{Frame, Peak, Traces};
@@ -132,9 +132,11 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
 }
 
 /// The axisymmetric eye of a scenario, if its model is that.
-fn axisymmetric(scenario: &Scenario) -> Option<RevolutionCase> {
+fn axisymmetric(scenario: &Scenario) -> Option<AxisymmetricCase> {
     match &scenario.model {
-        Model::Physiological(model) => Some(RevolutionCase::new(&scenario.check().unwrap(), model)),
+        Model::Physiological(model) => {
+            Some(AxisymmetricCase::new(&scenario.check().unwrap(), model))
+        }
         Model::Paper => None,
     }
 }
@@ -148,7 +150,7 @@ fn nodes(scenario: &Scenario) -> Vec<(Point2<f64>, bool)> {
             fixed.map(|(n, fixed)| (place(n), *fixed)).collect()
         }
         None => {
-            let case = Case::new(&scenario.check().unwrap());
+            let case = PaperCase::new(&scenario.check().unwrap());
             let nodes = case.eye.nodes.iter();
             nodes.map(|n| (n.position, n.fixed())).collect()
         }

@@ -1,7 +1,7 @@
 //! A scenario with the Physiological model, compiled: the eye in SI units and what hits it.
 
 use crate::models::axisymmetric as engine;
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{
     Material, Parameters, ShellParameters, Surround,
 };
@@ -28,9 +28,9 @@ use std::sync::Arc;
 
 /// An eye of revolution ready to be hit.
 #[derive(Debug, Clone)]
-pub struct RevolutionCase {
+pub struct AxisymmetricCase {
     /// The eye.
-    pub eye: RevolutionEye,
+    pub eye: AxisymmetricEye,
     /// What hits it.
     pub load: engine::Blow,
     /// Simulated time, in s.
@@ -43,7 +43,7 @@ pub struct RevolutionCase {
     limit: f64,
 }
 
-impl EyeModel for RevolutionCase {
+impl EyeModel for AxisymmetricCase {
     fn rules(&self) -> &'static Rules {
         &RULES
     }
@@ -57,7 +57,7 @@ impl EyeModel for RevolutionCase {
     }
 
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
-        let eye = RevolutionEye::new(&self.eye.parameters, level);
+        let eye = AxisymmetricEye::new(&self.eye.parameters, level);
         Arc::new(Self {
             limit: engine::step_limit(&eye, &self.load),
             eye,
@@ -138,7 +138,7 @@ impl EyeModel for RevolutionCase {
     }
 }
 
-impl RevolutionCase {
+impl AxisymmetricCase {
     /// Compiles a scenario with this model.
     pub fn new(scenario: &CheckedScenario, model: &Physiological) -> Self {
         let (angle_deg, load) = match &scenario.impact {
@@ -154,7 +154,7 @@ impl RevolutionCase {
                 engine::Blow::Object(object(projectile)),
             ),
         };
-        let eye = RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level);
+        let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
             limit: engine::step_limit(&eye, &load),
             eye,

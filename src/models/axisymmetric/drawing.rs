@@ -3,8 +3,8 @@
 //!
 //! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
 
-use crate::models::axisymmetric::case::RevolutionCase;
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::case::AxisymmetricCase;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::mesh::Block;
 use crate::models::axisymmetric::forces::object::Outline;
 use crate::models::axisymmetric::recording::sensor::monitored;
@@ -15,7 +15,7 @@ use nalgebra::{Point2, Vector2};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The drawing of a case.
-pub(crate) fn of(case: &RevolutionCase) -> Drawing {
+pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
     let eye = &case.eye;
     let angle = case.angle_deg.to_radians();
     let along = Vector2::new(libm::cos(angle), -libm::sin(angle));
@@ -93,7 +93,7 @@ pub(crate) fn of(case: &RevolutionCase) -> Drawing {
 }
 
 /// The lines of the half section, and the nodes at which those of its cells cross.
-fn half_section(eye: &RevolutionEye) -> (Vec<Line>, BTreeSet<usize>) {
+fn half_section(eye: &AxisymmetricEye) -> (Vec<Line>, BTreeSet<usize>) {
     let sorted = |a: usize, b: usize| (a.min(b), a.max(b));
     let regions = eye.node_regions();
     let mut parts: BTreeMap<(usize, usize), Region> = BTreeMap::new();

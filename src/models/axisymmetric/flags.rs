@@ -1,6 +1,6 @@
 //! What a reader must know before trusting a result of the eye of revolution.
 
-use crate::models::axisymmetric::case::RevolutionCase;
+use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::run::flags::{END, Flag, FlagKind};
 use crate::run::quantity::Quantity;
@@ -10,7 +10,7 @@ use crate::scenario::TRUSTED_ANGLE_DEG;
 
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
-    case: &RevolutionCase,
+    case: &AxisymmetricCase,
     extremes: &Extremes,
     readings: &Readings,
     simulated: f64,
@@ -59,7 +59,7 @@ pub(crate) fn raise(
 
 /// Flags of a window that ends too early.
 fn window(
-    case: &RevolutionCase,
+    case: &AxisymmetricCase,
     extremes: &Extremes,
     (readings, simulated): (&Readings, f64),
     raised: &mut Raised,

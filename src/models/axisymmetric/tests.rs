@@ -1,6 +1,6 @@
 //! Forces against differences of energy, and closed forms.
 
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters};
 use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
 use crate::models::axisymmetric::forces::contact::Target;
@@ -16,12 +16,12 @@ use crate::models::paper::forces::kernel::vector_sets;
 use proptest::prelude::*;
 use std::fmt::Debug;
 
-fn free_eye(level: u32) -> RevolutionEye {
+fn free_eye(level: u32) -> AxisymmetricEye {
     let parameters = Parameters {
         surround: None,
         ..Parameters::default()
     };
-    RevolutionEye::new(&parameters, level)
+    AxisymmetricEye::new(&parameters, level)
 }
 
 fn sphere(surface: Surface) -> Object {
@@ -59,7 +59,7 @@ proptest! {
         shifts in prop::array::uniform8(-2e-4..2e-4),
         speeds in prop::array::uniform8(-20.0..20.0),
     ) {
-        let eye = RevolutionEye::new(&Parameters::default(), 1);
+        let eye = AxisymmetricEye::new(&Parameters::default(), 1);
         let cell = &eye.cells[index];
         let rest = Rest::new(&eye, cell);
         let at: Vec<f64> = cell
@@ -322,7 +322,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
     let parameters = free_and_even();
     let mut last = f64::INFINITY;
     for level in [1, 3, 5] {
-        let eye = RevolutionEye::new(&parameters, level);
+        let eye = AxisymmetricEye::new(&parameters, level);
         let grown = 1.01;
         let nodes = &eye.mesh.shell;
         let x: Vec<f64> = nodes.iter().map(|&n| eye.at(n).0 * grown).collect();
@@ -363,7 +363,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
 }
 
 /// A state that is far from rest and moves, the same for every form of the cells.
-fn shaken(cells: &impl Cells, eye: &RevolutionEye) -> State {
+fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> State {
     let mut state = cells.rest();
     for (node, &fixed) in eye.fixed.iter().enumerate() {
         let wave = |k: f64| (k * (node as f64 + 1.0)).sin();
@@ -425,7 +425,7 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
                 surround,
                 ..Parameters::default()
             };
-            let eye = RevolutionEye::new(&parameters, level);
+            let eye = AxisymmetricEye::new(&parameters, level);
             let mut plain = Plain::new(&eye);
             let mut expected = shaken(&plain, &eye);
             let sums = plain.forces(&mut expected);
@@ -460,7 +460,7 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
 #[test]
 fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     let parameters = free_and_even();
-    let eye = RevolutionEye::new(&parameters, 2);
+    let eye = AxisymmetricEye::new(&parameters, 2);
     let chain = Shell::new(&eye);
     let nodes = &eye.mesh.shell;
     let n = nodes.len();
@@ -515,7 +515,7 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
             surround,
             ..Parameters::default()
         };
-        let eye = RevolutionEye::new(&parameters, 1);
+        let eye = AxisymmetricEye::new(&parameters, 1);
         for cell in &eye.cells {
             let rest = Rest::new(&eye, cell);
             let at: Vec<f64> = cell
@@ -582,8 +582,8 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
 #[test]
 fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
     let free = free_eye(1);
-    let held = RevolutionEye::new(&Parameters::default(), 1);
-    let globe = |eye: &RevolutionEye| {
+    let held = AxisymmetricEye::new(&Parameters::default(), 1);
+    let globe = |eye: &AxisymmetricEye| {
         let cells = eye.cells.iter();
         cells
             .filter(|c| c.region == crate::models::axisymmetric::eye::Region::Globe)

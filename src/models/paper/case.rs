@@ -56,7 +56,7 @@ impl Observer for Watched<'_> {
 
 /// The section of a scenario, ready to be hit.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct PaperCase {
     /// The eye.
     pub eye: Eye,
     /// What it was built from.
@@ -74,7 +74,7 @@ pub struct Case {
     pub start: State,
 }
 
-impl EyeModel for Case {
+impl EyeModel for PaperCase {
     fn rules(&self) -> &'static Rules {
         &RULES
     }
@@ -152,7 +152,7 @@ impl EyeModel for Case {
     }
 }
 
-impl Case {
+impl PaperCase {
     /// Compiles a scenario.
     pub fn new(scenario: &CheckedScenario) -> Self {
         Self::with(scenario, false, false)

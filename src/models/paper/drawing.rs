@@ -2,7 +2,7 @@
 //!
 //! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
 
-use crate::models::paper::case::Case;
+use crate::models::paper::case::PaperCase;
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::mesh::Node;
 use crate::models::paper::eye::springs::{Spring, SpringKind};
@@ -10,7 +10,7 @@ use crate::run::drawing::{Drawing, DrawnNode, Line, MARGIN};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 
 /// The drawing of a case.
-pub(crate) fn of(case: &Case) -> Drawing {
+pub(crate) fn of(case: &PaperCase) -> Drawing {
     let eye = &case.eye;
     let level = eye.level as usize;
     let node = |(of, node): (usize, &Node)| DrawnNode {

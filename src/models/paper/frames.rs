@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::models::paper::case::Case;
+use crate::models::paper::case::PaperCase;
 use crate::models::paper::forces::kernel::Survey;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
@@ -54,7 +54,7 @@ impl Observer for Stream<'_> {
 /// [`Refusal::Cancelled`] if `take` stopped it, [`Refusal::NotFinite`] if the motion leaves the
 /// finite numbers.
 pub(crate) fn frames(
-    case: &Case,
+    case: &PaperCase,
     plan: &Plan,
     spacing: Spacing,
     take: &mut dyn FnMut(Frame) -> ControlFlow<()>,

@@ -1,6 +1,6 @@
 //! The table of what is read off the section, under the public names.
 
-use crate::models::paper::case::Case;
+use crate::models::paper::case::PaperCase;
 use crate::models::paper::recording::Extremes;
 use crate::run::model::{Detail, Shown};
 use crate::run::places::Monitor;
@@ -28,7 +28,7 @@ pub(crate) fn of(e: &Extremes) -> Readings {
 }
 
 /// Figures beside them.
-pub(crate) fn details(case: &Case, e: &Extremes) -> Vec<Detail> {
+pub(crate) fn details(case: &PaperCase, e: &Extremes) -> Vec<Detail> {
     let (strain, shielded) = (e.strain.value * 1e2, case.load.shielded);
     let at = e.strain.time * 1e3;
     vec![

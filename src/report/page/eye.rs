@@ -11,11 +11,11 @@ use serde_json::{Value, json};
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::Entry;
-use crate::models::paper::recording::frames::nearest;
 use crate::plain_text::printable;
 use crate::report::page::{FRAMES, spacing};
 use crate::run::drawing::Drawing;
 use crate::run::kept::Frame;
+use crate::run::kept::nearest;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 

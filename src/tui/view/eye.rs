@@ -9,9 +9,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::models::paper::recording::frames::nearest;
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::Frame;
+use crate::run::kept::nearest;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;

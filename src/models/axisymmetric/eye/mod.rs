@@ -51,7 +51,7 @@ pub struct Cell {
 
 impl Cell {
     /// Its middle in `eye` at rest, in m, and the part that it belongs to.
-    pub fn place(&self, eye: &RevolutionEye) -> (Point2<f64>, Part) {
+    pub fn place(&self, eye: &AxisymmetricEye) -> (Point2<f64>, Part) {
         let part = match self.region {
             Region::Surround => Part::Fat,
             Region::Globe if self.lens > 0.0 => Part::Lens,
@@ -77,7 +77,7 @@ pub struct Segment {
 
 /// The eye at rest.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RevolutionEye {
+pub struct AxisymmetricEye {
     /// Refinement level; 0 of a mesh that is none.
     pub level: u32,
     /// What it was made from.
@@ -193,7 +193,7 @@ impl Parameters {
     }
 }
 
-impl RevolutionEye {
+impl AxisymmetricEye {
     /// Finest level.
     pub const FINEST: u32 = 5;
 
@@ -339,13 +339,13 @@ mod tests {
     use super::parameters::Surround;
     use super::*;
 
-    fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> RevolutionEye {
+    fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> AxisymmetricEye {
         let parameters = Parameters {
             axis_angle,
             surround,
             ..Parameters::default()
         };
-        RevolutionEye::new(&parameters, level)
+        AxisymmetricEye::new(&parameters, level)
     }
 
     #[test]
@@ -401,7 +401,7 @@ mod tests {
 
     #[test]
     fn cells_turn_anticlockwise_and_no_corner_is_near_flat() {
-        for level in 1..=RevolutionEye::FINEST {
+        for level in 1..=AxisymmetricEye::FINEST {
             for surround in [None, Some(Surround::orbit()), Some(Surround::gelatin())] {
                 let eye = eye(level, surround, 0.0);
                 for cell in &eye.cells {
@@ -420,7 +420,7 @@ mod tests {
 
     #[test]
     fn the_globe_weighs_what_its_volumes_weigh_and_comes_near_a_ball() {
-        for level in 1..=RevolutionEye::FINEST {
+        for level in 1..=AxisymmetricEye::FINEST {
             let eye = eye(level, None, 0.0);
             let cells: f64 = eye
                 .cells
@@ -447,7 +447,7 @@ mod tests {
     fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
         let straight = eye(5, None, 0.0);
         let turned = eye(5, None, 0.7);
-        let area = |eye: &RevolutionEye, of: fn(&Segment) -> f64| -> f64 {
+        let area = |eye: &AxisymmetricEye, of: fn(&Segment) -> f64| -> f64 {
             let ends = eye.mesh.shell.windows(2);
             eye.segments
                 .iter()

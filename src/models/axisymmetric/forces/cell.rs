@@ -14,7 +14,7 @@
 //! This is the plain form: [`crate::models::axisymmetric::forces::quads`] computes the same of many cells at once and is tested
 //! against it.
 
-use crate::models::axisymmetric::eye::{Cell, RevolutionEye};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell};
 use std::f64::consts::FRAC_PI_3;
 
 /// Linear and quadratic artificial viscosity.
@@ -133,7 +133,7 @@ fn swept<const N: usize>(p: [Point; N]) -> f64 {
 
 /// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at` some places.
 pub(crate) fn least_triangle(
-    eye: &RevolutionEye,
+    eye: &AxisymmetricEye,
     corners: &[usize; 4],
     at: impl Fn(usize) -> Point,
 ) -> f64 {
@@ -171,7 +171,7 @@ fn subzonal(j: f64) -> (f64, f64) {
 }
 
 impl Rest {
-    pub fn new(eye: &RevolutionEye, cell: &Cell) -> Self {
+    pub fn new(eye: &AxisymmetricEye, cell: &Cell) -> Self {
         let p = cell.corners.map(|node| eye.at(node));
         let (a, b) = (
             (p[2].0 - p[0].0, p[2].1 - p[0].1),

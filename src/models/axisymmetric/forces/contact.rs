@@ -4,7 +4,7 @@
 //! out along its normal by the foundation's traction, so force and energy are exact to each other.
 //! What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{Flight, Object};
 use std::f64::consts::PI;
@@ -57,7 +57,7 @@ pub(crate) fn share(point: usize) -> f64 {
 }
 
 impl Target {
-    pub fn new(eye: &RevolutionEye) -> Self {
+    pub fn new(eye: &AxisymmetricEye) -> Self {
         let mut target = Self {
             area: Vec::new(),
             areal: Vec::new(),
@@ -187,7 +187,7 @@ impl Target {
 
     /// Share of a pulse that each node of the shell takes: the area at rest within the front angle
     /// `half_width` (rad), a uniform traction along the axis. They add up to 1.
-    pub fn shares(eye: &RevolutionEye, half_width: f64) -> Vec<f64> {
+    pub fn shares(eye: &AxisymmetricEye, half_width: f64) -> Vec<f64> {
         /// Pieces of a segment, each loaded or not.
         const PIECES: usize = 1000;
         let mut shares = vec![0.0; eye.mesh.shell.len()];

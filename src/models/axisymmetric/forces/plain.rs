@@ -1,6 +1,6 @@
 //! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`] and the baseline of the benchmarks.
 
-use crate::models::axisymmetric::eye::{Region, RevolutionEye};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Region};
 use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
 use crate::models::axisymmetric::recording::sensor;
@@ -8,7 +8,7 @@ use crate::models::axisymmetric::recording::sensor;
 /// Cells with lists of corners.
 #[derive(Debug, Clone)]
 pub(crate) struct Plain {
-    eye: RevolutionEye,
+    eye: AxisymmetricEye,
     cells: Vec<(Rest, [usize; 4])>,
     /// Of each cell in the mean pressure and in the sensor's.
     weights: Vec<(f64, f64)>,
@@ -16,7 +16,7 @@ pub(crate) struct Plain {
 }
 
 impl Plain {
-    pub fn new(eye: &RevolutionEye) -> Self {
+    pub fn new(eye: &AxisymmetricEye) -> Self {
         let cells: Vec<_> = eye
             .cells
             .iter()

@@ -8,7 +8,7 @@
 //!
 //! A node on the border of two blocks has a place in both. Its forces are added up, and both places move alike.
 
-use crate::models::axisymmetric::eye::{Region, RevolutionEye};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Region};
 use crate::models::axisymmetric::forces::cell;
 use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::nodes;
@@ -122,11 +122,11 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    pub fn new(eye: &RevolutionEye) -> Self {
+    pub fn new(eye: &AxisymmetricEye) -> Self {
         Self::with_level(eye, Level::new())
     }
 
-    pub fn with_level(eye: &RevolutionEye, level: Level) -> Self {
+    pub fn with_level(eye: &AxisymmetricEye, level: Level) -> Self {
         let (mut runs, mut places, mut twins) =
             (Vec::new(), vec![usize::MAX; eye.mass.len()], Vec::new());
         let (mut nodes, mut cells, mut corners) = (0, 0, 0);
@@ -189,7 +189,7 @@ impl Rows {
         }
     }
 
-    fn put_cells(&mut self, eye: &RevolutionEye) {
+    fn put_cells(&mut self, eye: &AxisymmetricEye) {
         let weights = sensor::weights(eye);
         // A place without a cell has the shape of some cell, so that all stays finite.
         let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
@@ -259,7 +259,7 @@ fn absent(mut c: Constants) -> Constants {
     c
 }
 
-fn rest(eye: &RevolutionEye, owners: &[Option<usize>], shell: usize) -> State {
+fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State {
     let mesh = &eye.mesh;
     let read = |of: &dyn Fn(usize) -> f64, none: f64| {
         owners

@@ -5,7 +5,7 @@
 //! it stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear across
 //! the thickness, and bending around the axis.
 
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use std::f64::consts::PI;
 
 /// Share of the mass of the cells beside the shell that moves with it, per length of a segment: the
@@ -61,7 +61,7 @@ fn turn(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 }
 
 impl Shell {
-    pub fn new(eye: &RevolutionEye) -> Self {
+    pub fn new(eye: &AxisymmetricEye) -> Self {
         let p = &eye.parameters.shell;
         let plane = 1.0 - p.poisson * p.poisson;
         let at: Vec<(f64, f64)> = eye.mesh.shell.iter().map(|&n| eye.at(n)).collect();

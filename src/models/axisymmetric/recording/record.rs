@@ -1,6 +1,6 @@
 //! What is read off the moving eye at each step, and what is kept of it.
 
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::cell;
 use crate::models::axisymmetric::forces::state::{Cells, State};
 use crate::models::axisymmetric::recording::sensor::LowPass;
@@ -149,7 +149,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(eye: &RevolutionEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
+    fn of(eye: &AxisymmetricEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
         let shell = state.shell.clone();
         let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
         let radius = eye.parameters.radius;

@@ -1,7 +1,7 @@
 //! What is read off the moving eye as instruments would: a pressure sensor at the back, and
 //! accelerometers at the four monitored places.
 
-use crate::models::axisymmetric::eye::{Region, RevolutionEye, volume};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Region, volume};
 use crate::models::axisymmetric::forces::state::State;
 use std::collections::VecDeque;
 
@@ -36,7 +36,7 @@ fn near(corners: &[(f64, f64); 4]) -> f64 {
 
 /// Weight of each cell in the mean pressure of the globe, and in the sensor's: volume at rest, the
 /// sensor's as far as it lies within its reach.
-pub(crate) fn weights(eye: &RevolutionEye) -> Vec<(f64, f64)> {
+pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
     let mut weights: Vec<(f64, f64)> = eye
         .cells
         .iter()
@@ -133,7 +133,7 @@ pub(crate) struct Accelerometers {
 }
 
 /// The nodes nearest to the four monitored places.
-pub fn monitored(eye: &RevolutionEye) -> [usize; 4] {
+pub fn monitored(eye: &AxisymmetricEye) -> [usize; 4] {
     let nearest = |place: Vec<(usize, f64)>| {
         let most = place.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
         most.map_or(0, |(node, _)| node)
@@ -144,7 +144,7 @@ pub fn monitored(eye: &RevolutionEye) -> [usize; 4] {
 /// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell 5 degrees
 /// above the front pole, 5 degrees above the back pole, and 5 degrees behind the top. Between nodes, the
 /// velocity is linear.
-fn places(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
+fn places(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
     let on_shell = |angle: f64| {
         let fronts: Vec<f64> = eye
             .mesh
@@ -171,7 +171,7 @@ fn places(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f
 
 impl Accelerometers {
     /// At rest.
-    pub fn new(eye: &RevolutionEye, place: impl Fn(usize) -> usize) -> Self {
+    pub fn new(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> Self {
         Self {
             places: places(eye, place),
             past: VecDeque::new(),
@@ -215,7 +215,7 @@ impl Accelerometers {
 }
 
 /// Corners of the cell around (`aim`, `aim`) with bilinear shares.
-fn between(eye: &RevolutionEye, aim: f64, place: impl Fn(usize) -> usize) -> Vec<(usize, f64)> {
+fn between(eye: &AxisymmetricEye, aim: f64, place: impl Fn(usize) -> usize) -> Vec<(usize, f64)> {
     for cell in &eye.cells {
         let p = cell.corners.map(|n| eye.at(n));
         // Newton's method on the bilinear map; cells are convex, so it converges.

@@ -12,7 +12,7 @@
 //! Courant number with the mass that moves along with it, which was found by trial; random objects, their
 //! balance of energy and a quarter of the step watch over it.
 
-use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{Flight, Object};
 use crate::models::axisymmetric::forces::plain::Plain;
@@ -123,7 +123,7 @@ impl Steps {
 pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
-pub fn step_limit(eye: &RevolutionEye, blow: &Blow) -> f64 {
+pub fn step_limit(eye: &AxisymmetricEye, blow: &Blow) -> f64 {
     let mut motion = Motion::new(eye, Rows::new(eye), blow, Keep::default(), 1.0);
     motion.forces(0.0).limit
 }
@@ -134,7 +134,7 @@ pub fn step_limit(eye: &RevolutionEye, blow: &Blow) -> f64 {
 /// # Errors
 /// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
 pub fn run(
-    eye: &RevolutionEye,
+    eye: &AxisymmetricEye,
     blow: &Blow,
     window: f64,
     steps: impl Into<Steps>,
@@ -150,7 +150,7 @@ pub fn run(
 /// See [`run`].
 pub fn run_as(
     form: Form,
-    eye: &RevolutionEye,
+    eye: &AxisymmetricEye,
     blow: &Blow,
     window: f64,
     steps: impl Into<Steps>,
@@ -179,7 +179,7 @@ pub fn run_as(
 /// # Errors
 /// See [`run`]; stopped by `take` too.
 pub fn run_through(
-    eye: &RevolutionEye,
+    eye: &AxisymmetricEye,
     blow: &Blow,
     window: f64,
     steps: impl Into<Steps>,
@@ -204,7 +204,7 @@ fn last_growth(extremes: &Extremes) -> f64 {
 /// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
 /// in s. What a blow left then is smaller by what viscosity took: a rule, which tests compare with whole
 /// windows, not a proof.
-fn swing(eye: &RevolutionEye) -> f64 {
+fn swing(eye: &AxisymmetricEye) -> f64 {
     let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
     let stiffness = stiffness / eye.segments.len() as f64;
     let p = &eye.parameters;
@@ -229,7 +229,7 @@ impl Load {
 }
 
 pub(crate) struct Motion<'a, C> {
-    pub eye: &'a RevolutionEye,
+    pub eye: &'a AxisymmetricEye,
     pub cells: C,
     /// For the elastic energy.
     pub balance: Plain,
@@ -282,7 +282,7 @@ pub(crate) struct Instant {
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
-    fn new(eye: &'a RevolutionEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
+    fn new(eye: &'a AxisymmetricEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
         let target = Target::new(eye);
         let (object, load) = match blow {
             Blow::Object(object) => {

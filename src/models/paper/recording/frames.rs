@@ -10,22 +10,6 @@ use crate::models::paper::recording::dense::Path;
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
-/// The place of the frame nearest to a time, in s.
-#[cfg(feature = "app")]
-pub fn nearest(frames: &[Frame], time: f64) -> usize {
-    let after = frames.partition_point(|frame| frame.time < time);
-    let before = after.saturating_sub(1);
-    let apart = |place: usize| {
-        let frame: Option<&Frame> = frames.get(place);
-        frame.map_or(f64::INFINITY, |frame| (frame.time - time).abs())
-    };
-    if apart(after) < apart(before) {
-        after
-    } else {
-        before
-    }
-}
-
 /// Collects frames during a march.
 #[derive(Debug, Clone)]
 pub struct FrameTaker {

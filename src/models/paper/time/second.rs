@@ -1,6 +1,6 @@
 //! The second run that tells the step error of a march; the idea is in [`crate::run::rules`].
 
-use crate::models::paper::case::Case;
+use crate::models::paper::case::PaperCase;
 use crate::models::paper::rules::RULES;
 use crate::models::pulse::Pulse;
 use crate::run::model::EyeModel;
@@ -18,7 +18,7 @@ fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
 
 /// The run whose difference from that of `plan` tells the step error, and the factor from the
 /// difference to the error.
-pub(crate) fn plan(case: &Case, plan: &Plan) -> (Plan, f64) {
+pub(crate) fn plan(case: &PaperCase, plan: &Plan) -> (Plan, f64) {
     let limit = case.step_limit(plan.integrator);
     let order = case.order(plan.integrator);
     let (ratio, safety) = (RULES.estimate.ratio, RULES.estimate.safety);

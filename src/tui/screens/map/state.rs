@@ -7,7 +7,7 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
-use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
+use crate::scenario::{Scenario, set};
 use crate::tui::request::{Question, Report};
 use crate::tui::step::Step;
 use crate::tui::task::Task;
@@ -108,12 +108,14 @@ pub fn rounded(value: f64) -> f64 {
 fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> {
     let (value, bounds) = number(field, scenario)?;
     // No farther than the model is trusted, unless the scenario itself goes nearly there.
-    let share = TRUSTED_ANGLE_DEG / value.abs();
-    let turned = matches!(scenario.model, Model::Physiological(_)) && field.path == ANGLE;
-    let reach = if turned && share >= LEAST_SHARE {
-        reach.min(share - 1.0)
-    } else {
-        reach
+    let trusted = scenario
+        .model
+        .trusted_angle_deg()
+        .filter(|_| field.path == ANGLE);
+    let share = trusted.map(|trusted| trusted / value.abs());
+    let reach = match share.filter(|share| *share >= LEAST_SHARE) {
+        Some(share) => reach.min(share - 1.0),
+        None => reach,
     };
     let (from, to) = if value == 0.0 {
         let wide = STEPS * bounds.coarse * reach / REACH;
