@@ -5,7 +5,7 @@
 use contrecoup::models::axisymmetric::eye::RevolutionEye;
 use contrecoup::models::axisymmetric::eye::parameters::Parameters;
 use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
-use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::recording::results::EngineRun;
 use contrecoup::models::axisymmetric::time::run::{Blow, Form, STEP_SHARE, run_as};
 use contrecoup::models::paper::forces::kernel::vector_sets;
 use contrecoup::run::kept::Keep;
@@ -37,7 +37,7 @@ fn cpu_seconds() -> f64 {
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-fn hit(form: Form, eye: &RevolutionEye) -> (f64, Run) {
+fn hit(form: Form, eye: &RevolutionEye) -> (f64, EngineRun) {
     let start = cpu_seconds();
     let mut watch = |_| ControlFlow::Continue(());
     let run = run_as(
@@ -53,7 +53,7 @@ fn hit(form: Form, eye: &RevolutionEye) -> (f64, Run) {
 }
 
 /// Fastest time of each form, in s, and its run.
-fn fastest(forms: &[Form], eye: &RevolutionEye) -> Vec<(f64, Run)> {
+fn fastest(forms: &[Form], eye: &RevolutionEye) -> Vec<(f64, EngineRun)> {
     let mut best: Vec<_> = forms.iter().map(|&form| hit(form, eye)).collect();
     for _ in 1..ROUNDS {
         for (best, &form) in best.iter_mut().zip(forms) {

@@ -3,28 +3,34 @@
 //! `cargo bench` prints the fastest of many interleaved rounds, which other work on the machine
 //! disturbs least, and the ratios between them; at the end a table of the targets.
 
+use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::solve;
-use contrecoup::many::batch::{solve_all, solve_one};
 use contrecoup::many::statistics::median;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
 use contrecoup::models::paper::forces::kernel::{
     Survey, name as kernel_name, vector_sets, vectors_name,
 };
-use contrecoup::models::paper::forces::load::Piece;
 use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::models::paper::time::march::{Observer, march};
+use contrecoup::models::pulse::Piece;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::model::EyeModel;
+use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
+use rayon::prelude::*;
 use std::hint::black_box;
 use std::process::Command;
+use std::sync::Arc;
 use std::time::Instant;
 
 mod outside;
 
-/// Rounds of evaluations at level 1, at the finer levels, of whole runs, and of batches.
+/// Rounds of evaluations at level 1, at the finer levels, of whole runs, and of many scenes.
 const ROUNDS: (usize, usize, usize, usize) = (200, 15, 30, 7);
 /// Share of the stability limit that both sides take where only evaluations are timed.
 const SHARE: f64 = 0.9;
@@ -230,13 +236,15 @@ fn standard_case(targets: &mut Targets) {
     let quick = case(1, false, false);
     let fine = plan(&quick, Integrator::Srkn11b, 0.05);
     let run = |plan: &Plan| {
-        let solution = quick.run(plan, Keep::default(), &mut unwatched);
-        solution.expect("a stable step").recording.extremes
+        let run = quick.run(plan, Keep::default(), &mut unwatched);
+        run.expect("a stable step")
     };
+    let compiled = Compiled::with(Arc::new(quick.clone()), &Scenario::default());
     let reference = run(&fine);
-    let truth = quick.results(&reference);
-    let force = reference.force.map(|p| p.value);
-    let sampled = [force[0], force[1], force[2], force[3], reference.apex.value];
+    let truth = compiled.results(&reference);
+    let value = |of| reference.readings.value(of).expect("a reading");
+    let [a, b, c, d] = Quantity::FORCES.map(value);
+    let sampled = [a, b, c, d, value(Quantity::Apex)];
     // The largest step from which on every shorter one will do: a single one may be lucky.
     let limit = quick.step_limit(Integrator::VelocityVerlet);
     let step = (0..20)
@@ -274,7 +282,7 @@ fn standard_case(targets: &mut Targets) {
     let time = times.0;
     let error = |plan| {
         Some(
-            quick
+            compiled
                 .results(&run(plan))
                 .difference_percent(&truth)
                 .headline(),
@@ -324,7 +332,7 @@ fn on_one_core(scenario: &CheckedScenario) {
     let case = Case::new(scenario);
     for share in SHARES {
         let plan = plan(&case, Integrator::Srkn6b, share);
-        black_box(case.run(&plan, Keep::default(), &mut unwatched).is_ok());
+        black_box(case.record(&plan, Keep::default(), &mut unwatched).is_ok());
     }
 }
 
@@ -350,9 +358,16 @@ fn finer_meshes(targets: &mut Targets) {
     }
 }
 
-fn batches(targets: &mut Targets) {
+/// One run of a scene with its eye, results only.
+fn one_run(scenario: &CheckedScenario) -> bool {
+    let case = Case::new(scenario);
+    let plan = case.plan_alone(scenario).expect("runs");
+    case.run(&plan, Keep::default(), &mut unwatched).is_ok()
+}
+
+fn many_scenes(targets: &mut Targets) {
     const COUNT: u32 = 200;
-    println!("\nBatches: {COUNT} head-on scenes, results only, no frames");
+    println!("\nMany: {COUNT} head-on scenes, results only, no frames");
     let scenarios: Vec<CheckedScenario> = (0..COUNT)
         .map(|i| {
             let mut scenario = Scenario::default();
@@ -379,11 +394,11 @@ fn batches(targets: &mut Targets) {
         });
         times.time(2, || {
             for scenario in some {
-                black_box(solve_one(scenario).is_ok());
+                black_box(one_run(scenario));
             }
         });
         times.time(3, || {
-            black_box(solve_all(&scenarios));
+            black_box(scenarios.par_iter().filter(|one| one_run(one)).count());
         });
         times.time(4, || {
             for scenario in some {
@@ -393,7 +408,7 @@ fn batches(targets: &mut Targets) {
     }
     let [wall, work, alone, all, build] = times.0;
     let [wall, work, alone, build] = [wall, work, alone, build].map(|t| t / some.len() as f64);
-    let batch = all * cores / f64::from(COUNT);
+    let many = all * cores / f64::from(COUNT);
     row("one answer with its step error, wall", wall, None);
     row(
         "one answer with its step error, time of one core",
@@ -406,14 +421,14 @@ fn batches(targets: &mut Targets) {
         None,
     );
     row(
-        &format!("a scene of a batch on {cores} cores, time of one core"),
-        batch,
+        &format!("a scene among many on {cores} cores, time of one core"),
+        many,
         None,
     );
     row("of it, building the eye", build, None);
-    let what = "a scene of a batch, throughput per core against";
-    targets.least(format!("{what} an answer"), work / batch, 1.5);
-    targets.least(format!("{what} one run alone"), alone / batch, 1.4);
+    let what = "a scene among many, throughput per core against";
+    targets.least(format!("{what} an answer"), work / many, 1.5);
+    targets.least(format!("{what} one run alone"), alone / many, 1.4);
 }
 
 /// The program from its start to its end.
@@ -458,7 +473,7 @@ fn main() {
     evaluations(&mut targets);
     standard_case(&mut targets);
     finer_meshes(&mut targets);
-    batches(&mut targets);
+    many_scenes(&mut targets);
     process(&mut targets);
     targets.print();
 }

@@ -6,8 +6,8 @@
 use contrecoup::Error;
 use contrecoup::answer::mesh_error::add_mesh_error;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::library;
 
 fn main() -> Result<(), Error> {

@@ -5,10 +5,10 @@
 //! from the start of the blow, and force in N.
 
 use contrecoup::Error;
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Scenario};
 
 const OWN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/measured_pulse.csv");

@@ -3,10 +3,10 @@
 //! Every run is deterministic, so the table is the same on any number of threads.
 
 use contrecoup::Error;
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::{ForcePulse, Impact, Scenario};
 use rayon::prelude::*;
 
@@ -27,7 +27,7 @@ fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
     Ok((
         answer.results()[Quantity::Damage],
         answer.errors.time_step[Quantity::Damage],
-        answer.left.folded_at().is_some(),
+        answer.run.folded_at().is_some(),
     ))
 }
 

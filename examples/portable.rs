@@ -4,17 +4,19 @@
 //! difference between two machines is how their C libraries round sines; `.ci/elsewhere` compares.
 
 use contrecoup::Error;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::answer::compiled::Compiled;
+use contrecoup::models::paper::case::Case;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::library;
+use std::sync::Arc;
 
 fn main() -> Result<(), Error> {
     let asked = std::env::args().nth(1);
     let blow = library::resolve(asked.as_deref().unwrap_or("paper-300n"))?.check()?;
-    let case = Case::with(&blow, false, true);
-    let plan = case.plan(&blow)?;
-    let solution = case.run(&plan, Keep::default(), &mut unwatched)?;
-    for (quantity, value) in case.results(&solution.recording.extremes).present() {
+    let case = Compiled::with(Arc::new(Case::with(&blow, false, true)), &blow);
+    let run = case.run(&case.plan(&blow)?, Keep::default(), &mut unwatched)?;
+    for (quantity, value) in case.results(&run).present() {
         println!("{:<20} {value:.9e}", quantity.row().label);
     }
     Ok(())

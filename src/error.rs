@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::scenario::CurveError;
 use crate::scenario::problem::ScenarioError;
 

@@ -9,8 +9,8 @@
 mod common;
 
 use common::{json, program};
-use contrecoup::answer::quantity::{Leads, Quantity};
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::quantity::{Leads, Quantity};
+use contrecoup::run::refusal::Refusal;
 use contrecoup::verify::claims::{Claim, Findings, Study, Subject, check};
 use contrecoup::verify::scenes::{MAX_SCENES, Scenes};
 use std::ops::ControlFlow;

@@ -142,15 +142,8 @@ fn the_results_of_a_blow() {
     says("run_pulse", &["run", "paper-300n"]);
     says("run_projectile", &["run", "bb-56"]);
     says(
-        "run_missed",
-        &[
-            "run",
-            "bb-56",
-            "--set",
-            "model=Physiological",
-            "--set",
-            "impact.offset_mm=40",
-        ],
+        "refused_object_at_paper",
+        &["run", "bb-56", "--set", "model=Paper"],
     );
 }
 

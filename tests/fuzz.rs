@@ -19,7 +19,7 @@ use contrecoup::scenario::load::{parse, to_ron};
 
 use contrecoup::answer::solve::solve;
 use contrecoup::many::sweep::{Axis, MAX_ROWS, Sweep};
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::set::{full_path, set};
 use contrecoup::scenario::{Scenario, ScenarioError, library};
 use contrecoup::tui::config::Config;

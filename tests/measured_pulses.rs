@@ -7,10 +7,10 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::models::paper::case::unwatched;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Scenario};
@@ -118,11 +118,11 @@ fn a_noisy_recording_keeps_its_stated_errors_and_costs_a_few_steps_a_knot() {
         );
         println!(
             "{integrator:?}: missed {missed:.2e} %, stated {stated:.2e} %, {} steps, {} for the shape",
-            coarse.cost.steps, plain.cost.steps
+            coarse.run.cost.steps, plain.run.cost.steps
         );
         assert!(missed <= stated, "{missed} > {stated}");
         if integrator.is_none() {
-            assert!(coarse.cost.steps < plain.cost.steps + 5 * 200);
+            assert!(coarse.run.cost.steps < plain.run.cost.steps + 5 * 200);
         }
     }
 }
@@ -139,9 +139,9 @@ fn the_most_knots_in_the_shortest_time_stay_affordable_and_are_honest() {
     pulse.duration_ms = 0.002;
     let crowded = answer(&scenario);
     assert!(
-        crowded.cost.steps < 4 * 2000 + 5000,
+        crowded.run.cost.steps < 4 * 2000 + 5000,
         "{}",
-        crowded.cost.steps
+        crowded.run.cost.steps
     );
     let mut fine = scenario.clone();
     fine.numerics.step_us = Some(0.05);

@@ -4,8 +4,11 @@
 //! It took the share of a spring that lies in the lens from samples, so its lens differs a little.
 
 use contrecoup::injury::DamageIndex;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::model::EyeModel;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::load::parse;
 use contrecoup::scenario::{ForcePulse, Impact, Lens, PulseShape, Scenario};
 
@@ -46,15 +49,15 @@ fn found(blow: &ForcePulse, level: u32, lens: Lens) -> Found {
     let case = Case::new(&scenario.check().unwrap());
     let plan = case.plan_alone(&scenario).unwrap();
     let run = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
-    let extremes = &run.recording.extremes;
-    let index = DamageIndex::of(extremes);
+    let value = |of| run.readings.value(of).unwrap();
+    let index = DamageIndex::of(&run.readings);
     Found {
         damage: index.damage(),
-        apex_mm: extremes.apex.value * 1e3,
+        apex_mm: value(Quantity::Apex) * 1e3,
         meridian: index.meridian_growth,
         shell: index.shell_growth,
         energy: index.energy,
-        forces: extremes.force.map(|peak| peak.value),
+        forces: Quantity::FORCES.map(value),
     }
 }
 

@@ -21,7 +21,12 @@ fn objects() -> Vec<(String, CheckedScenario)> {
 }
 
 fn hit(scenario: &CheckedScenario) -> Extremes {
-    let case = RevolutionCase::new(scenario).expect("an eye of revolution");
+    let case = {
+        let Model::Physiological(model) = &scenario.model else {
+            panic!("{} is of another model", scenario.name);
+        };
+        RevolutionCase::new(scenario, model)
+    };
     let mut watch = |_| ControlFlow::Continue(());
     let keep = Keep::default();
     let run = run(
@@ -32,7 +37,7 @@ fn hit(scenario: &CheckedScenario) -> Extremes {
         keep,
         &mut watch,
     );
-    run.unwrap_or_else(|refusal| panic!("{}: {refusal}", scenario.name))
+    run.unwrap_or_else(|stop| panic!("{}: {stop:?}", scenario.name))
         .extremes
 }
 

@@ -5,15 +5,17 @@
 //! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
 use contrecoup::models::paper::eye::Eye;
-use contrecoup::models::paper::eye::mesh::Region;
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::paper::forces::load::Piece;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Observer, Plan, march};
+use contrecoup::models::paper::time::march::{Observer, march};
+use contrecoup::models::pulse::Piece;
 use contrecoup::run::kept::Keep;
+use contrecoup::run::places::Region;
+use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};
 use differential_equations::prelude::*;
@@ -398,13 +400,13 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
 
     // A whole run: its energy to the same agreement, its peaks no lower than any force seen outside.
     let run = case
-        .run(
+        .record(
             &plan(Integrator::Srkn6b, 2e-7 / k, last),
             Keep::default(),
             &mut unwatched,
         )
         .unwrap();
-    let extremes = run.recording.extremes;
+    let extremes = run.extremes;
     let work = found.states[times.len() - 1][4 * case.eye.nodes.len()];
     assert!((extremes.work / work - 1.0).abs() < AGREEMENT);
     let peaks = extremes.force.iter().map(|p| p.value).zip(found.forces);

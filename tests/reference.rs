@@ -2,9 +2,11 @@
 //! form with a step of 50 ns, level 1, window 3 ms.
 
 use contrecoup::answer::solve::{Answer, solve};
-use contrecoup::models::paper::case::unwatched;
 use contrecoup::run::flags::FlagKind;
 use contrecoup::run::kept::{Keep, Spacing};
+use contrecoup::run::model::EyeModel;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{ForcePulse, Impact, PulseShape, Scenario};
 
@@ -109,25 +111,24 @@ fn printed(found: f64, wanted: f64, unit: f64, what: &str) {
 }
 
 fn agrees(row: &Row, answer: &Answer) {
-    let extremes = &answer.left.section().unwrap();
+    let apex = answer.peak(Quantity::Apex).unwrap();
     let unit = |value: f64| 10f64.powf(value.log10().floor() - 3.0);
+    printed(apex.value * 1e3, row.apex.0, unit(row.apex.0), "apex");
+    printed(apex.time * 1e3, row.apex.1, 1e-3, "apex time");
+    printed(answer.index().shell_growth, row.shell, 1e-3, "S");
+    printed(answer.index().meridian_growth, row.meridian, 1e-3, "M");
     printed(
-        extremes.apex.value * 1e3,
-        row.apex.0,
-        unit(row.apex.0),
-        "apex",
-    );
-    printed(extremes.apex.time * 1e3, row.apex.1, 1e-3, "apex time");
-    printed(answer.index.shell_growth, row.shell, 1e-3, "S");
-    printed(answer.index.meridian_growth, row.meridian, 1e-3, "M");
-    printed(
-        answer.index.energy,
+        answer.index().energy,
         row.energy,
         unit(row.energy).max(1e-4),
         "E",
     );
-    printed(answer.index.damage(), row.damage, 1e-2, "damage");
-    for (found, wanted) in extremes.force.iter().zip(row.peaks) {
+    printed(answer.index().damage(), row.damage, 1e-2, "damage");
+    for (found, wanted) in Quantity::FORCES
+        .map(|of| answer.peak(of).unwrap())
+        .iter()
+        .zip(row.peaks)
+    {
         let relative = (found.value / wanted - 1.0).abs();
         assert!(relative < 1e-3, "peak {} for {wanted}", found.value);
     }
@@ -170,16 +171,15 @@ fn a_mirrored_angle_gives_the_mirrored_result() {
     };
     let (up, down) = (at(13.0), at(-13.0));
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
-    close(up.index.shell_growth, down.index.shell_growth);
-    close(up.index.meridian_growth, down.index.meridian_growth);
-    close(up.index.energy, down.index.energy);
+    close(up.index().shell_growth, down.index().shell_growth);
+    close(up.index().meridian_growth, down.index().meridian_growth);
+    close(up.index().energy, down.index().energy);
     close(
-        up.left.section().unwrap().apex.value,
-        down.left.section().unwrap().apex.value,
+        up.result(Quantity::Apex).unwrap(),
+        down.result(Quantity::Apex).unwrap(),
     );
     assert!(
-        (up.left.section().unwrap().force[3].value - down.left.section().unwrap().force[3].value)
-            .abs()
+        (up.result(Quantity::ForceTop).unwrap() - down.result(Quantity::ForceTop).unwrap()).abs()
             > 0.1
     );
 }
@@ -200,15 +200,17 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
                 traces: true,
                 frames: Some(Spacing::even(5e-5)),
             };
-            case.run(&plan, keep, &mut unwatched).unwrap().recording
+            case.run(&plan, keep, &mut unwatched).unwrap()
         };
         let (a, b) = (run(&half), run(&whole));
-        let (p, q) = (half.results(&a.extremes), whole.results(&b.extremes));
-        for (of, p) in p.present() {
-            let q = q[of].unwrap();
+        for (of, p) in a.readings.iter() {
+            let Some(p) = p.map(|reading| reading.value) else {
+                continue;
+            };
+            let q = b.readings.value(of).unwrap();
             assert!((p - q).abs() <= 1e-9 * q.abs(), "{p} {q}");
         }
-        assert!((a.extremes.energy_residual - b.extremes.energy_residual).abs() < 1e-9);
+        assert!((a.energy_residual - b.energy_residual).abs() < 1e-9);
         let (s, t) = (a.traces.unwrap(), b.traces.unwrap());
         for (p, q) in [
             (s.kinetic, t.kinetic),
@@ -238,7 +240,7 @@ fn the_front_node_shows_the_papers_two_peaks() {
         frames: None,
     };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
-    let traces = answer.traces.unwrap();
+    let traces = answer.run.traces.unwrap();
     let largest = |from: f64, to: f64| {
         traces
             .time
@@ -290,12 +292,12 @@ fn a_mesh_that_opens_again_is_told_from_one_that_stays_folded() {
         (1200.0, true, "and still at the end"),
     ] {
         let answer = answer(&scenario(&head_on(force, 0.2)));
-        let fold = answer.left.fold().expect("1 kN folds the mesh");
+        let fold = answer.run.fold.expect("1 kN folds the mesh");
         assert_eq!(fold.stays, stays, "{fold:?}");
         // By the front, where the blow falls, and a few of many quads.
         assert!(fold.front_angle().abs() < 0.5 && fold.radius() < 12e-3);
         assert!(fold.quads > 0 && fold.quads < fold.of / 5);
-        let open = answer.simulated - fold.since - fold.lasted;
+        let open = answer.run.simulated - fold.since - fold.lasted;
         assert_eq!(open.abs() > 1e-12, !stays, "{open}");
         let flag = &answer.flags[0];
         assert_eq!(flag.kind, FlagKind::MeshFolded);
@@ -318,7 +320,7 @@ fn a_blow_that_rounding_swallows_does_nothing_and_says_so() {
         assert!(answer.results().present().all(|(_, value)| value == 0.0));
         tiny.impact = scenario(&head_on(1e-5, 0.2)).impact;
         let answer = self::answer(&tiny);
-        assert!(answer.flags.is_empty() && answer.index.damage() > 0.0);
+        assert!(answer.flags.is_empty() && answer.index().damage() > 0.0);
     }
 }
 
@@ -339,9 +341,9 @@ fn stopping_early_changes_no_result_in_random_scenes() {
         };
         let early = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
         let full = case.run(&plan, whole, &mut unwatched).unwrap();
-        let (a, b) = (&early.recording.extremes, &full.recording.extremes);
-        assert_eq!(case.results(a), case.results(b), "scene {index}");
-        assert_eq!((a.strain, a.fold), (b.strain, b.fold), "scene {index}");
+        assert_eq!(early.readings, full.readings, "scene {index}");
+        assert_eq!(early.details, full.details, "scene {index}");
+        assert_eq!(early.fold, full.fold, "scene {index}");
         assert!(early.cost.steps <= full.cost.steps);
         assert!(
             full.simulated > 2.999_999e-3,

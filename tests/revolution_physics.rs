@@ -4,12 +4,12 @@ use contrecoup::injury::DamageIndex;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use contrecoup::models::axisymmetric::eye::{Region, RevolutionEye};
 use contrecoup::models::axisymmetric::forces::object::{BallSpring, Object, Outline, Surface};
-use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::readings;
+use contrecoup::models::axisymmetric::recording::results::EngineRun;
 use contrecoup::models::axisymmetric::time::run::{
-    Blow, Form, Refusal, STEP_SHARE, Steps, run, run_as,
+    Blow, Form, STEP_SHARE, Scheme, Steps, Stop, run, run_as,
 };
 use contrecoup::run::kept::{Keep, Spacing};
-use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
 use std::ops::ControlFlow;
 
@@ -41,7 +41,7 @@ fn try_hit(
     object: Object,
     window_ms: f64,
     share: f64,
-) -> Result<Run, Refusal> {
+) -> Result<EngineRun, Stop> {
     let mut watch = |_| ControlFlow::Continue(());
     let blow = Blow::Object(object);
     run(
@@ -54,17 +54,17 @@ fn try_hit(
     )
 }
 
-fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
+fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> EngineRun {
     try_hit(eye, object, window_ms, STEP_SHARE).expect("a run")
 }
 
-fn leading(run: &Run) -> [(&'static str, f64); 11] {
+fn leading(run: &EngineRun) -> [(&'static str, f64); 11] {
     let e = &run.extremes;
     [
         ("back", e.mean_back_pressure.value),
         ("apex", e.apex.value),
         ("lens", e.lens.value),
-        ("damage", DamageIndex::of_revolution(e).damage()),
+        ("damage", DamageIndex::of(&readings::of(e)).damage()),
         ("pressure", e.pressure.value),
         ("stress", e.scleral_stress.value),
         ("shortening", e.shortening.value),
@@ -169,7 +169,7 @@ fn nothing_hard_folds_a_cell_at_any_level_or_goes_through() {
                             e.energy_residual
                         );
                     }
-                    Err(refusal) => panic!("{level} {what}: {refusal}"),
+                    Err(refusal) => panic!("{level} {what}: {refusal:?}"),
                 }
             }
         }
@@ -275,7 +275,7 @@ fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
         let eye = eye(level, Some(Surround::orbit()));
         for (what, object) in soft_objects() {
             let run = try_hit(&eye, object, 1.5, STEP_SHARE);
-            let run = run.unwrap_or_else(|refusal| panic!("{level} {what}: {refusal}"));
+            let run = run.unwrap_or_else(|refusal| panic!("{level} {what}: {refusal:?}"));
             let e = &run.extremes;
             println!(
                 "{level} {what}: F {:.0} N p {:.2} MPa stress {:.1} intrusion {:.1} mm rebound {:.1} given {:.2} J of {:.2} triangle {:.3} residual {:.1e} steps {}",
@@ -376,7 +376,7 @@ fn a_scene_is_computed_for_what_it_has_alone() {
         assert_eq!(run.cell_evaluations, cells * (run.steps + 1));
         (cells, run.contact_evaluations)
     };
-    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse::default());
+    let pulse = contrecoup::models::pulse::Pulse::new(&ForcePulse::default());
     let pulse = Blow::Pulse(pulse, 20f64.to_radians());
     let shot = Blow::Object(ball(0.345, 4.5, 60.0));
     // A pulse meets nothing, and a free eye has nothing around it.
@@ -392,13 +392,13 @@ fn a_scene_is_computed_for_what_it_has_alone() {
 #[test]
 fn another_integrator_comes_to_the_same_as_steps_get_shorter_and_is_worse_at_long_ones() {
     let eye = eye(1, Some(Surround::orbit()));
-    let at = |integrator, share| {
+    let at = |scheme, share| {
         let blow = Blow::Object(ball(0.345, 4.5, 60.0));
-        let steps = Steps { share, integrator };
+        let steps = Steps { share, scheme };
         let mut watch = |_| ControlFlow::Continue(());
         run(&eye, &blow, 0.5e-3, steps, Keep::default(), &mut watch).expect("a run")
     };
-    let (verlet, euler) = (Integrator::VelocityVerlet, Integrator::SemiImplicitEuler);
+    let (verlet, euler) = (Scheme::Leapfrog, Scheme::SemiImplicitEuler);
     let exact = leading(&at(verlet, 0.05));
     let worst = |integrator, share| {
         let pairs = leading(&at(integrator, share)).into_iter().zip(exact);
@@ -434,7 +434,7 @@ fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
 #[test]
 fn a_pulse_gives_the_eye_its_work_and_balances() {
     let eye = eye(1, Some(Surround::orbit()));
-    let pulse = contrecoup::models::paper::forces::load::Pulse::new(&ForcePulse {
+    let pulse = contrecoup::models::pulse::Pulse::new(&ForcePulse {
         force_n: 100.0,
         duration_ms: 0.2,
         ..ForcePulse::default()
@@ -503,7 +503,7 @@ fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
                 assert!(e.fold.is_none(), "{i} {object:?}");
                 worst = worst.max(e.energy_residual);
             }
-            Err(refusal) => panic!("{i} {object:?}: {refusal}"),
+            Err(refusal) => panic!("{i} {object:?}: {refusal:?}"),
         }
     }
     // The worst are hard flakes of some 10 mg at the greatest speed.

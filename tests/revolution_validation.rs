@@ -4,7 +4,7 @@ use contrecoup::models::axisymmetric::eye::RevolutionEye;
 use contrecoup::models::axisymmetric::eye::mesh::Layers;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
-use contrecoup::models::axisymmetric::recording::results::Run;
+use contrecoup::models::axisymmetric::recording::results::EngineRun;
 use contrecoup::models::axisymmetric::time::run::{Blow, STEP_SHARE, run};
 use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
@@ -43,7 +43,7 @@ fn eye(half: usize, pig: bool, surround: Option<Surround>) -> RevolutionEye {
     RevolutionEye::with_core(&parameters, half, Layers::EVEN)
 }
 
-fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
+fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> EngineRun {
     let keep = Keep {
         traces: true,
         frames: None,
@@ -54,7 +54,7 @@ fn hit(eye: &RevolutionEye, object: Object, window_ms: f64) -> Run {
 }
 
 /// Force through a low pass of 50 us when the object has come `mm` in, N.
-fn force_at(run: &Run, mm: f64) -> f64 {
+fn force_at(run: &EngineRun, mm: f64) -> f64 {
     let t = run.traces.as_ref().expect("traces");
     let (mut force, mut last) = (0.0, 0.0);
     for ((raw, way), time) in t.load.iter().zip(&t.intrusion).zip(&t.time) {

@@ -7,9 +7,7 @@ use std::path::{Path, PathBuf};
 use contrecoup::scenario::fields::{Bounds, FIELDS, Kind};
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
-use contrecoup::scenario::{
-    FASTEST_M_S, Impact, MOST_ENERGY_J, Model, NumericsInput, Outline, Scenario,
-};
+use contrecoup::scenario::{Impact, MOST_ENERGY_J, Model, NumericsInput, Outline, Scenario};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -97,18 +95,19 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
     // A full opening, so that no angle is behind bone.
     let mut roomy = Scenario::default();
     roomy.eye.opening_deg = 120.0;
-    let mut other = roomy.clone();
-    set(&mut other, "impact", "Projectile").unwrap();
-    set(&mut other, "impact.stiffness", "Linear").unwrap();
-    // Of the Physiological model, each support and each surface; the cylinder is wide, with a sharp edge.
-    let mut orbit = other.clone();
+    // Of the Physiological model, each support and each surface; the cylinder is wide, with a sharp edge,
+    // and so slow that any mass brings little energy.
+    let mut orbit = roomy.clone();
     set(&mut orbit, "model", "Physiological").unwrap();
+    set(&mut orbit, "impact", "Projectile").unwrap();
+    set(&mut orbit, "impact.speed_m_s", "1").unwrap();
+    set(&mut orbit, "impact.stiffness", "Linear").unwrap();
     set(&mut orbit, "impact.diameter_mm", "200").unwrap();
     set(&mut orbit, "impact.outline", "Cylinder(edge_mm: 0.02)").unwrap();
     set(&mut orbit, "impact.surface", "Inflated").unwrap();
     let mut gelatin = orbit.clone();
     set(&mut gelatin, "model.support", "Gelatin").unwrap();
-    let scenarios = [roomy, other, orbit, gelatin];
+    let scenarios = [roomy, orbit, gelatin];
     let mut tried = 0;
     for field in FIELDS {
         let holds = |scenario: &&Scenario| field.text(scenario).is_some();
@@ -177,14 +176,18 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
 /// Mends what each field allows and rules that join two of them do not.
 fn keep_rules(scenario: &mut Scenario) {
     scenario.eye.opening_deg = 120.0;
+    if let Impact::Projectile(_) = scenario.impact {
+        if scenario.model == Model::Paper {
+            scenario.model = Model::usual_for(&scenario.impact);
+        }
+    }
     if let Model::Physiological(_) = scenario.model {
         scenario.eye.level = scenario.eye.level.min(5);
         scenario.numerics = NumericsInput::default();
         match &mut scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
-                (shot.angle_deg, shot.offset_mm) = (0.5 * shot.angle_deg, 0.0);
-                shot.speed_m_s = shot.speed_m_s.min(FASTEST_M_S);
+                shot.angle_deg *= 0.5;
                 shot.mass_g *= (0.999 * MOST_ENERGY_J / shot.energy_j()).min(1.0);
                 if let Outline::Cylinder { edge_mm } = &mut shot.outline {
                     *edge_mm = 0.5 * shot.diameter_mm.min(*edge_mm);

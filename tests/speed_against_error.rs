@@ -59,53 +59,74 @@ fn a_tolerance_that_no_level_meets_is_refused() {
 }
 
 #[test]
-fn accuracy_reports_every_integrator_the_front_and_the_choices() {
+fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
     let arguments = [
         "accuracy",
         "paper-300n",
         "--finest-level",
         "2",
+        "--result",
+        "apex_displacement_mm",
         "--set",
         "window_ms=0.5",
     ];
     let object = json(&arguments);
-    let points = object["points"].as_array().unwrap();
-    for integrator in [
-        "semi-implicit-euler",
-        "velocity-verlet",
-        "srkn6b",
-        "srkn11b",
-        "rk4",
-        "dopri5",
-    ] {
-        let of: Vec<&Value> = points
-            .iter()
-            .filter(|p| p["integrator"] == integrator)
-            .collect();
-        assert!(of.len() >= 4, "{integrator}");
-        assert!(of.iter().all(|p| p["median_ms"].as_f64().unwrap() > 0.0));
+    assert_eq!(object["result"], "apex_displacement_mm");
+    // Level 2 needs two finer ones for its mesh error.
+    let levels = object["levels"].as_array().unwrap();
+    let known = |level: &Value| !level["mesh_error_percent_by_result"].is_null();
+    assert!(levels.len() == 4 && levels.iter().filter(|level| known(level)).count() == 2);
+    let trials = object["trials"].as_array().unwrap();
+    let number = |trial: &Value, key: &str| trial[key].as_f64().unwrap();
+    let error = |trial: &Value| number(trial, "error_percent");
+    for level in [1, 2] {
+        let of = |integrator: &str| -> Vec<&Value> {
+            let is = |t: &&Value| t["integrator"] == integrator && t["level"] == level;
+            trials.iter().filter(is).collect()
+        };
+        for integrator in [
+            "semi-implicit-euler",
+            "velocity-verlet",
+            "srkn6b",
+            "srkn11b",
+            "rk4",
+        ] {
+            assert!(of(integrator).len() >= 3, "{integrator}");
+        }
+        // The paper's scheme is first order, the default fourth: at their largest steps it shows.
+        let largest = |integrator: &str| {
+            let steps = of(integrator).into_iter();
+            let errors = steps.map(|trial| number(trial, "step_error_percent"));
+            errors.fold(0.0, f64::max)
+        };
+        assert!(largest("semi-implicit-euler") > 50.0 * largest("srkn6b"));
     }
-    assert!(points.iter().any(|p| p["on_front"] == true));
-    // The paper's scheme is first order, the default fourth: at their largest steps it shows.
-    let largest = |integrator: &str| {
-        let first = points
+    let mesh_and_step =
+        |t: &Value| number(t, "mesh_error_percent") + number(t, "step_error_percent");
+    assert!(
+        trials
             .iter()
-            .find(|p| p["integrator"] == integrator)
-            .unwrap();
-        first["error_percent"].as_f64().unwrap()
-    };
-    assert!(largest("semi-implicit-euler") > 50.0 * largest("srkn6b"));
-    let targets: Vec<f64> = object["best"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|b| b["percent"].as_f64().unwrap())
-        .collect();
-    assert_eq!(targets, [10.0, 1.0, 0.1, 0.01]);
-    assert_eq!(object["levels"].as_array().unwrap().len(), 2);
+            .all(|t| (error(t) / mesh_and_step(t) - 1.0).abs() < 1e-12)
+    );
+    assert!(trials.iter().any(|t| t["on_front"] == true));
+    let cheapest = object["cheapest"].as_array().unwrap();
+    let named = cheapest.iter().filter_map(|best| {
+        let at = best["trial"].as_u64()? as usize;
+        Some((number(best, "percent"), at))
+    });
+    let named: Vec<(f64, usize)> = named.collect();
+    assert!(!named.is_empty());
+    for (percent, at) in named {
+        assert!(error(&trials[at]) <= percent);
+        assert!(trials[..at].iter().all(|faster| error(faster) > percent));
+    }
     program(&arguments).assert().success().stdout(
         contains("kernel")
-            .and(contains("omega at most"))
-            .and(contains("for 0.1 %")),
+            .and(contains("mesh error"))
+            .and(contains("for 50 %: level ")),
     );
+    program(&["accuracy", "paper-300n", "--result", "apex"])
+        .assert()
+        .code(2)
+        .stderr(contains("did you mean apex_displacement_mm"));
 }

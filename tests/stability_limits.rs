@@ -1,19 +1,24 @@
 //! The stated stability limits against the spectral radius of one step of a damped oscillator.
 
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::answer::solve::solve;
-use contrecoup::models::paper::case::{Case, unwatched};
+use contrecoup::models::paper::case::Case;
 use contrecoup::models::paper::eye::Eye;
 use contrecoup::models::paper::eye::landmarks::Landmarks;
-use contrecoup::models::paper::eye::mesh::{Node, Region};
+use contrecoup::models::paper::eye::mesh::Node;
 use contrecoup::models::paper::eye::springs::{Spring, SpringKind};
 use contrecoup::models::paper::forces::kernel::Survey;
-use contrecoup::models::paper::forces::load::{ArcLoad, Piece, Pulse};
+use contrecoup::models::paper::forces::load::ArcLoad;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, Plan, march};
+use contrecoup::models::paper::time::march::{Observer, march};
 use contrecoup::models::paper::time::method::Drag;
+use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::run::kept::Keep;
+use contrecoup::run::model::EyeModel;
+use contrecoup::run::places::Region;
+use contrecoup::run::plan::Plan;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::set::set;
 use contrecoup::scenario::{ForcePulse, Scenario};
@@ -179,7 +184,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
             set(&mut scenario, path, value).unwrap();
         }
         let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-        assert!(answer.index.damage().is_finite() && answer.index.damage() < 100.0);
+        assert!(answer.index().damage().is_finite() && answer.index().damage() < 100.0);
         assert!(answer.errors.energy_balance < 1.0, "{settings:?}");
     }
 }
@@ -196,7 +201,7 @@ fn a_step_error_is_never_zero_because_both_runs_took_the_same_steps() {
     let coarse = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     set(&mut scenario, "numerics.step_us", "0.0001").unwrap();
     let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    let truth = (coarse.index.energy / fine.index.energy - 1.0).abs() * 100.0;
+    let truth = (coarse.index().energy / fine.index().energy - 1.0).abs() * 100.0;
     assert!(
         coarse.errors.time_step[Quantity::Energy].unwrap() >= truth,
         "{truth}"
@@ -209,7 +214,7 @@ fn nothing_moves_without_force() {
     set(&mut scenario, "impact.force_n", "0").unwrap();
     let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     assert!(answer.flags.is_empty(), "{:?}", answer.flags);
-    assert!(answer.index.damage() < 1e-9);
+    assert!(answer.index().damage() < 1e-9);
     assert!(answer.errors.time_step_percent() < 1e-5);
 }
 

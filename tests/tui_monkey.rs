@@ -8,7 +8,7 @@ mod support;
 use std::time::Duration;
 
 use contrecoup::answer::solve::Answer;
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::Scenario;
 use contrecoup::tui::model::{Look, Model, Overlay};
 use contrecoup::tui::prepare;
@@ -164,7 +164,10 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
             symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
             heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
-            palette: Palette::default().on(dice.one(&[false, true])),
+            palette: Palette {
+                light: dice.one(&[false, true]),
+                ..Palette::default()
+            },
         };
         let mut model = prepare(&[], look).unwrap();
         let effects = begin(&mut model);

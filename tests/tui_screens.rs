@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use contrecoup::answer::solve::Answer;
 use contrecoup::many::threshold::{Crossing, Threshold};
-use contrecoup::models::paper::case::unwatched;
+use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Scenario;
 use contrecoup::tui::model::{Model, Overlay};
 use contrecoup::tui::picker::Picker;
@@ -151,7 +151,9 @@ fn the_round_eye_stands_beside_a_section_in_a_comparison_and_has_a_map_and_sampl
     let file = "tests/scenarios/round-eye.ron";
     state("compare_round", &[file, "paper-300n"], "\x1b4\t");
     pictures("doubt_round", &[file], &[USUAL], |model| {
-        press(model, "\r +- 2\r");
+        // The rows above the numbers are chosen from lists.
+        press(model, "\x1b[B\x1b[B\x1b[B\r +- 0.1\r");
+        assert!(!model.work.scenario.doubt.is_empty());
         open_sampled(model);
     });
     pictures("map_round", &[file], &[USUAL], open_mapped);

@@ -5,8 +5,6 @@
 //! model's validity it is another than where it did not, so the result may jump there.
 
 use crate::injury::{Blow, Computed, Injury, Measures, Risk, Validity, Verdict, assess, verdict};
-use crate::models::left::Left;
-use crate::run::raised::ENERGY_ALARM;
 use crate::scenario::{Impact, Model, Scenario, Species, TRUSTED_ANGLE_DEG};
 
 /// What risks rest on beside what a run left.
@@ -23,19 +21,15 @@ pub struct Scene {
 impl Scene {
     /// That of a scenario.
     pub fn of(scenario: &Scenario) -> Self {
-        let blow = Blow::of(scenario);
         let Model::Physiological(model) = &scenario.model else {
-            return Self {
-                blow,
-                ..Self::default()
-            };
+            return Self::default();
         };
         let angle = match &scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg,
             Impact::Projectile(object) => object.angle_deg,
         };
         Self {
-            blow,
+            blow: Blow::of(scenario),
             pig: model.species == Species::Pig,
             aslant: angle.abs() > TRUSTED_ANGLE_DEG,
         }
@@ -68,11 +62,6 @@ impl Scene {
         let verdict = verdict(injury, &assess(measures), &validity);
         verdict.believed().next().copied()
     }
-}
-
-/// Whether a run left the model's validity, as the flags of folds and energies say.
-pub(crate) fn is_spoiled(left: &Left) -> bool {
-    left.folded_at().is_some() || left.energy_residual() > ENERGY_ALARM
 }
 
 /// How far from a crossing an end of its range is looked for, as a ratio.

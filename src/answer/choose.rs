@@ -1,24 +1,25 @@
 //! The cheapest mesh, integrator and step that give the damage score to a tolerance.
 //!
-//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it, which are
-//! the next to be tried, so nothing is computed twice. Once the mesh error is below the tolerance,
-//! what is left of it goes to the step: velocity Verlet if its own estimate allows, because it is
-//! the cheapest at low accuracy, else the fourth-order composition, with shorter steps as needed.
+//! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it,
+//! which are the next to be tried, so nothing is computed twice. Once the mesh error is below the
+//! tolerance, what is left of it goes to the step: velocity Verlet if its own estimate allows,
+//! because it is the cheapest at low accuracy, else the fourth-order composition, with shorter
+//! steps as needed.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_by};
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
 use crate::run::kept::Keep;
-use crate::run::rules::{Automatic, share_for};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::rules::next_share;
+use crate::run::watch::Watch;
 use crate::scenario::Integrator;
-use crate::scenario::{CheckedScenario, FINEST_PHYSIOLOGICAL_LEVEL, Model, Scenario};
+use crate::scenario::{CheckedScenario, Scenario};
 
-/// The finest level that is tried. Its error comes from levels 6 and 7, so that level 8 can tell whether what is
-/// answered is true.
+/// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
+/// 8 can tell whether what is answered is true.
 pub const FINEST_TRIED: u32 = 5;
 /// Below this tolerance, in %, Verlet cannot be the cheapest.
 const VERLET_FROM_PERCENT: f64 = 0.2;
@@ -67,8 +68,8 @@ fn of_damage(errors: &Results) -> f64 {
     errors[Quantity::Damage].unwrap_or(f64::INFINITY)
 }
 
-/// Answers `scenario` with the damage index within `percent` of its converged value, by step and mesh
-/// together; `level` and `numerics` of the scenario are chosen anew.
+/// Answers `scenario` with the damage index within `percent` of its converged value, by step and
+/// mesh together; `level` and `numerics` of the scenario are chosen anew.
 ///
 /// # Errors
 /// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.
@@ -91,11 +92,7 @@ pub(crate) fn within_by(
 ) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
     let mut best = f64::INFINITY;
-    let finest = match scenario.model {
-        Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
-        Model::Paper => FINEST_TRIED,
-    };
-    for level in 1..=finest {
+    for level in 1..=FINEST_TRIED {
         let levels = witnesses(&scenario.model, level);
         let own = ladder.at(scenario, level, watch)?;
         if let Some(time) = own.folded {
@@ -139,7 +136,7 @@ pub(crate) fn within_by(
     }
     Err(Refusal::ToleranceNotMet {
         percent,
-        reason: format!("the best of levels 1 to {finest} has a mesh error of {best:.2} %"),
+        reason: format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %"),
     })
 }
 
@@ -151,23 +148,16 @@ fn meet(
     watch: Watch,
     reasons: &mut Vec<String>,
 ) -> Result<Answer, Refusal> {
-    let Automatic {
-        integrator: automatic,
-        share,
-    } = case.rules().answer;
-    let plan = |integrator| Plan {
-        integrator,
-        step: share * case.step_limit(integrator),
-        window: case.window(),
-        multiple: 1.0,
-        local_tolerance: LOCAL_TOLERANCE,
-    };
+    let rule = case.rules().answer;
+    let plan = |integrator| case.plan_at(integrator, rule.share);
     if percent >= VERLET_FROM_PERCENT {
-        let answer = solve_by(case.clone(), plan(Integrator::VelocityVerlet), keep, watch)?;
+        let verlet = plan(Integrator::VelocityVerlet);
+        let answer = solve_by(case.clone(), verlet, keep, watch)?;
         let error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
-                "velocity-verlet at {share} of its stability limit: step error {error:.3} %, the cheapest"
+                "velocity-verlet at {} of its stability limit: step error {error:.3} %, the cheapest",
+                rule.share
             ));
             return Ok(answer);
         }
@@ -175,20 +165,20 @@ fn meet(
             "velocity-verlet: step error {error:.3} %, too much"
         ));
     }
-    let mut plan = plan(automatic);
+    let mut plan = plan(rule.integrator);
     let mut error = f64::INFINITY;
     for _ in 0..MAX_ATTEMPTS {
         let answer = solve_by(case.clone(), plan, keep, watch)?;
         error = of_damage(&answer.errors.time_step);
-        let share = plan.step / case.step_limit(plan.integrator);
         if error <= percent {
             reasons.push(format!(
-                "{} at {share:.2} of its stability limit: step error {error:.4} %",
-                automatic.name()
+                "{} at {:.2} of its stability limit: step error {error:.4} %",
+                rule.integrator.name(),
+                plan.step / answer.step_limit
             ));
             return Ok(answer);
         }
-        plan.step *= (0.9 * share_for(percent, error, case.order(automatic))).clamp(0.25, 0.8);
+        plan.step *= next_share(percent, error, case.order(plan.integrator));
     }
     Err(Refusal::ToleranceNotMet {
         percent,
@@ -199,7 +189,7 @@ fn meet(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {

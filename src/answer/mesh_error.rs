@@ -17,22 +17,23 @@
 //! several times the result, and where the mesh folds at one of the levels. Left out: what all levels
 //! share, as the load's sharp edges and the shell without a thickness of its own.
 
-use crate::answer::quantity::{Family, MeshScatter, Quantity};
-use crate::answer::results::{PerQuantity, Results};
+use crate::answer::compiled::Compiled;
+use crate::answer::results::Results;
 use crate::answer::solve::Answer;
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
-use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Model, NumericsInput, Scenario};
+use crate::run::quantity::Family;
+use crate::run::readings::PerQuantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+use crate::scenario::{Model, NumericsInput, Scenario};
 use std::ops::ControlFlow;
 
-/// The finest level a scenario may ask for.
-pub const FINEST_LEVEL: u32 = 8;
 /// Multiplies the difference of the two finer levels.
 const SAFETY: f64 = 2.0;
 /// The level that the scatter of a result is told for.
-const SCATTER_LEVEL: f64 = 3.0;
+const SCATTER_LEVEL: u32 = 3;
 /// An error of more than so many times the result says nothing.
 const LARGEST_ERROR: f64 = 3.0;
 
@@ -49,8 +50,8 @@ pub struct Limit {
 pub type Limits = PerQuantity<Option<Limit>>;
 
 /// Results on one mesh.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct OnMesh {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnMesh {
     /// The results.
     pub results: Results,
     /// When the mesh folded, in s.
@@ -65,58 +66,28 @@ pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
     // The mesh error is far larger than the step error of the automatic step.
     other.numerics = NumericsInput::default();
     // A witness may be finer than what anyone may ask for.
-    other.eye.level = level.min(finest(&scenario.model));
+    other.eye.level = level.min(rules(&scenario.model).mesh.finest);
     let case = Compiled::new(&other.check()?).at_level(level);
     let plan = case.plan_alone(&other)?;
-    let ran = case.run(&plan, Keep::default(), watch)?;
+    let run = case.run(&plan, Keep::default(), watch)?;
     Ok(OnMesh {
-        results: case.results(&ran.left),
-        folded: ran.left.folded_at(),
-        elements: (ran.cost.evaluations * case.elements_per_evaluation()) as f64,
+        results: case.results(&run),
+        folded: run.folded_at(),
+        elements: (run.cost.evaluations * case.eye.elements_per_evaluation()) as f64,
     })
 }
 
-/// The finest level a scenario with this model may ask for.
-pub(crate) fn finest(model: &Model) -> u32 {
-    match model {
-        Model::Paper => FINEST_LEVEL,
-        Model::Physiological(_) => FINEST_PHYSIOLOGICAL_LEVEL,
-    }
-}
-
-/// The two levels that tell the error of `level`, the finer last. At the finest levels of a section one of them
-/// is `level` itself; those of the eye of revolution are always finer.
+/// The two levels that tell the error of `level`, the finer last.
 pub fn witnesses(model: &Model, level: u32) -> [u32; 2] {
-    let finest = match model {
-        Model::Paper => (level + 2).min(FINEST_LEVEL),
-        Model::Physiological(_) => level + 2,
-    };
-    [finest - 1, finest]
-}
-
-/// How a result of a model behaves as the mesh gets finer.
-fn scatter(model: &Model, of: Quantity) -> MeshScatter {
-    let row = of.row();
-    match model {
-        Model::Paper => row.scatter,
-        Model::Physiological(_) => row.scatter_of_revolution,
-    }
-}
-
-/// How many times as fine as [`SCATTER_LEVEL`] a level is, by the width of its cells.
-fn fineness(model: &Model, level: u32) -> f64 {
-    match model {
-        Model::Paper => f64::from(level) / SCATTER_LEVEL,
-        // Level k has 2 k + 4 cells in half a side of its core.
-        Model::Physiological(_) => (f64::from(level) + 2.0) / (SCATTER_LEVEL + 2.0),
-    }
+    (rules(model).mesh.witnesses)(level)
 }
 
 /// The limit that two levels show, the finer last, which is `finest`.
 fn limit(model: &Model, levels: [&Results; 2], finest: u32) -> Limits {
-    let fineness = fineness(model, finest);
+    let mesh = &rules(model).mesh;
+    let fineness = (mesh.fineness)(finest) / (mesh.fineness)(SCATTER_LEVEL);
     Limits::from_fn(|quantity| {
-        let scatter = scatter(model, quantity);
+        let scatter = (mesh.scatter)(quantity);
         let [coarser, finer] = levels.map(|results| results[quantity]);
         let (coarser, value) = (coarser?, finer?);
         let gap = (coarser - value).abs();
@@ -195,7 +166,7 @@ impl MeshQuery {
             level: answer.case.level(),
             own: OnMesh {
                 results: answer.results(),
-                folded: answer.left.folded_at(),
+                folded: answer.run.folded_at(),
                 elements: answer.element_evaluations as f64,
             },
         }
@@ -221,12 +192,8 @@ impl MeshQuery {
             done += share;
         }
         let witness = [&found[0], &found[1]];
-        Ok(MeshError::of(
-            &scenario.model,
-            self.level,
-            &self.own,
-            witness,
-        ))
+        let model = &scenario.model;
+        Ok(MeshError::of(model, self.level, &self.own, witness))
     }
 }
 
@@ -256,7 +223,7 @@ pub fn add_mesh_error(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::quantity::Quantity;
+    use crate::run::quantity::Quantity;
 
     fn on(damage: f64, front: f64) -> OnMesh {
         let mut results = Results::from_fn(|_| None);

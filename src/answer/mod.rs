@@ -1,14 +1,12 @@
 //! One blow answered: its results with their errors, and what limits them.
 
-pub mod accuracy;
 pub mod believed;
 pub mod choose;
-pub mod course;
+pub mod compiled;
+pub mod derived;
 pub mod mesh_error;
 pub mod point;
-pub mod quantity;
 pub mod results;
 pub mod solve;
 pub mod step_error;
-pub mod total;
 pub mod validity;

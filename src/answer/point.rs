@@ -10,14 +10,19 @@
 //! of the pulse. So a run among many may take up to 0.95 of the limit but never more than a cap, which
 //! comes from the comparisons of a few runs.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
 use crate::answer::solve::solve_by;
-use crate::models::compiled::{Compiled, Ran};
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
-use crate::run::rules::{LONGEST_SHARE, share_for};
+use crate::run::model::Run;
+use crate::run::plan::Plan;
+use crate::run::raised::of_motion;
+use crate::run::refusal::Refusal;
+use crate::run::rules::LONGEST_SHARE;
+use crate::run::rules::next_share;
+use crate::run::rules::share_for;
+use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// How often a step is shortened, each time at most to a half.
@@ -64,10 +69,15 @@ impl Point {
     }
 }
 
-fn point(case: &Compiled, ran: &Ran) -> Point {
+fn point(case: &Compiled, run: &Run) -> Point {
+    let motion = of_motion(run, case.rules().element, None);
     Point {
-        values: case.results(&ran.left),
-        flags: case.flags(ran, None).iter().map(|flag| flag.kind).collect(),
+        values: case.results(run),
+        flags: motion
+            .iter()
+            .chain(&run.flags)
+            .map(|flag| flag.kind)
+            .collect(),
         check: None,
     }
 }
@@ -115,10 +125,10 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
     if scenario.numerics.step_us.is_none() {
         for _ in 0..MAX_ATTEMPTS {
             let error = answer.errors.time_step_percent();
-            if error <= promise || answer.left.folded_at().is_some() {
+            if error <= promise || answer.run.folded_at().is_some() {
                 break;
             }
-            plan.step *= (0.8 * shortening(&plan, promise, error)).clamp(0.5, 0.8);
+            plan.step *= next_share(promise, error, plan.integrator.method().order);
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }
@@ -155,12 +165,12 @@ pub fn compared(
         plan.local_tolerance *= 0.1;
         let fine = run(&plan)?;
         let difference = case
-            .results(&coarse.left)
-            .difference_percent(&case.results(&fine.left));
+            .results(&coarse)
+            .difference_percent(&case.results(&fine));
         let error = difference.headline();
         let first = *first.get_or_insert(error);
         let done = error <= promise
-            || coarse.left.folded_at().is_some()
+            || coarse.folded_at().is_some()
             || scenario.numerics.step_us.is_some()
             || attempt == MAX_ATTEMPTS;
         if done {
@@ -186,7 +196,7 @@ fn shortening(plan: &Plan, promise: f64, error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn both_checks_shorten_the_step_until_the_promise_is_kept() {

@@ -1,55 +1,12 @@
-//! One thing for each result, and what is computed over all of them.
+//! The results of an answer, or their errors, and what is computed over all of them.
 
-use crate::answer::believed::Scene;
-use crate::answer::quantity::{Family, Leads, Quantity};
-use crate::models::left::Left;
-use std::ops::{Index, IndexMut};
-use strum::EnumCount;
-
-/// One `T` for each [`Quantity`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PerQuantity<T>([T; Quantity::COUNT]);
+use crate::run::quantity::{Family, Leads, Quantity};
+use crate::run::readings::PerQuantity;
 
 /// Values in the unit of each result, or errors in % of it; `None` where the scene has no such result.
 pub type Results = PerQuantity<Option<f64>>;
 
-impl<T> PerQuantity<T> {
-    /// What `of` gives for each.
-    pub fn from_fn(mut of: impl FnMut(Quantity) -> T) -> Self {
-        Self(std::array::from_fn(|i| of(Quantity::ALL[i])))
-    }
-
-    /// Each result with what belongs to it, in the order of the table.
-    pub fn iter(&self) -> impl Iterator<Item = (Quantity, &T)> {
-        Quantity::ALL.iter().copied().zip(&self.0)
-    }
-
-    /// The same for something else.
-    pub fn map<U>(&self, mut of: impl FnMut(Quantity, &T) -> U) -> PerQuantity<U> {
-        PerQuantity::from_fn(|quantity| of(quantity, &self[quantity]))
-    }
-}
-
-impl<T> Index<Quantity> for PerQuantity<T> {
-    type Output = T;
-
-    fn index(&self, quantity: Quantity) -> &T {
-        &self.0[quantity as usize]
-    }
-}
-
-impl<T> IndexMut<Quantity> for PerQuantity<T> {
-    fn index_mut(&mut self, quantity: Quantity) -> &mut T {
-        &mut self.0[quantity as usize]
-    }
-}
-
 impl Results {
-    /// All results of what a run of a scene left.
-    pub fn of(left: &Left, scene: &Scene) -> Self {
-        Self::from_fn(|quantity| quantity.of(left, scene))
-    }
-
     /// The results that there are.
     pub fn present(&self) -> impl Iterator<Item = (Quantity, f64)> {
         self.iter()

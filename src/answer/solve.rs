@@ -2,29 +2,31 @@
 //!
 //! The step error of each result comes from a second run with another step, see [`crate::answer::step_error`].
 
+use crate::answer::compiled::Compiled;
+use crate::answer::derived::{self, Derived};
 use crate::answer::mesh_error::Limits;
-use crate::answer::quantity::{Quantity, Read};
 use crate::answer::results::Results;
-use crate::answer::step_error::{second_plan, stated};
+use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled, validity};
 use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
-use crate::models::axisymmetric::flags::END;
-use crate::models::compiled::{Compiled, Ran};
-use crate::models::left::Left;
-use crate::models::paper::case::{Refusal, Watch};
-use crate::models::paper::time::march::{Cost, Plan};
-use crate::run::flags::{Flag, FlagKind};
-use crate::run::kept::{Frame, Keep, Peak, Traces};
+use crate::run::flags::END;
+use crate::run::flags::Flag;
+use crate::run::flags::FlagKind;
+use crate::run::kept::Keep;
+use crate::run::kept::Peak;
+use crate::run::model::Run;
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
 use crate::run::raised::TwoRuns;
-use crate::run::rules::share_for;
+use crate::run::raised::of_motion;
+use crate::run::refusal::Refusal;
+use crate::run::rules::next_share;
+use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// A shorter step helped if it brought the error below this share of the one before.
-const HELPED: f64 = 0.8;
 
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,22 +91,12 @@ pub struct Answer {
     pub step: f64,
     /// Largest stable step of the integrator, in s, of the eye at rest.
     pub step_limit: f64,
-    /// The paper's index and its parts.
-    pub index: DamageIndex,
-    /// Largest values, for who asks for more than results.
-    pub left: Left,
-    /// Courses over time, if they were asked for.
-    pub traces: Option<Traces>,
-    /// Frames, if they were asked for.
-    pub frames: Vec<Frame>,
+    /// What the run gave and cost: readings, details, traces, frames, and how it ended.
+    pub run: Run,
     /// How far the results may be off.
     pub errors: Errors,
-    /// What limits them.
+    /// What limits them: the flags of the run, and those that only errors tell.
     pub flags: Vec<Flag>,
-    /// What the run cost.
-    pub cost: Cost,
-    /// Time simulated, in s: less than the window if all results were final before.
-    pub simulated: f64,
     /// Springs or cells computed in the run.
     pub element_evaluations: usize,
     /// Time the run took, the mesh and the second run left out.
@@ -116,17 +108,22 @@ pub struct Answer {
 impl Answer {
     /// Every result.
     pub fn results(&self) -> Results {
-        self.case.results(&self.left)
+        self.case.results(&self.run)
     }
 
     /// One result in its unit, if the scene has it.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        of.of(&self.left, self.case.scene())
+        derived::result(of, &self.run, &self.case.scene)
+    }
+
+    /// The paper's index and its parts.
+    pub fn index(&self) -> DamageIndex {
+        DamageIndex::of(&self.run.readings)
     }
 
     /// The peak that a result is, SI, with its time; none where it is a number without one.
     pub fn peak(&self, of: Quantity) -> Option<Peak> {
-        of.peak(&self.left)
+        self.run.readings.peak(of)
     }
 
     /// Simulated time that was asked for, in s.
@@ -137,7 +134,7 @@ impl Answer {
     /// What the published injury curves say, beside the paper's index. An object that never
     /// touched the eye has none.
     pub fn risks(&self) -> Vec<Risk> {
-        if self.left.missed() {
+        if self.run.missed {
             return Vec::new();
         }
         assess(&self.measures())
@@ -145,43 +142,43 @@ impl Answer {
 
     /// What the curves run against, with the errors of step and mesh.
     pub fn measures(&self) -> Measures {
-        let computed = |value: Option<f64>, of| {
+        let computed = |of| {
             let error = self.errors.share(of);
+            let value = self.run.readings.value(of);
             value.map(|value| Computed { value, error })
         };
         Measures {
-            blow: self.case.blow(),
-            pressure: computed(self.left.pressure(), Quantity::Pressure),
-            stress: computed(self.left.stress(), Quantity::ScleralStress),
+            blow: self.case.scene.blow,
+            pressure: computed(Quantity::Pressure),
+            stress: computed(Quantity::ScleralStress),
         }
     }
 
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
     pub fn spoiled(&self) -> Option<Spoiled> {
-        spoiled(&self.flags, self.case.section().is_some())
+        spoiled(&self.flags, self.case.rules())
     }
 
     /// What to believe of them: one verdict an injury.
     pub fn verdicts(&self) -> Vec<Verdict> {
         let computed = [Quantity::Pressure, Quantity::ScleralStress];
-        let revolution = self.case.revolution();
-        let cut = revolution.map(|_| computed.into_iter().any(|of| self.at_least(of)));
-        self.verdicts_of(cut)
+        let read = |of: &Quantity| self.run.readings[*of].is_some();
+        self.verdicts_of(computed.iter().any(|of| read(of) && self.at_least(*of)))
     }
 
-    /// The same where it is known whether pressure or stress may still grow; none if there are none.
-    fn verdicts_of(&self, cut: Option<bool>) -> Vec<Verdict> {
-        let pig = self.case.scene().pig;
-        verdicts(&self.risks(), &validity(&self.flags, cut, pig))
+    /// The same where it is known whether pressure or stress may still grow.
+    fn verdicts_of(&self, cut: bool) -> Vec<Verdict> {
+        let (rules, pig) = (self.case.rules(), self.case.scene.pig);
+        verdicts(&self.risks(), &validity(&self.flags, rules, cut, pig))
     }
 
     /// The result that was computed for one, itself where it is no risk; none where inputs alone decide it.
     pub fn rests_on(&self, of: Quantity) -> Option<Quantity> {
-        let measure = match of.row().read {
-            Read::Peak(_) | Read::Number(_) => return Some(of),
-            Read::Risk(_, measure) => measure,
-            Read::Believed(injury) => {
-                let verdicts = self.verdicts_of(Some(false));
+        let measure = match of.derived() {
+            None | Some(Derived::Index) => return Some(of),
+            Some(Derived::Risk(_, measure)) => measure,
+            Some(Derived::Believed(injury)) => {
+                let verdicts = self.verdicts_of(false);
                 let verdict = verdicts.iter().find(|verdict| verdict.injury == injury)?;
                 verdict.believed().next()?.curve.measure
             }
@@ -204,7 +201,7 @@ impl Answer {
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);
-            peak.is_some_and(|peak| peak.value > 0.0 && peak.time > END * self.simulated)
+            peak.is_some_and(|peak| peak.value > 0.0 && peak.time > END * self.run.simulated)
         };
         // The index grows with its parts.
         let grows = match of {
@@ -252,7 +249,7 @@ pub(crate) fn solve_case(
         let share = match measured(&case, &plan, keep, watch) {
             Ok(solved) => {
                 let before = best.as_ref().map(|(_, solved)| solved);
-                let share = shorter(&case, &plan, &solved, before);
+                let share = shorter(&case, &plan, &solved);
                 // Where the mesh folded, a shorter step need not be the better one.
                 if before.is_none_or(|before| solved.is_better_than(before, rule.balance_percent)) {
                     best = Some((plan, solved));
@@ -260,8 +257,8 @@ pub(crate) fn solve_case(
                 share
             }
             // The bound of the step is for the mesh as it was built; crushed, it can be stiffer.
-            Err(Refusal::Diverged(_)) if attempts > 0 => Some(0.5),
-            Err(Refusal::Diverged(_)) if best.is_some() => None,
+            Err(Refusal::NotFinite { .. }) if attempts > 0 => Some(0.5),
+            Err(Refusal::NotFinite { .. }) if best.is_some() => None,
             Err(refusal) => return Err(refusal),
         };
         match share {
@@ -278,28 +275,16 @@ pub(crate) fn solve_case(
     Ok(answer)
 }
 
-/// The share of its step that a run should have taken; none if it was good enough.
-///
-/// Where the mesh folded, shorter steps are taken as long as they help: `before` is the best of the
-/// runs before.
-fn shorter(
-    case: &Compiled,
-    plan: &Plan,
-    solved: &Measured,
-    before: Option<&Measured>,
-) -> Option<f64> {
+/// The share of its step that a run should have taken; none if it was good enough, or if its mesh
+/// folded, where no step helps.
+fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step_percent();
-    let helped = before.is_none_or(|before| error < HELPED * before.errors.time_step_percent());
-    let folded = solved.ran.left.folded_at().is_some();
     let rule = &case.rules().refinement;
     if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
-    } else if folded {
-        let worth = rule.folded_percent.is_some_and(|most| error > most);
-        (worth && helped).then_some(0.5)
-    } else if error > rule.error_percent {
-        let share = share_for(rule.error_percent, error, case.order(plan.integrator));
-        Some((0.8 * share).clamp(0.5, 0.8))
+    } else if solved.run.fold.is_none() && error > rule.error_percent {
+        let order = case.order(plan.integrator);
+        Some(next_share(rule.error_percent, error, order))
     } else {
         None
     }
@@ -321,7 +306,7 @@ pub(crate) fn solve_by(
 
 /// A run and its step error.
 struct Measured {
-    ran: Ran,
+    run: Run,
     errors: Errors,
     /// Largest difference between the leading results of the two runs, in %.
     disagreement: f64,
@@ -340,7 +325,7 @@ impl Measured {
 
 fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
-    let (second, factor) = second_plan(case, plan);
+    let (second, factor) = case.eye.second_plan(plan);
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
     let (first, second, time) = thread::scope(|scope| {
@@ -361,12 +346,12 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
         let second = other.join().unwrap_or(Err(Refusal::Cancelled));
         (first, second, time)
     });
-    let ran = first?;
-    let results = case.results(&ran.left);
-    let difference = case.results(&second?.left).difference_percent(&results);
+    let run = first?;
+    let results = case.results(&run);
+    let difference = case.results(&second?).difference_percent(&results);
     let disagreement = difference.headline();
-    let mut time_step = stated(case, plan, &results, (&difference, factor));
-    if ran.left.missed() {
+    let mut time_step = stated(case, &results, (&difference, factor));
+    if run.missed {
         // All of an eye that is not hit is exactly 0, but not how the object flies on.
         let exact = |of| results[of] == Some(0.0);
         time_step = time_step.map(|of, error| error.map(|e| if exact(of) { 0.0 } else { e }));
@@ -375,10 +360,10 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
         time_step,
         mesh: None,
         limits: None,
-        energy_balance: 100.0 * ran.left.energy_residual(),
+        energy_balance: 100.0 * run.energy_residual,
     };
     Ok(Measured {
-        ran,
+        run,
         errors,
         disagreement,
         time,
@@ -388,37 +373,25 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
 
 fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let Measured {
-        ran,
+        mut run,
         errors,
         disagreement,
         time,
         total_time,
     } = solved;
-    let results = case.results(&ran.left);
     let two_runs = TwoRuns {
-        worst: errors.time_step.worst_listed(&results),
+        worst: errors.time_step.worst_listed(&case.results(&run)),
         disagreement,
     };
-    let flags = case.flags(&ran, Some(two_runs));
-    let Ran {
-        left,
-        traces,
-        frames,
-        cost,
-        simulated,
-    } = ran;
+    let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
+    flags.append(&mut run.flags);
     Answer {
-        step: case.longest_step(&plan),
+        step: case.eye.longest_step(&plan),
         step_limit: case.step_limit(plan.integrator),
-        index: left.index(),
-        left,
-        traces,
-        frames,
+        element_evaluations: run.cost.evaluations * case.eye.elements_per_evaluation(),
+        run,
         errors,
         flags,
-        element_evaluations: cost.evaluations * case.elements_per_evaluation(),
-        cost,
-        simulated,
         solve_time: time,
         total_time,
         plan,
@@ -429,7 +402,7 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::scenario::library::find;
 
     #[test]
@@ -456,5 +429,36 @@ mod tests {
             of(0.1, "paper-300n").at_least(Quantity::ForceTop),
             "the pulse is cut"
         );
+    }
+
+    #[test]
+    fn a_result_is_the_largest_of_its_trace_or_its_end() {
+        let keep = Keep {
+            traces: true,
+            frames: None,
+        };
+        let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
+        let traces = answer.run.traces.as_ref().unwrap();
+        for (quantity, trace) in Quantity::ALL
+            .iter()
+            .filter_map(|q| Some((*q, q.row().trace?)))
+        {
+            let values = (trace.values)(traces);
+            let Some(result) = answer.result(quantity) else {
+                assert!(values.is_empty(), "{}", trace.label);
+                continue;
+            };
+            let found = match answer.peak(quantity) {
+                Some(_) => values.iter().copied().fold(0.0, f64::max),
+                None => values[values.len() - 1],
+            };
+            // Between two steps it may have been a little larger.
+            let share = found * quantity.row().factor / result;
+            assert!(
+                (0.99..=1.0 + 1e-12).contains(&share),
+                "{} {share}",
+                trace.label
+            );
+        }
     }
 }

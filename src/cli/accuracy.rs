@@ -1,14 +1,16 @@
-//! `contrecoup accuracy`: speed against error on one scenario.
+//! `contrecoup accuracy`: total error against time on one scenario.
 
 use std::io::Write;
 
-use crate::answer::accuracy::measure;
+use crate::cli::ensemble::result;
 use crate::cli::progress::Progress;
 use crate::cli::{AccuracyArgs, CliError};
+use crate::many::accuracy::{finest_tried, measure};
 use crate::plain_text::write_json;
 use crate::report::accuracy;
+use crate::run::quantity::Quantity;
 
-/// Measures every integrator and level and prints the report.
+/// Measures every level, integrator and step and prints the report.
 ///
 /// # Errors
 /// Where the scenario is refused or the output cannot be written.
@@ -21,14 +23,24 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
                 .to_owned(),
         ));
     }
+    let chosen = args.result.as_ref().map(|key| result("--result", key));
+    let chosen = chosen.transpose()?;
     let progress = Progress::new();
-    let finest = args.finest_level.max(scenario.eye.level);
-    let report = measure(&scenario, finest, &mut |share| progress.measured(share))?;
+    let mut watch = |share| progress.measured(share);
+    let finest = args.finest_level.unwrap_or(finest_tried(&scenario));
+    let known = measure(&scenario, finest, None, &mut watch, &mut |_| {})?;
     progress.clear();
+    let of = known.to_show(chosen);
+    let of = of.filter(|of| chosen.is_none_or(|chosen| chosen == *of));
+    let of = of.ok_or_else(|| {
+        let which = chosen.map_or("no result", Quantity::label);
+        let why = "finer meshes show no limit, or fold";
+        CliError::Input(format!("{which} has no error that is known here: {why}"))
+    })?;
     if args.json {
-        write_json(out, &accuracy::json(&scenario, &report))?;
+        write_json(out, &accuracy::json(&scenario, &known, of))?;
     } else {
-        accuracy::text(&scenario, &report, out)?;
+        accuracy::text(&scenario, &known, of, out)?;
     }
     Ok(())
 }

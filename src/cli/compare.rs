@@ -6,11 +6,30 @@ use crate::cli::ensemble::result;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
-use crate::many::comparison::{columns, compare, sort};
-use crate::models::paper::case::Refusal;
+use crate::many::comparison::{Column, Entry, compare, leading, order};
 use crate::plain_text::write_json;
 use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
+use crate::scenario::CheckedScenario;
+
+/// Every blow answered, with a bar that shows how many are; `otherwise` says what an interruption leaves.
+pub(super) fn answered(
+    asked: &[(String, CheckedScenario)],
+    keep: impl Fn(&CheckedScenario) -> Keep + Sync,
+    otherwise: &str,
+) -> Result<Vec<Entry>, CliError> {
+    let stop = interrupt::flag()?;
+    let progress = Progress::new();
+    let entries = compare(asked, keep, &stop, |done, of| {
+        progress.count("simulating", done, of);
+    });
+    progress.clear();
+    entries.map_err(|refusal| match refusal {
+        Refusal::Cancelled => CliError::Interrupted(format!("interrupted: {otherwise}")),
+        other => other.into(),
+    })
+}
 
 /// Simulates every blow and prints them as rows of one table.
 ///
@@ -23,21 +42,9 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         .as_ref()
         .map(|key| result("--sort", key))
         .transpose()?;
-    let stop = interrupt::flag()?;
-    let progress = Progress::new();
-    let entries = compare(
-        asked,
-        |_| Keep::default(),
-        &stop,
-        |done, of| progress.count("simulating", done, of),
-    );
-    progress.clear();
-    let mut entries = entries.map_err(|refusal| match refusal {
-        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
-        other => other.into(),
-    })?;
+    let mut entries = answered(&asked, |_| Keep::default(), "nothing is known yet")?;
     if let Some(by) = by {
-        sort(&mut entries, by);
+        entries.sort_by(|a, b| order(a, b, (Column::Result(by), true)));
     }
     if args.json {
         return Ok(write_json(out, &json(&entries))?);
@@ -45,7 +52,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if args.csv {
         return Ok(csv(&entries, out)?);
     }
-    let table = Table::of(&entries, &columns(&entries, by));
+    let table = Table::of(&entries, &leading(&entries, by));
     if args.md {
         table.markdown(out)?;
     } else {

@@ -3,13 +3,13 @@
 use std::io::Write;
 use std::ops::ControlFlow;
 
-use crate::answer::quantity::Quantity;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, EnsembleArgs};
 use crate::many::ensemble::run as run_samples;
 use crate::plain_text::{quoted, write_json};
 use crate::report::ensemble::{json, text};
+use crate::run::quantity::Quantity;
 use crate::scenario::problem::suggestion;
 
 /// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.

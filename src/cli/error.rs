@@ -3,7 +3,7 @@
 use std::io;
 
 use crate::error::Error;
-use crate::models::paper::case::Refusal;
+use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
 
 /// Why a command did not do what was asked.

@@ -5,16 +5,15 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::answer::course::write_traces;
+use crate::answer::compiled::Compiled;
 use crate::answer::solve::{Answer, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ExportArgs, interrupt};
-use crate::models::axisymmetric::case::RevolutionCase;
-use crate::models::paper::case::Refusal;
-use crate::models::paper::eye::mesh::side_at_level;
 use crate::plain_text::printable;
+use crate::run::course::write_traces;
 use crate::run::export::FrameWriter;
 use crate::run::kept::{Keep, Spacing};
+use crate::run::refusal::Refusal;
 use crate::scenario::CheckedScenario;
 use crate::whole_file;
 
@@ -60,7 +59,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         })?;
         writeln!(out, "{}: {count} frames", shown(path))?;
     }
-    if let (Some(path), Some(traces)) = (&args.traces, &answer.traces) {
+    if let (Some(path), Some(traces)) = (&args.traces, &answer.run.traces) {
         save(path, |file| write_traces(traces, file).map_err(csv_to_io))?;
         writeln!(out, "{}: {} rows", shown(path), traces.time.len())?;
     }
@@ -94,7 +93,7 @@ fn write_frames(
     stop: &AtomicBool,
     progress: &Progress,
 ) -> io::Result<usize> {
-    let regions = answer.case.regions();
+    let regions = answer.case.eye.regions();
     let mut writer = FrameWriter::new(file).map_err(csv_to_io)?;
     let mut written = Ok(0);
     let mut take = |frame| {
@@ -119,10 +118,7 @@ fn shown(path: &Path) -> String {
 }
 
 fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
-    let nodes = match RevolutionCase::new(scenario) {
-        Some(case) => case.eye.mass.len() as f64,
-        None => (side_at_level(scenario.eye.level) as f64).powi(2),
-    };
+    let nodes = Compiled::new(scenario).eye.regions().len() as f64;
     let least_us = scenario.window_ms * 1e3 * nodes / MAX_POSITIONS;
     if every_us < least_us {
         return Err(CliError::Input(format!(

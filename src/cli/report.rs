@@ -2,11 +2,8 @@
 
 use std::io::Write;
 
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
+use crate::cli::compare::answered;
 use crate::cli::{CliError, ReportArgs};
-use crate::many::comparison::compare;
-use crate::models::paper::case::Refusal;
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
 use crate::report::page::{Form, keep, write};
@@ -26,19 +23,7 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     };
     let asked = args.scenarios.scenarios()?;
     let command = repeating(args);
-    let stop = interrupt::flag()?;
-    let progress = Progress::new();
-    let entries = compare(
-        asked,
-        |scenario| keep(scenario),
-        &stop,
-        |done, of| progress.count("simulating", done, of),
-    );
-    progress.clear();
-    let entries = entries.map_err(|refusal| match refusal {
-        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
-        other => other.into(),
-    })?;
+    let entries = answered(&asked, |scenario| keep(scenario), "nothing was written")?;
     let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
     whole_file::write(&args.output, |file| {
         write(form, &entries, Some(&command), file)

@@ -7,10 +7,10 @@ use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::solve::solve;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, RunArgs};
-use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
 use crate::report::{json, text};
 use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
 use crate::scenario::set::full_path;
 use crate::scenario::{EyeInput, Scenario};
 

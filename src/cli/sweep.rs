@@ -138,15 +138,7 @@ fn work(
     std::thread::scope(|scope| {
         let stop = &stop;
         scope.spawn(move || {
-            let job = |at: usize| {
-                sweep.run(rows[at], &mut |_| {
-                    if stop.load(Ordering::Relaxed) {
-                        ControlFlow::Break(())
-                    } else {
-                        ControlFlow::Continue(())
-                    }
-                })
-            };
+            let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stop));
             ordered::run((done, rows.len()), stop, job, |_, row| {
                 match send.send(row) {
                     Ok(()) => ControlFlow::Continue(()),

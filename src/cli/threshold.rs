@@ -6,9 +6,9 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ThresholdArgs};
 use crate::many::threshold::{Question, wanted};
-use crate::models::paper::case::Refusal;
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};
+use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
 
 /// Looks for every crossing and prints it with its errors.

@@ -5,8 +5,8 @@
 //! "Prediction of retinal damage"). It is an index, not a probability: above 100 it grades the
 //! extent. The paper gives no source for its weights and thresholds.
 
-use crate::models::axisymmetric as revolution;
-use crate::models::paper::recording::Extremes;
+use crate::run::quantity::Quantity;
+use crate::run::readings::Readings;
 
 /// One of the three parts of the index.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,22 +54,13 @@ pub struct DamageIndex {
 }
 
 impl DamageIndex {
-    /// The parts as a march left them.
-    pub fn of(extremes: &Extremes) -> Self {
+    /// The parts of it by the readings of a run.
+    pub fn of(readings: &Readings) -> Self {
+        let value = |of| readings.value(of).unwrap_or_default();
         Self {
-            shell_growth: 100.0 * extremes.shell_growth.value,
-            meridian_growth: 100.0 * extremes.meridian_growth.value,
-            energy: extremes.work,
-        }
-    }
-
-    /// The same of an eye of revolution: S is the growth of the meridian, the line that the section
-    /// shows as the shell, and M that of the largest diameter across the blow.
-    pub fn of_revolution(extremes: &revolution::Extremes) -> Self {
-        Self {
-            shell_growth: 100.0 * extremes.meridian_growth.value,
-            meridian_growth: 100.0 * extremes.equator_growth.value,
-            energy: extremes.energy_imparted,
+            shell_growth: 100.0 * value(Quantity::ShellGrowth),
+            meridian_growth: 100.0 * value(Quantity::MeridianGrowth),
+            energy: value(Quantity::Energy),
         }
     }
 

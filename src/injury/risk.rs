@@ -38,8 +38,8 @@ impl Blow {
         match &scenario.impact {
             Impact::ForcePulse(_) => None,
             Impact::Projectile(object) => Some(Self {
-                mass: object.mass_g * 1e-3,
-                diameter: object.diameter_mm * 1e-3,
+                mass: object.mass_kg(),
+                diameter: object.diameter_m(),
                 speed: object.speed_m_s,
             }),
         }

@@ -6,10 +6,10 @@
 //! Left out: how sure the quantiles themselves are.
 
 use crate::answer::point::Point;
-use crate::answer::quantity::Quantity;
 use crate::many::ensemble::{Ensemble, PILOT, Sample};
 use crate::many::spreads::Input;
 use crate::many::statistics::{quantile, rank_correlation};
+use crate::run::quantity::Quantity;
 
 /// A result that leaves its band by less than this share of it has not left it.
 const WIDTH_OF_NOTHING: f64 = 1e-3;

@@ -1,108 +1,149 @@
-//! Several scenarios answered side by side, each with the errors of step and mesh.
+//! Several scenarios side by side: what came of each with the errors of step and mesh, which
+//! results are worth a column, and which blow is worse.
 //!
-//! They run on all cores; what one of them refuses is kept beside the answers of the others.
+//! [`compare`] answers them on all cores; what one of them refuses is kept beside the answers of
+//! the others.
 
+use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering as Memory};
+use std::sync::atomic::AtomicBool;
 
+use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::quantity::Quantity;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::solve::Answer;
+use crate::answer::solve::solve;
 use crate::many::ordered;
-use crate::models::paper::case::Refusal;
+use crate::many::ordered::until;
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::CheckedScenario;
+use crate::scenario::Scenario;
 
-/// One of them.
-#[derive(Debug)]
-pub struct Entry {
-    /// What it was asked for by.
-    pub source: String,
-    /// What was simulated.
-    pub scenario: CheckedScenario,
-    /// What came of it, with its mesh error, or why nothing did.
-    pub outcome: Result<Answer, String>,
+/// What is known of a scenario; an answer may be wrapped into what a screen draws of it.
+#[derive(Debug, Clone)]
+pub enum Found<A = Answer> {
+    /// Nothing yet.
+    Awaited,
+    /// Its answer.
+    Answer(A),
+    /// Why there is none.
+    Refused(String),
 }
 
-impl Entry {
-    /// A result, where there is one.
-    pub fn result(&self, of: Quantity) -> Option<f64> {
-        self.outcome.as_ref().ok()?.results()[of]
+/// One of the scenarios.
+#[derive(Debug, Clone)]
+pub struct Entry<A = Answer> {
+    /// The preset, the file or the place in a list that it was asked for by.
+    pub name: String,
+    /// What is simulated.
+    pub scenario: Scenario,
+    /// What came of it.
+    pub found: Found<A>,
+    /// Whether its mesh error was refused.
+    pub without_mesh: bool,
+}
+
+impl<A: Borrow<Answer>> Entry<A> {
+    /// One of which nothing is known yet.
+    pub fn new(name: &str, scenario: &Scenario) -> Self {
+        Self {
+            name: name.to_owned(),
+            scenario: scenario.clone(),
+            found: Found::Awaited,
+            without_mesh: false,
+        }
+    }
+
+    /// The answer, if there is one.
+    pub fn answer(&self) -> Option<&Answer> {
+        match &self.found {
+            Found::Answer(answer) => Some(answer.borrow()),
+            _ => None,
+        }
+    }
+
+    /// Why there is no answer, if it was refused.
+    pub fn refused(&self) -> Option<&str> {
+        match &self.found {
+            Found::Refused(why) => Some(why),
+            _ => None,
+        }
     }
 }
 
-/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard` is told
-/// how many are done of how many.
-///
-/// # Errors
-/// Where `stop` was set meanwhile.
-pub fn compare(
-    asked: Vec<(String, CheckedScenario)>,
-    keep: impl Fn(&CheckedScenario) -> Keep + Sync,
-    stop: &AtomicBool,
-    mut heard: impl FnMut(usize, usize) + Send,
-) -> Result<Vec<Entry>, Refusal> {
-    let solved = |at: usize| {
-        let scenario = &asked[at].1;
-        let mut watch = |_| {
-            if stop.load(Memory::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let mut answer = solve(scenario, keep(scenario), &mut watch)?;
-        add_mesh_error(scenario, &mut answer, &mut watch)?;
-        Ok(answer)
-    };
-    let mut outcomes: Vec<Result<Answer, String>> = Vec::new();
-    let job = |at: usize| match solved(at) {
-        Err(Refusal::Cancelled) => None,
-        outcome => Some(outcome.map_err(|refusal| refusal.to_string())),
-    };
-    ordered::run((0, asked.len()), stop, job, |at, outcome| {
-        heard(at + 1, asked.len());
-        outcomes.push(outcome);
-        ControlFlow::Continue(())
-    });
-    if outcomes.len() < asked.len() {
-        return Err(Refusal::Cancelled);
-    }
-    let entry = |((source, scenario), outcome)| Entry {
-        source,
-        scenario,
-        outcome,
-    };
-    Ok(asked.into_iter().zip(outcomes).map(entry).collect())
+/// A column of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// The name of each scenario.
+    Name,
+    /// One result; of what is believed of an injury the verdict stands there.
+    Result(Quantity),
 }
 
-/// The order of two blows by their values of one result, of a risk the point by the curve that is believed
+impl Column {
+    /// The value of an answer in this column, where it has one.
+    pub fn of(self, answer: &Answer) -> Option<f64> {
+        match self {
+            Self::Name => None,
+            Self::Result(quantity) => answer.result(quantity),
+        }
+    }
+
+    /// Whether it holds what is believed of an injury.
+    pub fn is_believed(self) -> bool {
+        matches!(self, Self::Result(of) if matches!(of.derived(), Some(Derived::Believed(_))))
+    }
+
+    /// What is believed before what that is read off, then other risks and the rest.
+    fn rank(self) -> u8 {
+        match self {
+            Self::Name => 0,
+            _ if self.is_believed() => 0,
+            Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
+            Self::Result(quantity) if quantity.is_risk() => 2,
+            Self::Result(_) => 3,
+        }
+    }
+}
+
+/// Which of two stands first in the order of a column, of a risk by its curve that is believed
 /// first: the largest first or last, and what has none last either way.
-pub fn order(a: Option<f64>, b: Option<f64>, largest: bool) -> Ordering {
-    match (a, b) {
-        (Some(a), Some(b)) if largest => b.total_cmp(&a),
-        (Some(a), Some(b)) => a.total_cmp(&b),
-        (a, b) => b.is_some().cmp(&a.is_some()),
+pub fn order<A: Borrow<Answer>>(
+    a: &Entry<A>,
+    b: &Entry<A>,
+    (column, largest): (Column, bool),
+) -> Ordering {
+    let value = |entry: &Entry<A>| column.of(entry.answer()?);
+    match (column, value(a), value(b)) {
+        (Column::Name, ..) if largest => b.name.cmp(&a.name),
+        (Column::Name, ..) => a.name.cmp(&b.name),
+        (_, Some(a), Some(b)) if largest => b.total_cmp(&a),
+        (_, Some(a), Some(b)) => a.total_cmp(&b),
+        (_, a, b) => b.is_some().cmp(&a.is_some()),
     }
 }
 
-/// Sorts by a result, the largest first.
-pub fn sort(entries: &mut [Entry], by: Quantity) {
-    entries.sort_by(|a, b| order(a.result(by), b.result(by), true));
+/// Every column, from the left: the names, what to believe, then the results that some answer has,
+/// or all before there are answers.
+pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<Column> {
+    let answers = || entries.iter().filter_map(Entry::answer);
+    let none = answers().next().is_none();
+    let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
+    let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
+    let mut columns: Vec<Column> = results.filter(there).collect();
+    columns.sort_by_key(|column| column.rank());
+    columns.insert(0, Column::Name);
+    columns
 }
 
-/// The results worth a column: those that lead in one of the entries, the risks that are believed first, and the one
-/// that sorts.
-pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
-    let answers = || {
-        entries
-            .iter()
-            .filter_map(|entry| entry.outcome.as_ref().ok())
-    };
+/// The results worth printing: those that lead in one of the entries, the risks that are believed
+/// first, and the one that sorts.
+pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
-        let is_believed = matches!(of.row().read, crate::answer::quantity::Read::Believed(_));
-        answers().any(|answer| {
+        let is_believed = Column::Result(of).is_believed();
+        entries.iter().filter_map(Entry::answer).any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);
             leads || is_believed && results[of].is_some()
@@ -113,11 +154,52 @@ pub fn columns(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         .collect()
 }
 
+/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard`
+/// is told how many are done of how many.
+///
+/// # Errors
+/// Where `stop` was set meanwhile.
+pub fn compare(
+    asked: &[(String, CheckedScenario)],
+    keep: impl Fn(&CheckedScenario) -> Keep + Sync,
+    stop: &AtomicBool,
+    mut heard: impl FnMut(usize, usize) + Send,
+) -> Result<Vec<Entry>, Refusal> {
+    let solved = |scenario: &CheckedScenario| {
+        let mut watch = until(stop);
+        let mut answer = solve(scenario, keep(scenario), &mut watch)?;
+        add_mesh_error(scenario, &mut answer, &mut watch)?;
+        Ok(answer)
+    };
+    let mut entries = Vec::new();
+    let job = |at: usize| {
+        let (name, scenario) = &asked[at];
+        let found = match solved(scenario) {
+            Err(Refusal::Cancelled) => return None,
+            Err(refusal) => Found::Refused(refusal.to_string()),
+            Ok(answer) => Found::Answer(answer),
+        };
+        Some(Entry {
+            found,
+            ..Entry::new(name, scenario)
+        })
+    };
+    ordered::run((0, asked.len()), stop, job, |at, entry| {
+        heard(at + 1, asked.len());
+        entries.push(entry);
+        ControlFlow::Continue(())
+    });
+    if entries.len() < asked.len() {
+        return Err(Refusal::Cancelled);
+    }
+    Ok(entries)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::Scenario;
     use crate::scenario::set::set;
+    use std::sync::atomic::Ordering as Memory;
 
     fn of(force: &str) -> (String, CheckedScenario) {
         let mut scenario = Scenario {
@@ -132,19 +214,19 @@ mod tests {
     fn entries_keep_their_order_until_they_are_sorted_and_have_both_errors() {
         let asked = vec![of("100"), of("300"), of("200")];
         let stop = AtomicBool::new(false);
-        let mut entries = compare(asked, |_| Keep::default(), &stop, |_, _| {}).unwrap();
+        let mut entries = compare(&asked, |_| Keep::default(), &stop, |_, _| {}).unwrap();
         let names = |entries: &[Entry]| -> Vec<String> {
-            entries.iter().map(|entry| entry.source.clone()).collect()
+            entries.iter().map(|entry| entry.name.clone()).collect()
         };
         assert_eq!(names(&entries), ["100", "300", "200"]);
-        sort(&mut entries, Quantity::Apex);
+        entries.sort_by(|a, b| order(a, b, (Column::Result(Quantity::Apex), true)));
         assert_eq!(names(&entries), ["300", "200", "100"]);
         for entry in &entries {
-            assert!(entry.outcome.as_ref().unwrap().errors.mesh.is_some());
+            assert!(entry.answer().unwrap().errors.mesh.is_some());
         }
-        let columns = columns(&entries, Some(Quantity::StoredEnergy));
+        let columns = leading(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
         stop.store(true, Memory::Relaxed);
-        assert!(compare(vec![of("100")], |_| Keep::default(), &stop, |_, _| {}).is_err());
+        assert!(compare(&[of("100")], |_| Keep::default(), &stop, |_, _| {}).is_err());
     }
 }

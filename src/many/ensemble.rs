@@ -16,16 +16,16 @@
 
 use crate::answer::believed::Scene;
 use crate::answer::point::{Point, compared, promise_percent, single};
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::injury::Standing;
-use crate::many::ordered;
+use crate::many::ordered::{self, until};
 use crate::many::spreads::{Input, SLOPE, inputs};
 use crate::many::statistics::median;
-use crate::models::paper::case::Refusal;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 /// Fewest samples: a band of fewer says nothing.
@@ -123,9 +123,8 @@ fn name(refusal: &Refusal) -> String {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
         Refusal::StepAboveLimit { .. } => "step_above_limit",
-        Refusal::Through(_) => "went_through",
-        Refusal::Revolution(_) => "revolution",
-        Refusal::Diverged(_) => "diverged",
+        Refusal::WentThrough(_) => "went_through",
+        Refusal::NotFinite { .. } => "not_finite",
         Refusal::StepTooShort { .. } | Refusal::WindowTooLong { .. } => "too_much_work",
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
         Refusal::Cancelled => "cancelled",
@@ -143,16 +142,6 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn watch(&self) -> impl FnMut(f64) -> ControlFlow<()> {
-        |_| {
-            if self.stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        }
-    }
-
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
         let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
@@ -167,7 +156,7 @@ impl Job<'_> {
                 return Some(Sample { drawn, outcome });
             }
         };
-        let mut watch = self.watch();
+        let mut watch = until(self.stop);
         let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
         let run = if wants_check { compared } else { single };
         let mut outcome = run(&checked, self.cap, &mut watch);
@@ -206,7 +195,7 @@ impl Job<'_> {
             // Timed among the samples, so that a busy machine slows both alike.
             let single = index.is_multiple_of(TIME_EVERY).then(|| {
                 let began = Instant::now();
-                let _ = single(self.scenario, None, &mut self.watch());
+                let _ = single(self.scenario, None, &mut until(self.stop));
                 began.elapsed().as_secs_f64()
             });
             let began = Instant::now();
@@ -272,7 +261,7 @@ pub fn run(
         },
         None => Ensemble {
             inputs: inputs.clone(),
-            nominal: match single(scenario, None, &mut job.watch()) {
+            nominal: match single(scenario, None, &mut until(stop)) {
                 Err(Refusal::Cancelled) => None,
                 other => Some(other?.values),
             },

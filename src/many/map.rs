@@ -8,15 +8,15 @@
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
 use crate::answer::point::single;
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
-use crate::many::ordered;
+use crate::many::ordered::{self, until};
 use crate::many::sweep::spaced;
-use crate::models::paper::case::Refusal;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 /// Points a side of a grid that is filled in while somebody looks on.
 pub const SIDE: usize = 33;
@@ -210,14 +210,7 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
     let Ok(scenario) = scenario.check() else {
         return Some(Spot::Refused);
     };
-    let mut watch = |_: f64| {
-        if stop.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
-    match single(&scenario, None, &mut watch) {
+    match single(&scenario, None, &mut until(stop)) {
         Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
         Ok(point) => Some(Spot::Known(point.values)),
         Err(Refusal::Cancelled) => None,

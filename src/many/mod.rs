@@ -1,7 +1,7 @@
 //! What is built from many runs.
 
+pub mod accuracy;
 pub mod bands;
-pub mod batch;
 pub mod comparison;
 pub mod ensemble;
 pub mod map;

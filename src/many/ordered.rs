@@ -1,13 +1,24 @@
 //! Numbered jobs on all cores whose results come in their order.
 //!
 //! Each thread of the present pool takes the next number that nobody has. A result waits until all
-//! before it are there, so whoever receives them sees the same sequence for any number of threads, and
-//! a run that is stopped gives its beginning.
+//! before it are there, so whoever receives them sees the same sequence for any number of threads,
+//! and a run that is stopped gives its beginning.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
+
+/// A watch that goes on until `stop` is set.
+pub fn until(stop: &AtomicBool) -> impl FnMut(f64) -> ControlFlow<()> + '_ {
+    |_| {
+        if stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
 
 struct Desk<T, D> {
     next: usize,
@@ -15,8 +26,8 @@ struct Desk<T, D> {
     deliver: D,
 }
 
-/// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest, and
-/// so may `stop`. A job that gives nothing has been stopped.
+/// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest,
+/// and so may `stop`. A job that gives nothing has been stopped.
 pub fn run<T: Send>(
     (from, to): (usize, usize),
     stop: &AtomicBool,

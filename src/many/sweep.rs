@@ -7,9 +7,10 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::point::{Point, checked};
-use crate::answer::quantity::Quantity;
 use crate::injury::{Blow, Caution};
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
@@ -224,7 +225,7 @@ impl Sweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
 
     fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
         let axes = axes.iter().map(|a| Axis::read(a).unwrap()).collect();

@@ -11,21 +11,22 @@
 //! the inputs that are not varied may be off by (see [`crate::many::ensemble`]).
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::answer::believed::{Scene, reaches};
+use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::point::single;
-use crate::answer::quantity::{Quantity, Read};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
 use crate::injury::{Blow, Caution, Measures, Risk};
-use crate::many::ordered;
+use crate::many::ordered::{self, until};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
-use crate::models::paper::case::Refusal;
 use crate::run::flags::Flag;
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
@@ -153,7 +154,7 @@ impl Question {
 
     fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
         let scenario = self.at(value)?.check()?;
-        solve(&scenario, Keep::default(), &mut |_| until(stop))
+        solve(&scenario, Keep::default(), &mut until(stop))
     }
 
     /// The value of the field now.
@@ -285,7 +286,7 @@ impl Question {
     /// The results of one run at a value of the field.
     fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         let scenario = self.at(value)?.check()?;
-        Ok(single(&scenario, None, &mut |_| until(stop))?.values)
+        Ok(single(&scenario, None, &mut until(stop))?.values)
     }
 
     /// Neighbours on two sides of the target.
@@ -336,7 +337,7 @@ impl Question {
             caution: None,
             believed: None,
         };
-        let mut watch = |_| until(stop);
+        let mut watch = until(stop);
         let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
         tell();
         let Some(of) = answer.rests_on(self.quantity) else {
@@ -394,7 +395,7 @@ impl Question {
         at: f64,
         ends: Option<(Measures, Measures)>,
     ) -> Option<Believed> {
-        let Read::Believed(injury) = self.quantity.row().read else {
+        let Some(Derived::Believed(injury)) = self.quantity.derived() else {
             return None;
         };
         let mut verdicts = answer.verdicts().into_iter();
@@ -421,14 +422,6 @@ impl Question {
             verdict: verdict.words(),
             range: range.unwrap_or_default(),
         })
-    }
-}
-
-fn until(stop: &AtomicBool) -> ControlFlow<()> {
-    if stop.load(Ordering::Relaxed) {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
     }
 }
 
@@ -533,12 +526,7 @@ mod tests {
         let mut there = short();
         set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
         let there = there.check().unwrap();
-        let answer = solve(
-            &there,
-            Keep::default(),
-            &mut crate::models::paper::case::unwatched,
-        )
-        .unwrap();
+        let answer = solve(&there, Keep::default(), &mut crate::run::watch::unwatched).unwrap();
         let apex = answer.results()[Quantity::Apex].unwrap();
         assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
         // The apex is nearly proportional to the force, so their errors are of one share.

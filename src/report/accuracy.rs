@@ -1,174 +1,133 @@
-//! The work-precision report as text and as JSON.
+//! Total error against time as text and as JSON, for one result.
 
-use crate::answer::accuracy::{Accuracy, Level, Point, TARGETS};
-use crate::answer::quantity::Quantity;
-use crate::models::compiled::Element;
+use crate::many::accuracy::Accuracy;
+use crate::many::accuracy::ROUNDS;
+use crate::many::accuracy::TOLERANCES;
+use crate::many::accuracy::Total;
+use crate::many::accuracy::cheapest;
 use crate::models::paper::forces::kernel::name as kernel_name;
-use crate::models::paper::time::march::Plan;
 use crate::plain_text::printable;
-use crate::report::errors::{leading, of_damage};
 use crate::report::json::{by_result, evaluations};
 use crate::report::text::{percent, significant};
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-fn method(plan: &Plan) -> String {
-    if plan.integrator.method().adaptive() {
-        format!("{} {:.0e}", plan.integrator.name(), plan.local_tolerance)
-    } else {
-        plan.integrator.name().to_owned()
-    }
-}
-
-/// Prints the report.
+/// Prints the report on the error of `of`.
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn text(scenario: &Scenario, report: &Accuracy, out: &mut dyn Write) -> io::Result<()> {
+pub fn text(
+    scenario: &Scenario,
+    accuracy: &Accuracy,
+    of: Quantity,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let counted = format!("M {}", accuracy.element.plural());
     writeln!(
         out,
-        "{}, mesh level {}: speed against step error",
+        "{}: error of the {} against time\nkernel {}, times are medians of {ROUNDS} runs\n",
         printable(&scenario.name),
-        scenario.eye.level
-    )?;
-    writeln!(
-        out,
-        "kernel {}{}{}",
+        of.label(),
         kernel_name(false),
-        // Scenes with a projectile are not solved by springs alone.
-        report.ns_per_spring.map_or_else(String::new, |ns| format!(
-            "\n{ns:.2} ns a spring in one thread"
-        )),
-        report.omega_bound.map_or_else(String::new, |omega| {
-            let lead = if report.ns_per_spring.is_some() {
-                "; "
-            } else {
-                "\n"
-            };
-            format!("{lead}omega at most {omega:.3e} rad/s")
-        })
     )?;
     writeln!(
         out,
-        "reference: {} at {:.4} us\nerror: the largest of {}",
-        report.reference.integrator.name(),
-        report.reference.step * 1e6,
-        leading(&report.reference_results)
+        "level {counted:>10} {:>12}   mesh error",
+        of.row().short
     )?;
-    if report.folded {
-        writeln!(
-            out,
-            "FLAG mesh_folded: beyond the model's validity, errors are no promise"
-        )?;
+    for (level, on) in (1..).zip(&accuracy.levels) {
+        let error = match (on.folded, accuracy.mesh(level)) {
+            (Some(_), _) => "mesh folded".to_owned(),
+            // It has no two finer ones to be compared with.
+            (None, None) => "-".to_owned(),
+            (None, Some(mesh)) => mesh[of].map_or_else(|| "no limit".to_owned(), percent),
+        };
+        let value = on.results[of].map_or_else(|| "-".to_owned(), significant);
+        let work = on.elements * 1e-6;
+        writeln!(out, "{level:>5} {work:>10.2} {value:>12}   {error}")?;
     }
-    let counted = format!("M {}", report.element.plural());
+    let fastest = accuracy.of(of);
+    let mut totals: Vec<&Total> = fastest.iter().collect();
+    let name = |total: &Total| total.plan.integrator.name();
+    totals.sort_by(|a, b| {
+        let place = |total: &Total| (total.level, total.plan.integrator as usize);
+        place(a).cmp(&place(b)).then(b.step.total_cmp(&a.step))
+    });
     writeln!(
         out,
-        "\n  {:<20} {:>8} {:>10} {:>9} {:>11} {:>11}",
-        "integrator", "step us", counted, "ms", "error", "damage"
+        "\n  level integrator           step us {counted:>10}        ms step error      error"
     )?;
-    for point in &report.points {
+    for total in totals {
         writeln!(
             out,
-            "{} {:<20} {:>8.4} {:>10.3} {:>9.3} {:>11} {:>11}",
-            if point.on_front { "*" } else { " " },
-            method(&point.plan),
-            point.step * 1e6,
-            point.element_evaluations as f64 * 1e-6,
-            point.seconds * 1e3,
-            percent(point.error()),
-            of_damage(&point.errors),
+            "{} {:>5} {:<19} {:>8.4} {:>10.3} {:>9.3} {:>10} {:>10}",
+            if total.on_front { "*" } else { " " },
+            total.level,
+            name(total),
+            total.step * 1e6,
+            total.elements * 1e-6,
+            total.seconds * 1e3,
+            percent(total.by_step),
+            percent(total.error()),
         )?;
     }
-    writeln!(out, "* no other point is both faster and more accurate\n")?;
-    for (target, best) in TARGETS.iter().zip(report.best) {
-        match best.map(|i| &report.points[i]) {
-            Some(point) => writeln!(
+    writeln!(
+        out,
+        "* nothing that is faster has an error as small\n\nThe cheapest:"
+    )?;
+    for tolerance in TOLERANCES {
+        match cheapest(&fastest, tolerance).map(|at| &fastest[at]) {
+            Some(total) => writeln!(
                 out,
-                "for {target} %: {} at {:.4} us, {:.3} ms",
-                method(&point.plan),
-                point.step * 1e6,
-                point.seconds * 1e3
+                "for {tolerance} %: level {}, {} at {:.4} us, {:.3} ms",
+                total.level,
+                name(total),
+                total.step * 1e6,
+                total.seconds * 1e3
             )?,
-            None => writeln!(out, "for {target} %: none of these")?,
+            None => writeln!(out, "for {tolerance} %: none of these")?,
         }
-    }
-    if let Some(finest) = report.levels.last() {
-        writeln!(
-            out,
-            "\nlevel     ms {counted:>11} {:>11}      index   from level {}",
-            format!("ns/{}", report.element.singular()),
-            finest.level
-        )?;
-    }
-    for level in &report.levels {
-        writeln!(
-            out,
-            "{:>5} {:>8.2} {:>9.2} {:>11.2} {:>10}   {}{}",
-            level.level,
-            level.seconds * 1e3,
-            level.element_evaluations as f64 * 1e-6,
-            level.seconds * 1e9 / level.element_evaluations as f64,
-            level.results[Quantity::Damage].map_or_else(String::new, significant),
-            of_damage(&level.errors),
-            if level.folded { "  mesh folded" } else { "" },
-        )?;
     }
     Ok(())
 }
 
-fn point_json(point: &Point, element: Element) -> Value {
-    json!({
-        "integrator": point.plan.integrator.name(),
-        "step_us": point.step * 1e6,
-        "local_tolerance": point.plan.integrator.method().adaptive().then_some(point.plan.local_tolerance),
-        "evaluations": point.evaluations,
-        evaluations(element): point.element_evaluations,
-        "median_ms": point.seconds * 1e3,
-        "error_percent": point.error(),
-        "error_percent_by_result": by_result(&point.errors),
-        "on_front": point.on_front,
-    })
-}
-
-fn level_json(level: &Level, element: Element) -> Value {
-    json!({
-        "level": level.level,
-        "median_ms": level.seconds * 1e3,
-        evaluations(element): level.element_evaluations,
-        format!("ns_per_{}", element.singular()): level.seconds * 1e9 / level.element_evaluations as f64,
-        "results": by_result(&level.results),
-        "difference_percent_by_result": by_result(&level.errors),
-        "mesh_folded": level.folded,
-    })
-}
-
-/// The report as one object.
-pub fn json(scenario: &Scenario, report: &Accuracy) -> Value {
-    let best: Vec<Value> = TARGETS
-        .iter()
-        .zip(report.best)
-        .map(|(target, best)| {
-            json!({
-                "percent": target,
-                "point": best.map(|i| point_json(&report.points[i], report.element)),
-            })
+/// The report as one object: its trials from the fastest to the slowest.
+pub fn json(scenario: &Scenario, accuracy: &Accuracy, of: Quantity) -> Value {
+    let work = evaluations(accuracy.element);
+    let totals = accuracy.of(of);
+    let levels = (1..).zip(&accuracy.levels).map(|(level, on)| {
+        json!({
+            "level": level,
+            work.as_str(): on.elements,
+            "results": by_result(&on.results),
+            "mesh_error_percent_by_result": accuracy.mesh(level).as_ref().map(by_result),
+            "mesh_folded": on.folded.is_some(),
         })
-        .collect();
+    });
+    let trials = totals.iter().map(|total| {
+        json!({
+            "level": total.level,
+            "integrator": total.plan.integrator.name(),
+            "step_us": total.step * 1e6,
+            "automatic": total.is_answer,
+            work.as_str(): total.elements,
+            "median_ms": total.seconds * 1e3,
+            "mesh_error_percent": total.mesh,
+            "step_error_percent": total.by_step,
+            "error_percent": total.error(),
+            "on_front": total.on_front,
+        })
+    });
+    let best = TOLERANCES
+        .map(|tolerance| json!({ "percent": tolerance, "trial": cheapest(&totals, tolerance) }));
     json!({
         "scenario": scenario,
         "kernel": kernel_name(false),
-        "ns_per_spring": report.ns_per_spring,
-        "omega_bound_rad_s": report.omega_bound,
-        "reference": {
-            "integrator": report.reference.integrator.name(),
-            "step_us": report.reference.step * 1e6,
-            "results": by_result(&report.reference_results),
-        },
-        "mesh_folded": report.folded,
-        "points": report.points.iter().map(|p| point_json(p, report.element)).collect::<Vec<_>>(),
-        "best": best,
-        "levels": report.levels.iter().map(|l| level_json(l, report.element)).collect::<Vec<_>>(),
+        "result": of.key(),
+        "levels": levels.collect::<Vec<_>>(),
+        "trials": trials.collect::<Vec<_>>(),
+        "cheapest": best,
     })
 }

@@ -1,13 +1,13 @@
-//! A comparison as text of 80 columns, Markdown, CSV and JSON: a row for each blow, a column for each result.
+//! A comparison as text of 80 columns, Markdown, CSV and JSON: a row for each blow, a column for
+//! each result.
 //!
-//! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON have all digits
-//! and every result, with the errors beside them.
+//! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON
+//! have all digits and every result, with the errors beside them.
 
 use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Blow, Caution, lines};
 use crate::many::comparison::Entry;
@@ -16,6 +16,7 @@ use crate::report::figure::{CUT, Figure};
 use crate::report::json::cut;
 use crate::report::text::{WIDTH, paragraph, percent};
 use crate::report::verdict::{mixed, range};
+use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
 const NARROWEST: usize = 8;
@@ -61,9 +62,9 @@ impl Table {
         let mut units: Vec<&'static str> = columns.iter().map(|of| of.row().unit).collect();
         units.extend(["error", "error"]);
         let row = |entry: &Entry| {
-            let cells = match &entry.outcome {
-                Err(_) => vec!["-".to_owned(); heads.len()],
-                Ok(answer) => {
+            let cells = match entry.answer() {
+                None => vec!["-".to_owned(); heads.len()],
+                Some(answer) => {
                     let mut cells: Vec<String> =
                         columns.iter().map(|of| cell(answer, *of)).collect();
                     let errors = &answer.errors;
@@ -72,30 +73,29 @@ impl Table {
                     cells
                 }
             };
-            (printable(&entry.source).into_owned(), cells)
+            (printable(&entry.name).into_owned(), cells)
         };
         let remark = |entry: &Entry| {
-            let remarks = match &entry.outcome {
-                Err(why) => vec![why.clone()],
-                Ok(answer) => {
+            let remarks = match entry.answer() {
+                None => entry.refused().map(str::to_owned).into_iter().collect(),
+                Some(answer) => {
                     // The gravest injury comes first.
                     let first = lines(&answer.verdicts()).into_iter().next();
                     let verdict = first.map(|(name, words)| format!("{name}: {words}"));
                     let flags = answer.flags.iter();
                     let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
-                    verdict.into_iter().chain(flags).collect()
+                    verdict.into_iter().chain(flags).collect::<Vec<_>>()
                 }
             };
-            let name = printable(&entry.source).into_owned();
+            let name = printable(&entry.name).into_owned();
             remarks
                 .into_iter()
                 .map(move |remark| format!("{name}: {remark}"))
         };
-        let answers = entries.iter().filter_map(|entry| {
-            let answer = entry.outcome.as_ref().ok()?;
-            Some((entry.source.as_str(), answer))
-        });
-        let answers: Vec<(&str, &Answer)> = answers.collect();
+        let answers: Vec<(&str, &Answer)> = entries
+            .iter()
+            .filter_map(|entry| Some((entry.name.as_str(), entry.answer()?)))
+            .collect();
         let cut =
             |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
@@ -179,8 +179,8 @@ impl Table {
     }
 }
 
-/// Prints it as CSV: every result with its errors in %, then those that are at least so large, flags, caution and
-/// refusal.
+/// Prints it as CSV: every result with its errors in %, then those that are at least so large,
+/// flags, caution and refusal.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -199,13 +199,13 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     writer.write_record(&head)?;
     for entry in entries {
         // CSV has no escapes: a file name that a terminal would obey is written out.
-        let source = printable(&entry.source);
+        let source = printable(&entry.name);
         let mut record = vec![source.into_owned(), entry.scenario.name.clone()];
         let plain = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-        let answer = entry.outcome.as_ref().ok();
+        let answer = entry.answer();
         for &of in Quantity::ALL {
             let errors = answer.map(|answer| &answer.errors);
-            record.push(plain(entry.result(of)));
+            record.push(plain(answer.and_then(|answer| answer.result(of))));
             record.push(plain(errors.and_then(|errors| errors.time_step[of])));
             record.push(plain(errors.and_then(|errors| errors.mesh.as_ref()?[of])));
         }
@@ -216,7 +216,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));
         record.push(caution(entry).map_or("", Caution::key).to_owned());
-        record.push(entry.outcome.as_ref().err().cloned().unwrap_or_default());
+        record.push(entry.refused().unwrap_or_default().to_owned());
         writer.write_record(&record)?;
     }
     writer.flush()
@@ -225,11 +225,11 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
 /// The same as `run --json`, one object for each blow.
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
-        let mut object = match &entry.outcome {
-            Err(why) => json!({ "scenario": *entry.scenario, "refused": why }),
-            Ok(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
+        let mut object = match entry.answer() {
+            None => json!({ "scenario": entry.scenario, "refused": entry.refused() }),
+            Some(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
         };
-        object["preset"] = json!(entry.source);
+        object["preset"] = json!(entry.name);
         object
     };
     entries.iter().map(one).collect()

@@ -1,12 +1,12 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use crate::answer::quantity::Quantity;
 use crate::injury::{Blow, Caution};
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::many::spreads::{Input, Shape};
 use crate::plain_text::printable;
 use crate::report::text::{paragraph, percent, significant};
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};

@@ -1,9 +1,9 @@
 //! How an error is said, on every page and screen alike: that of the damage index, and the largest of a
 //! leading result with the name of that result.
 
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::report::text::percent;
+use crate::run::quantity::Quantity;
 
 /// The error of the damage index, in words.
 pub fn of_damage(errors: &Results) -> String {
@@ -26,27 +26,19 @@ pub fn beside(errors: &Results) -> Option<String> {
     (error > lead).then(|| format!("{} ({})", percent(error), of.label()))
 }
 
-/// The results that lead, by their short names.
-pub fn leading(errors: &Results) -> String {
-    let names: Vec<&str> = errors.leading().map(|(of, _)| of.row().short).collect();
-    names.join(", ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn the_worst_is_named_and_the_leading_ones_are_those_of_the_scene() {
+    fn the_worst_of_the_leading_results_is_named() {
         let mut errors = Results::from_fn(|_| None);
         assert_eq!(worst(&errors), "unknown");
         errors[Quantity::Damage] = Some(0.5);
         errors[Quantity::ForceTop] = Some(2.0);
         assert_eq!(worst(&errors), "2.0 % (peak force, top)");
-        assert_eq!(leading(&errors), "index, top");
         errors[Quantity::Contact] = Some(1.0);
         assert_eq!(worst(&errors), "1.0 % (contact force)");
-        assert_eq!(leading(&errors), "index, contact");
         assert_eq!(beside(&errors).unwrap(), "2.0 % (peak force, top)");
         errors[Quantity::Contact] = Some(3.0);
         assert_eq!(beside(&errors), None);

@@ -1,6 +1,6 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
-use crate::report::text::{WIDTH, digits, significant, wrapped};
+use crate::report::text::{block, digits, significant};
 use crate::scenario::Physiological;
 use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::fit::{Fit, PATH, STEP};
@@ -38,10 +38,7 @@ fn number(predicted: &Result<f64, String>) -> String {
 }
 
 fn note(text: &str, out: &mut dyn Write) -> io::Result<()> {
-    for line in wrapped(text, WIDTH - 4) {
-        writeln!(out, "    {line}")?;
-    }
-    Ok(())
+    block(text, "    ", "    ", out)
 }
 
 fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
@@ -124,9 +121,7 @@ pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
         lines(&part, out)?;
         writeln!(out)?;
     }
-    for line in wrapped(REMARKS, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
+    block(REMARKS, "", "", out)?;
     writeln!(out, "Research and education, not diagnosis.")
 }
 
@@ -220,6 +215,7 @@ pub fn fit_json(fit: &Fit) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::text::WIDTH;
     use crate::verify::experiments::EXPERIMENTS;
 
     /// Every experiment with a figure on each mesh: those of every third are far off on one of them.

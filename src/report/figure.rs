@@ -6,13 +6,13 @@
 
 use std::fmt;
 
-use crate::answer::course::{Beside, Course, Group};
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::injury::share;
 use crate::report::text::{digits, percent, significant};
+use crate::run::course::{Beside, Course};
+use crate::run::quantity::Quantity;
+use crate::run::trace::Group;
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -108,12 +108,12 @@ impl Figure {
     pub fn of(answer: &Answer, of: Quantity) -> Option<Self> {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
-        let number = match of.row().read {
-            Read::Risk(..) | Read::Believed(_) => {
-                share(value / 100.0).trim_end_matches(" %").to_owned()
-            }
-            _ if value.abs() < of.row().rounding => "0".to_owned(),
-            _ => number(value, off),
+        let number = if of.is_risk() {
+            share(value / 100.0).trim_end_matches(" %").to_owned()
+        } else if of.is_rounding(value) {
+            "0".to_owned()
+        } else {
+            number(value, off)
         };
         let cut = answer.cut(of);
         Some(Self {

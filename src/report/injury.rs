@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 use crate::report::figure::within;
-use crate::report::text::{WIDTH, wrapped};
+use crate::report::text::{WIDTH, block, wrapped};
 
 /// A share as whole percent, or finer where it is small.
 pub(super) fn share(risk: f64) -> String {
@@ -83,9 +83,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     cautions.dedup();
     for caution in cautions {
         let warning = format!("WARNING {}", caution.text());
-        for line in wrapped(&warning, WIDTH) {
-            writeln!(out, "{line}")?;
-        }
+        block(&warning, "", "", out)?;
     }
     Ok(())
 }

@@ -1,39 +1,19 @@
 //! Results as one JSON object. The names are a contract.
 //!
-//! A result stands under the key of its row in [`crate::answer::quantity`], which is the same in sweeps,
-//! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`. In
-//! this version, and not in the next, `results` also holds the names of the version before:
-//! `apex_time_ms`, `peak_force_n`, `peak_time_ms`, `pressure.peak_mpa`, `pressure.peak_time_ms`,
-//! `projectile.peak_contact_force_n` and `projectile.peak_contact_time_ms`.
+//! A result stands under the key of its row in [`crate::run::quantity`], which is the same in sweeps,
+//! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`.
+//! Figures that are no results stand beside them.
 
 use crate::answer::mesh_error::{Limit, Limits};
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Cut, Errors};
-use crate::models::compiled::{Compiled, Element};
-use crate::models::left::Left;
-use crate::models::paper::case::Case;
-use crate::models::paper::eye::landmarks::Monitor;
 use crate::models::paper::forces::kernel::name as kernel_name;
-use crate::models::paper::forces::scene::SceneKind;
-use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
-use crate::models::paper::time::march::Cost;
-use crate::report::revolution;
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
-
-/// A number for each monitored node, by name.
-fn by_monitor(value: impl Fn(usize) -> f64) -> Value {
-    Monitor::ALL
-        .iter()
-        .enumerate()
-        .map(|(i, m)| (m.name().to_owned(), json!(value(i))))
-        .collect::<Map<String, Value>>()
-        .into()
-}
 
 /// A number for each result that there is, by its key.
 pub fn by_result(values: &Results) -> Value {
@@ -122,7 +102,7 @@ pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
 
 /// An answer as one object; `reasons` say how its numerics were chosen.
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
-    let (element, count) = answer.case.elements();
+    let element = answer.case.rules().element;
     let mut object = json!({
         "scenario": scenario,
         "results": by_result(&answer.results()),
@@ -131,13 +111,13 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.level(),
-            "nodes": answer.case.regions().len(),
-            element.plural(): count,
+            "nodes": answer.case.eye.regions().len(),
+            element.plural(): answer.case.eye.elements(),
             "integrator": answer.plan.integrator.name(),
             "step_us": answer.step * 1e6,
             "step_limit_us": answer.step_limit * 1e6,
-            "steps": answer.cost.steps,
-            "simulated_ms": answer.simulated * 1e3,
+            "steps": answer.run.cost.steps,
+            "simulated_ms": answer.run.simulated * 1e3,
             evaluations(element): answer.element_evaluations,
             "solve_ms": answer.solve_time.as_secs_f64() * 1e3,
             "total_ms": answer.total_time.as_secs_f64() * 1e3,
@@ -145,60 +125,16 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "choice": reasons,
         },
         "flags": flags(&answer.flags),
-        "mesh_fold": answer.left.fold().map(|fold| folded(&fold)),
+        "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
         "verdicts": crate::report::verdict::json(&answer.verdicts()),
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
-    match (&answer.case, &answer.left) {
-        (Compiled::Section(case), Left::Section(extremes)) => {
-            add_section(case, extremes, &answer.cost, &mut object);
-        }
-        (Compiled::Revolution(case), Left::Revolution(extremes)) => {
-            revolution::add_json(case, extremes, &mut object);
-        }
-        _ => {}
+    for detail in &answer.run.details {
+        object["results"][detail.key] = json!(detail.value);
     }
     let risks = answer.risks();
     if !risks.is_empty() {
         object["injury"] = crate::report::injury::json(&risks);
     }
     object
-}
-
-/// Adds what only an answer of a section has.
-fn add_section(case: &Case, extremes: &Extremes, cost: &Cost, object: &mut Value) {
-    let numerics = &mut object["numerics"];
-    numerics["mirrored"] = case.system.mirrored().into();
-    if case.system.kind() != SceneKind::Springs {
-        numerics["contact_tests"] = cost.contact_tests.into();
-    }
-    let results = &mut object["results"];
-    results["largest_spring_strain_percent"] = json!(extremes.strain.value * 1e2);
-    results["shielded_percent"] = json!(case.load.shielded * 1e2);
-    // Names of the version before.
-    results["apex_time_ms"] = json!(extremes.apex.time * 1e3);
-    results["peak_force_n"] = by_monitor(|i| extremes.force[i].value);
-    results["peak_time_ms"] = by_monitor(|i| extremes.force[i].time * 1e3);
-    if let Some(shot) = &extremes.shot {
-        results["projectile"] = projectile(shot);
-    }
-}
-
-fn projectile(shot: &ShotExtremes) -> Value {
-    json!({
-        "peak_contact_force_n": shot.force.value,
-        "peak_contact_time_ms": shot.force.time * 1e3,
-        "contact_force_mean_over_us": MEAN_S * 1e6,
-        "first_contact_ms": shot.contact.map(|(first, _)| first * 1e3),
-        "last_contact_ms": shot.contact.map(|(_, last)| last * 1e3),
-        "contact_time_ms": shot.contact.map(|(first, last)| (last - first) * 1e3),
-        "rebound_speed_m_s": shot.velocity.norm(),
-        "rebound_speed_back_along_path_m_s": shot.rebound_speed,
-        "energy_given_up_j": shot.energy,
-        "energy_before_j": shot.energy_before,
-        "travel_mm": shot.travel.value * 1e3,
-        "penetration_percent": shot.penetration_share * 1e2,
-        "squeezed_percent": shot.squeezed_share * 1e2,
-        "rim_met_ms": shot.rim_at.map(|t| t * 1e3),
-    })
 }

@@ -1,10 +1,10 @@
 //! What finer meshes tend to, in one wording for every page and screen.
 
 use crate::answer::mesh_error::Limit;
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{digits, significant};
+use crate::run::quantity::Quantity;
 
 /// A result on the answer's mesh and in the limit of finer ones, as in
 /// `12.40 N on this mesh, 12.3 ±1.0 N in the limit`; none where no limit is known.

@@ -14,7 +14,6 @@ pub mod json;
 pub mod limit;
 pub mod pace;
 pub mod page;
-mod revolution;
 pub mod summary;
 pub mod sweep;
 pub mod text;

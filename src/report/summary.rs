@@ -1,10 +1,10 @@
 //! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, causes, unusable};
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 
 /// The three lines, and the command that repeats the blow as a fourth, if one does.
@@ -41,8 +41,8 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {

@@ -1,8 +1,8 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
-use crate::answer::quantity::Quantity;
 use crate::injury::Caution;
 use crate::many::sweep::{Row, Sweep};
+use crate::run::quantity::Quantity;
 use crate::scenario::fields;
 use serde_json::{Map, Value, json};
 

@@ -5,19 +5,15 @@ use crate::report::figure::{
     CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
 };
 use crate::report::limit;
-use crate::report::revolution;
 use unicode_width::UnicodeWidthStr;
 
-use crate::answer::quantity::Quantity;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
-use crate::models::compiled::Compiled;
-use crate::models::left::Left;
-use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::{MEAN_S, ShotExtremes};
 use crate::plain_text::printable;
 use crate::run::flags::Flag;
-use crate::scenario::{Impact, Model, Projectile, Scenario};
+use crate::run::model::Shown;
+use crate::run::quantity::Quantity;
+use crate::scenario::{Impact, Projectile, Scenario};
 use std::io::{self, Write};
 
 /// A number with four significant digits, in plain notation where that is readable.
@@ -74,8 +70,13 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 /// Prints a text in lines of 80 columns, those that go on indented.
 pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - 4).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { "" } else { "    " })?;
+    block(text, "", "    ", out)
+}
+
+/// Prints a text in lines of 80 columns, with what stands before the first and before those that go on.
+pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
+    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
+        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
     }
     Ok(())
 }
@@ -85,18 +86,15 @@ pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
 /// # Errors
 /// Whatever `out` reports.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let model = match &scenario.model {
-        Model::Paper => "Paper model, unit depth (1 m)".to_owned(),
-        Model::Physiological(model) => revolution::model(model),
-    };
-    let (element, count) = answer.case.elements();
+    let (model, eye) = (scenario.model.description(), &answer.case.eye);
     writeln!(out, "{}", printable(&scenario.name))?;
     writeln!(
         out,
-        "{model}; mesh level {}: {} nodes, {count} {}\n",
-        answer.case.level(),
-        answer.case.regions().len(),
-        element.plural()
+        "{model}; mesh level {}: {} nodes, {} {}\n",
+        eye.level(),
+        eye.regions().len(),
+        eye.elements(),
+        eye.rules().element.plural()
     )?;
     let mesh = answer.errors.mesh.is_some();
     crate::report::verdict::text(&answer.verdicts(), mesh, out)?;
@@ -104,51 +102,67 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
-    let missed = |of: &Quantity| *of == Quantity::Contact && answer.left.missed();
+    let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of);
     for &quantity in Quantity::ALL.iter().filter(listed) {
         if let (Some(peak), Some(figure)) = (answer.peak(quantity), Figure::of(answer, quantity)) {
-            let remark = match &answer.left {
-                Left::Section(_) => remark(quantity),
-                Left::Revolution(extremes) => revolution::remark(quantity, extremes),
-            };
-            let when = format!("at {:.3} ms{remark}", peak.time * 1e3);
+            let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(answer, quantity));
             row(&capital(quantity.row().label), &figure, &when, out)?;
         }
     }
     signs(answer, out)?;
-    match &answer.left {
-        Left::Section(extremes) => beside(scenario, extremes, out)?,
-        Left::Revolution(extremes) => revolution::beside(scenario, answer, extremes, out)?,
+    for detail in &answer.run.details {
+        if let Shown::OnLine(label, words) = &detail.shown {
+            writeln!(out, "{label:<18} {:>9} {words}", significant(detail.value))?;
+        }
     }
+    rebound(scenario, answer, out)?;
     crate::report::injury::text(&answer.risks(), out)?;
-    let shielded = answer.case.section().map_or(0.0, |case| case.load.shielded);
-    if shielded > 1e-9 {
-        writeln!(
-            out,
-            "Shielded by bone   {:>9} %  of the arc",
-            significant(shielded * 1e2)
-        )?;
-    }
     Ok(())
 }
 
-/// What a section leaves that is no result.
-fn beside(scenario: &Scenario, extremes: &Extremes, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Spring strain      {:>9} %  at {:.4} ms, the largest",
-        significant(extremes.strain.value * 1e2),
-        extremes.strain.time * 1e3
-    )?;
-    if let (Some(shot), Impact::Projectile(input)) = (&extremes.shot, &scenario.impact) {
-        projectile(shot, input, out)?;
+/// What a reader should know of a peak beside its value.
+fn remark(answer: &Answer, of: Quantity) -> String {
+    if of == Quantity::Pressure {
+        return ", mean of the globe".to_owned();
     }
-    Ok(())
+    let mut behind = answer
+        .run
+        .details
+        .iter()
+        .filter_map(|detail| match &detail.shown {
+            Shown::Behind(result, words) if *result == of => Some(format!(", {words}")),
+            _ => None,
+        });
+    behind.next().unwrap_or_default()
+}
+
+/// Prints how fast the object goes on or back.
+fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    let figure = Figure::of(answer, Quantity::Rebound);
+    let (Impact::Projectile(projectile), Some(mut figure)) = (&scenario.impact, figure) else {
+        return Ok(());
+    };
+    let label = match figure.number.strip_prefix('-') {
+        Some(on) => {
+            figure.number = on.to_owned();
+            // What still goes on slows down.
+            figure.cut = None;
+            "Goes on at"
+        }
+        None => "Rebound speed",
+    };
+    row(
+        label,
+        &figure,
+        &format!("of {} m/s", projectile.speed_m_s),
+        out,
+    )?;
+    unverified(projectile, out)
 }
 
 /// A row of a result: its name, the figure, and what else is to be said.
-pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
+fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
     let line = format!(
         "{name:<19} {:>8} {:<3} {:<8} {more}",
         figure.cell(),
@@ -203,80 +217,13 @@ pub fn capital(label: &str) -> String {
     })
 }
 
-/// What a reader should know of a peak beside its value.
-fn remark(quantity: Quantity) -> String {
-    let contact = format!(", mean of {:.0} us", MEAN_S * 1e6);
-    match quantity {
-        // A mass point hit at speed answers with its own mass: tissue at 0.001 kPa gives the same force.
-        Quantity::Contact => {
-            contact
-                + ";
-  of a light fast object it is that of the two nodes it meets, not of tissue"
-        }
-        _ => String::new(),
-    }
-}
-
-fn projectile(shot: &ShotExtremes, input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
-    if let Some((first, last)) = shot.contact {
-        writeln!(
-            out,
-            "Contact time       {:>9} ms, from {:.4} to {:.4} ms",
-            significant((last - first) * 1e3),
-            first * 1e3,
-            last * 1e3
-        )?;
-    }
-    let (way, back) = if shot.rebound_speed < 0.0 {
-        ("Goes on at", "on along")
-    } else {
-        ("Rebound speed", "back along")
-    };
-    let speed = shot.velocity.norm();
-    // A blow aslant or beside the middle turns the object.
-    let along = if shot.rebound_speed.abs() < 0.99 * speed {
-        let part = significant(shot.rebound_speed.abs());
-        format!(", {part} of it {back} its path")
-    } else {
-        String::new()
-    };
-    writeln!(
-        out,
-        "{way:<18} {:>9} m/s of {} m/s{along}",
-        significant(speed),
-        input.speed_m_s
-    )?;
-    writeln!(
-        out,
-        "Energy given up    {:>9} J  of {} J",
-        significant(shot.energy),
-        significant(shot.energy_before)
-    )?;
-    writeln!(
-        out,
-        "Penetration        {:>9} %  of the diameter, the largest (error of contact)",
-        significant(shot.penetration_share * 1e2)
-    )?;
-    if shot.squeezed_share > 0.0 {
-        writeln!(
-            out,
-            "Squeezed           {:>9} %  of its diameter, the most",
-            significant(shot.squeezed_share * 1e2)
-        )?;
-    }
-    unverified(input, out)
-}
-
 /// Names the figures of an object that come from no source that was checked.
-pub(super) fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
+fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
     if input.unverified.is_empty() {
         return Ok(());
     }
     let text = format!("Unverified figures: {}", input.unverified.join(", "));
-    for line in wrapped(&text, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
-    Ok(())
+    block(&text, "", "", out)
 }
 
 /// Prints what finer meshes tend to, and which results they show no limit of.
@@ -285,10 +232,7 @@ fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "Damage index: {limit}")?;
     }
     let unknown = limit::unknown(answer).unwrap_or_default();
-    for line in wrapped(&unknown, WIDTH) {
-        writeln!(out, "{line}")?;
-    }
-    Ok(())
+    block(&unknown, "", "", out)
 }
 
 /// Prints how far the results may be trusted, and how they were computed.
@@ -299,29 +243,22 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     numerical(&answer.errors, out)?;
     limits(answer, out)?;
     balance(&answer.errors, out)?;
-    let step = match &answer.case {
-        Compiled::Section(_) => "",
-        Compiled::Revolution(_) => " at rest",
-    };
     writeln!(
         out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us{step},\nstable up to {:.4} us",
+        "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
-        answer.cost.steps,
+        answer.run.cost.steps,
         answer.step * 1e6,
         answer.step_limit * 1e6,
     )?;
-    if answer.simulated < 0.999_999 * answer.window() {
+    if answer.run.simulated < 0.999_999 * answer.window() {
         writeln!(
             out,
             "Stopped at {:.3} of {} ms: {}",
-            answer.simulated * 1e3,
+            answer.run.simulated * 1e3,
             answer.window() * 1e3,
-            match &answer.case {
-                Compiled::Section(_) => "nothing can change any more",
-                Compiled::Revolution(_) => "what acted is gone, and nothing grows",
-            }
+            answer.case.rules().ends_early
         )?;
     }
     for reason in reasons {

@@ -9,7 +9,7 @@ use crate::many::threshold::{Crossing, Question, Threshold};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
 use crate::report::json::flags;
-use crate::report::text::{WIDTH, capital, digits, significant, wrapped};
+use crate::report::text::{block, capital, digits, significant};
 use crate::scenario::Scenario;
 
 /// A text with the unit of what is varied.
@@ -99,12 +99,17 @@ pub fn text(
                 Some(range) => format!("range {range}: the verdict's range holds {target} there"),
                 None => "range not known".to_owned(),
             };
-            indented(&holds, "  ", out)?;
-            indented(&format!("believed there: {}", believed.verdict), "  ", out)?;
+            block(&holds, "  ", "    ", out)?;
+            block(
+                &format!("believed there: {}", believed.verdict),
+                "  ",
+                "    ",
+                out,
+            )?;
         }
         for flag in &crossing.flags {
             let line = format!("FLAG {}: {}", flag.kind.name(), flag.whole());
-            indented(&line, "  ", out)?;
+            block(&line, "  ", "    ", out)?;
         }
         if let Some(caution) = crossing.caution {
             writeln!(out, "  beware: {}", caution.text())?;
@@ -131,7 +136,7 @@ pub fn text(
             "No result at {} of them, the first {at}: {why}",
             refused.len()
         );
-        indented(&printable(&text), "", out)?;
+        block(&printable(&text), "", "    ", out)?;
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
 }
@@ -168,14 +173,6 @@ fn lines(
         None => format!("{name:<5} error not known"),
     };
     vec![off("step", crossing.step), off("mesh", crossing.mesh)]
-}
-
-/// A paragraph whose further lines are indented.
-fn indented(text: &str, lead: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - 4).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { lead } else { "    " })?;
-    }
-    Ok(())
 }
 
 fn known(threshold: &Threshold) -> impl Iterator<Item = (f64, f64)> {

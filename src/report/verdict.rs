@@ -1,9 +1,9 @@
 //! The answer first: one line an injury, in text and as JSON.
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
 use crate::injury::{AT_LEAST, Curve, Injury, Part, Risk, Verdict, curve_of, lines, span};
+use crate::run::quantity::Quantity;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -21,7 +21,7 @@ pub fn part_of<'a>(verdicts: &'a [Verdict], curve: &Curve) -> Option<&'a Part> {
 
 /// Whether a result is a risk that means nothing here.
 pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
-    let Read::Risk(injury, measure) = of.row().read else {
+    let Some(Derived::Risk(injury, measure)) = of.derived() else {
         return false;
     };
     let part = curve_of(injury, measure).and_then(|curve| part_of(verdicts, curve));
@@ -37,9 +37,9 @@ pub fn verdict(answer: &Answer, injury: Injury) -> Option<Verdict> {
 /// The range of a risk in %, as a table shows it: of one that is believed first that of the verdict, of another
 /// that of its curve; none of what is no risk.
 pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
-    let percent = match of.row().read {
-        Read::Believed(injury) => verdict(answer, injury)?.percent()?,
-        Read::Risk(injury, measure) => {
+    let percent = match of.derived()? {
+        Derived::Believed(injury) => verdict(answer, injury)?.percent()?,
+        Derived::Risk(injury, measure) => {
             let curve = curve_of(injury, measure)?;
             let risks = answer.risks().into_iter();
             let band = risks.into_iter().find(|risk| risk.curve == curve)?.band;
@@ -49,7 +49,7 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
                 span(band)
             }
         }
-        Read::Peak(_) | Read::Number(_) => return None,
+        Derived::Index => return None,
     };
     let number = percent.trim_end_matches(" %");
     Some(number.replace(&format!("{AT_LEAST} "), "≥"))
@@ -57,7 +57,7 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
 
 /// Who of these has a risk by which measure, where that is not one and the same: its column ranks nobody then.
 pub fn mixed(answers: &[(&str, &Answer)], of: Quantity) -> Option<String> {
-    let Read::Believed(injury) = of.row().read else {
+    let Some(Derived::Believed(injury)) = of.derived() else {
         return None;
     };
     let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
@@ -132,8 +132,8 @@ pub fn json(verdicts: &[Verdict]) -> Value {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
     use crate::scenario::library;
     use crate::scenario::set::set;
 

@@ -1,7 +1,7 @@
 //! Frames as CSV, units in the header.
 
-use crate::models::paper::eye::mesh::Region;
 use crate::run::kept::Frame;
+use crate::run::places::Region;
 use std::io::Write;
 
 /// Writes frames, one row a node.

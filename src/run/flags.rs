@@ -1,7 +1,9 @@
 //! What a reader must know before trusting a result, each by name.
 //!
-//! `raised` collects them and words those that both eyes have; `section` raises those of a section, and
-//! [`crate::study::revolution`] those of the other eye.
+//! [`crate::run::raised`] collects them and words those that both eyes have; the rest each model raises itself.
+
+/// A peak in the last share of a window may not have been the last word.
+pub(crate) const END: f64 = 0.999;
 
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,18 +54,8 @@ pub enum FlagKind {
     ArcUnresolved,
     /// Part of the arc lies behind bone.
     BoneShields,
-    /// The projectile went deeper into the shell or the rim than a rigid one should.
-    DeepPenetration,
-    /// A soft projectile was squeezed further than its spring is linear.
-    ObjectFlattened,
     /// All that gives way of a projectile's surface was used up.
     SurfaceCrushed,
-    /// The projectile went through the wall of the orbit.
-    ThroughBone,
-    /// The projectile is narrower than the distance between two nodes of the shell.
-    ObjectUnresolved,
-    /// The projectile is lighter than a node that it hits.
-    ObjectLight,
     /// The orbit's rim met the projectile.
     RimStops,
     /// The projectile never touched the eye.
@@ -89,12 +81,7 @@ impl FlagKind {
             Self::PulseCut => "pulse_cut",
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
-            Self::DeepPenetration => "deep_penetration",
-            Self::ObjectFlattened => "object_flattened",
             Self::SurfaceCrushed => "surface_crushed",
-            Self::ThroughBone => "through_bone",
-            Self::ObjectLight => "object_light",
-            Self::ObjectUnresolved => "object_unresolved",
             Self::RimStops => "rim_stops",
             Self::EyeMissed => "eye_missed",
             Self::AngleBeyondTrust => "angle_beyond_trust",

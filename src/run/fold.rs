@@ -3,7 +3,7 @@
 //! It is looked at where steps end. As long as none of a mesh's quads is inside out, that is one comparison with
 //! the least of them, which the forces tell anyway; the quads are gone through only where one is.
 
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use nalgebra::Point2;
 
 /// A mesh of which a quad turned inside out.

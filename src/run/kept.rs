@@ -126,8 +126,8 @@ pub struct Traces {
     pub intrusion: Vec<f64>,
     /// Force of contact, mean over 100 us, N.
     pub contact_force: Vec<f64>,
-    /// Centre of the projectile, x and y, m.
-    pub projectile: [Vec<f64>; 2],
-    /// Velocity of the projectile, x and y, m/s.
-    pub projectile_velocity: [Vec<f64>; 2],
+    /// Centre of the projectile along its flight, m.
+    pub projectile: Vec<f64>,
+    /// Velocity of the projectile, m/s.
+    pub projectile_velocity: Vec<f64>,
 }

@@ -1,9 +1,19 @@
 //! The socket: what every model gives and what is asked of it.
 
+pub mod course;
 pub mod drawing;
 pub mod export;
 pub mod flags;
 pub mod fold;
 pub mod kept;
+pub mod model;
+pub mod places;
+pub mod plan;
+pub mod planning;
+pub mod quantity;
 pub mod raised;
+pub mod readings;
+pub mod refusal;
 pub mod rules;
+pub mod trace;
+pub mod watch;

@@ -1,10 +1,11 @@
 //! The flags of one run as they are raised, and the words of those that both eyes have.
 
-use crate::answer::quantity::Quantity;
-use crate::models::compiled::Element;
-use crate::models::paper::eye::mesh::Region;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::fold::Fold;
+use crate::run::model::Run;
+use crate::run::places::Region;
+use crate::run::quantity::Quantity;
+use crate::run::rules::Element;
 
 /// An energy residual above this share of what came in is an alarm.
 pub(crate) const ENERGY_ALARM: f64 = 0.01;
@@ -18,19 +19,6 @@ const MIDDLE_M: f64 = 3e-3;
 /// Flags, collected.
 #[derive(Debug, Default)]
 pub(crate) struct Raised(Vec<Flag>);
-
-/// What a run says of its motion, whichever eye it moved.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Motion {
-    /// How its mesh folded.
-    pub fold: Option<Fold>,
-    /// What its quads are called.
-    pub element: Element,
-    /// By how much its energies miss, as a share of what came in.
-    pub energy_residual: f64,
-    /// Where there was a second run.
-    pub two_runs: Option<TwoRuns>,
-}
 
 /// What two runs with different steps say.
 #[derive(Debug, Clone, Copy)]
@@ -66,47 +54,9 @@ impl Raised {
         });
     }
 
-    /// Those of the motion: whether the mesh folded, the energies add up and the step is short enough.
-    pub fn motion(&mut self, motion: &Motion) {
-        let split = |runs: &TwoRuns| {
-            runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan()
-        };
-        let unpredictable = motion.two_runs.filter(split).zip(motion.fold);
-        if let Some(fold) = &motion.fold {
-            self.folded(fold, motion.element);
-        }
-        if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
-            self.raise_at(
-                fold.since,
-                FlagKind::NotPredictable,
-                format!("two solutions disagree by {disagreement:.0} %: not predictable"),
-            );
-        }
-        if motion.energy_residual > ENERGY_ALARM {
-            let percent = 100.0 * motion.energy_residual;
-            self.raise(
-                FlagKind::EnergyImbalance,
-                format!("the energies miss what came in by {percent:.2} %"),
-            );
-        }
-        // Where two solutions part for good, no step is small enough.
-        let runs = motion.two_runs.filter(|_| unpredictable.is_none());
-        if let Some((of, error)) = runs.and_then(|runs| runs.worst)
-            && (error > UNCONVERGED_PERCENT || error.is_nan())
-        {
-            self.raise(
-                FlagKind::Unconverged,
-                format!(
-                    "the step error of {} is {error:.0} %, the largest",
-                    of.label()
-                ),
-            );
-        }
-    }
-
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
-        let (count, all, what) = (fold.quads, fold.of, element.quads());
+        let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
         let length = if fold.stays {
             "to the end".to_owned()
         } else {
@@ -140,38 +90,50 @@ impl Raised {
         );
     }
 
-    /// A window, in s, that ends while the projectile touches the eye or flies at it.
-    pub fn contact_cut(&mut self, window: f64) {
-        self.raise_at(
-            window,
-            FlagKind::ContactCut,
-            "the window ended before the projectile had left the eye",
-        );
-    }
-
     /// A window, in s, that ends too early for a result, of which it is said how.
     pub fn window_short(&mut self, window: f64, how: impl Into<String>) {
         self.raise_at(window, FlagKind::WindowShort, how);
     }
+}
 
-    /// A projectile that met a rim, which is named, at `time`, in s, with a force in N where it is known.
-    pub fn rim_stops(&mut self, rim: &str, time: f64, force: Option<f64>) {
-        let force = force.map_or_else(String::new, |force| format!(", with {force:.1e} N"));
-        let at = time * 1e3;
-        self.raise_at(
-            time,
-            FlagKind::RimStops,
-            format!("{rim} met the projectile at {at:.3} ms{force}"),
+/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a second
+/// run, the step is short enough.
+pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
+    let mut raised = Raised::default();
+    let split =
+        |runs: &TwoRuns| runs.disagreement > UNPREDICTABLE_PERCENT || runs.disagreement.is_nan();
+    let unpredictable = two_runs.filter(split).zip(run.fold);
+    if let Some(fold) = &run.fold {
+        raised.folded(fold, element);
+    }
+    if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
+        raised.raise_at(
+            fold.since,
+            FlagKind::NotPredictable,
+            format!("two solutions disagree by {disagreement:.0} %: not predictable"),
         );
     }
-
-    /// A projectile that a rim caught before it came to the eye.
-    pub fn rim_kept_it_off(&mut self, rim: &str) {
-        self.raise(
-            FlagKind::EyeMissed,
-            format!("{rim} kept the projectile off the eye"),
+    if run.energy_residual > ENERGY_ALARM {
+        let percent = 100.0 * run.energy_residual;
+        raised.raise(
+            FlagKind::EnergyImbalance,
+            format!("the energies miss what came in by {percent:.2} %"),
         );
     }
+    // Where two solutions part for good, no step is small enough.
+    let runs = two_runs.filter(|_| unpredictable.is_none());
+    if let Some((of, error)) = runs.and_then(|runs| runs.worst)
+        && (error > UNCONVERGED_PERCENT || error.is_nan())
+    {
+        raised.raise(
+            FlagKind::Unconverged,
+            format!(
+                "the step error of {} is {error:.0} %, the largest",
+                of.label()
+            ),
+        );
+    }
+    raised.0
 }
 
 /// Where a mesh began to fold, in words and figures.
@@ -209,6 +171,8 @@ fn place(fold: &Fold) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::plan::Cost;
+    use crate::run::readings::Readings;
     use nalgebra::Point2;
 
     fn fold(x: f64, y: f64, stays: bool) -> Fold {
@@ -226,12 +190,7 @@ mod tests {
 
     fn said(fold: Fold) -> Vec<Flag> {
         let mut raised = Raised::default();
-        raised.motion(&Motion {
-            fold: Some(fold),
-            element: Element::Spring,
-            energy_residual: 0.0,
-            two_runs: None,
-        });
+        raised.folded(&fold, Element::Spring);
         raised.flags()
     }
 
@@ -269,5 +228,40 @@ mod tests {
         assert!(
             place(&lens).starts_with("between front and equator, in the lens: 37 degrees on both")
         );
+    }
+
+    #[test]
+    fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
+        use FlagKind::{MeshFolded, NotPredictable, Unconverged};
+        let kinds = |fold, error, disagreement| -> Vec<FlagKind> {
+            let run = Run {
+                readings: Readings::from_fn(|_| None),
+                details: Vec::new(),
+                flags: Vec::new(),
+                fold,
+                missed: false,
+                energy_residual: 0.0,
+                simulated: 3e-3,
+                traces: None,
+                frames: Vec::new(),
+                cost: Cost::default(),
+            };
+            let two_runs = TwoRuns {
+                worst: Some((Quantity::Damage, error)),
+                disagreement,
+            };
+            let flags = of_motion(&run, Element::Spring, Some(two_runs));
+            flags.into_iter().map(|flag| flag.kind).collect()
+        };
+        let folded = Some(fold(-0.01, 0.0, false));
+        assert_eq!(kinds(folded, 50.0, 50.0), [MeshFolded, NotPredictable]);
+        assert_eq!(
+            kinds(folded, f64::NAN, f64::NAN),
+            [MeshFolded, NotPredictable]
+        );
+        assert_eq!(kinds(folded, 50.0, 1.0), [MeshFolded, Unconverged]);
+        assert_eq!(kinds(None, 50.0, 50.0), [Unconverged]);
+        assert_eq!(kinds(None, f64::NAN, 0.0), [Unconverged]);
+        assert_eq!(kinds(None, 1.0, 50.0), []);
     }
 }

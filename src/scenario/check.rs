@@ -31,6 +31,7 @@ impl Scenario {
         let rules = behind_bone(self)
             .into_iter()
             .chain(too_high(self))
+            .chain(object_at_paper(self))
             .chain(beyond_revolution(self))
             .chain(unknown_marks(self));
         outcome(ranges.chain(rules).chain(doubt::check(self)).collect())?;
@@ -164,6 +165,19 @@ fn angle_of(scenario: &Scenario) -> f64 {
     }
 }
 
+/// The Paper model takes no object: in its flat section a ball is a rod.
+fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
+    let (Model::Paper, Impact::Projectile(_)) = (&scenario.model, &scenario.impact) else {
+        return None;
+    };
+    Some(Problem::refused(
+        "model",
+        "Paper",
+        "takes no object, since a ball in its flat section is a rod",
+        "Physiological(...), or impact: ForcePulse(...)".to_owned(),
+    ))
+}
+
 /// What the eye of revolution cannot be asked for.
 fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
     let Model::Physiological(_) = scenario.model else {
@@ -185,19 +199,10 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
                 "impact.offset_mm",
                 &plain(shot.offset_mm),
                 "is no blow along an axis of revolution",
-                "0 mm, or model Paper, which takes an offset in its section",
+                "0 mm",
             );
         }
-        if shot.speed_m_s > FASTEST_M_S {
-            let complaint = "is out of range for model Physiological, which nothing goes into";
-            let allowed = format!("up to {FASTEST_M_S} m/s");
-            refuse(
-                "impact.speed_m_s",
-                &plain(shot.speed_m_s),
-                complaint,
-                &allowed,
-            );
-        } else if shot.energy_j() > MOST_ENERGY_J {
+        if shot.speed_m_s <= FASTEST_M_S && shot.energy_j() > MOST_ENERGY_J {
             let complaint = "brings more energy than model Physiological takes";
             let most = shot.mass_g * MOST_ENERGY_J / shot.energy_j();
             let allowed = format!("up to {most:.1} g at this speed, which is {MOST_ENERGY_J} J");
@@ -233,11 +238,10 @@ const STEEPEST_DEG: f64 = 90.0;
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {
-    if let Model::Physiological(_) = scenario.model {
+    let (Model::Paper, Impact::ForcePulse(pulse)) = (&scenario.model, &scenario.impact) else {
         return None;
-    }
-    let angle = angle_of(scenario);
-    let opening = scenario.eye.opening_deg;
+    };
+    let (angle, opening) = (pulse.angle_deg, scenario.eye.opening_deg);
     (angle.abs() > opening).then(|| {
         let allowed = format!(
             "{} to {} deg, the opening of the orbit (eye.opening_deg)",
@@ -323,9 +327,8 @@ mod tests {
     }
 
     #[test]
-    fn a_projectile_must_aim_at_the_opening_and_doubt_what_it_has() {
+    fn an_object_is_refused_at_the_paper_model_and_doubts_what_it_has() {
         let shot = Projectile {
-            angle_deg: 50.0,
             unverified: vec!["speed_m_s".to_owned(), "colour".to_owned()],
             ..Projectile::default()
         };
@@ -335,7 +338,12 @@ mod tests {
         };
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
-        assert_eq!(fields, ["impact.angle_deg", "impact.unverified"]);
+        assert_eq!(fields, ["model", "impact.unverified"]);
+        assert_eq!(
+            error.problems[0].to_string(),
+            "model: Paper takes no object, since a ball in its flat section is a rod: \
+             allowed Physiological(...), or impact: ForcePulse(...)"
+        );
         assert!(error.problems[1].message.contains("colour"));
     }
 
@@ -387,11 +395,6 @@ mod tests {
                 "impact.outline.edge_mm",
                 "eye.level"
             ]
-        );
-        assert!(
-            error
-                .to_string()
-                .contains("model Paper, which takes an offset")
         );
     }
 }

@@ -10,7 +10,7 @@ use std::mem::discriminant;
 
 use crate::scenario::problem::plain;
 use crate::scenario::{
-    FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
+    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
     Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support,
     Surface, integrator,
 };
@@ -243,14 +243,14 @@ pub(super) fn pulse_mut(scenario: &mut Scenario) -> Option<&mut ForcePulse> {
     }
 }
 
-fn shot(scenario: &Scenario) -> Option<&Projectile> {
+fn projectile(scenario: &Scenario) -> Option<&Projectile> {
     match &scenario.impact {
         Impact::Projectile(shot) => Some(shot),
         Impact::ForcePulse(_) => None,
     }
 }
 
-pub(super) fn shot_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
+pub(super) fn projectile_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
     match &mut scenario.impact {
         Impact::Projectile(shot) => Some(shot),
         Impact::ForcePulse(_) => None,
@@ -296,27 +296,17 @@ fn section_mut(scenario: &mut Scenario) -> Option<&mut Scenario> {
     physiological(scenario).is_none().then_some(scenario)
 }
 
-/// An object at the eye of revolution.
-fn body(scenario: &Scenario) -> Option<&Projectile> {
-    shot(scenario).filter(|_| physiological(scenario).is_some())
-}
-
-fn body_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    physiological(scenario)?;
-    shot_mut(scenario)
-}
-
 fn gives_way(shot: &Projectile) -> bool {
     shot.stiffness != ProjectileStiffness::Rigid || shot.surface != Surface::Hard
 }
 
-/// The same where it gives way, by its spring or its surface: nothing else loses energy.
+/// An object that gives way, by its spring or its surface: nothing else loses energy.
 fn lossy(scenario: &Scenario) -> Option<&Projectile> {
-    body(scenario).filter(|shot| gives_way(shot))
+    projectile(scenario).filter(|shot| gives_way(shot))
 }
 
 fn lossy_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    body_mut(scenario).filter(|shot| gives_way(shot))
+    projectile_mut(scenario).filter(|shot| gives_way(shot))
 }
 
 /// Both impacts have an angle.
@@ -332,35 +322,35 @@ const ANGLE: Place<f64> = Place {
 };
 
 const N_PER_M: Place<f64> = Place {
-    get: |s| match &shot(s)?.stiffness {
+    get: |s| match &projectile(s)?.stiffness {
         ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
         ProjectileStiffness::Rigid => None,
     },
-    get_mut: |s| match &mut shot_mut(s)?.stiffness {
+    get_mut: |s| match &mut projectile_mut(s)?.stiffness {
         ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
         ProjectileStiffness::Rigid => None,
     },
 };
 
 const EDGE_MM: Place<f64> = Place {
-    get: |s| match &body(s)?.outline {
+    get: |s| match &projectile(s)?.outline {
         Outline::Cylinder { edge_mm } => Some(edge_mm),
         Outline::Sphere => None,
     },
-    get_mut: |s| match &mut body_mut(s)?.outline {
+    get_mut: |s| match &mut projectile_mut(s)?.outline {
         Outline::Cylinder { edge_mm } => Some(edge_mm),
         Outline::Sphere => None,
     },
 };
 
 const MODULUS_MPA: Place<f64> = Place {
-    get: |s| match &body(s)?.surface {
+    get: |s| match &projectile(s)?.surface {
         Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
             Some(modulus_mpa)
         }
         Surface::Hard | Surface::Splashing => None,
     },
-    get_mut: |s| match &mut body_mut(s)?.surface {
+    get_mut: |s| match &mut projectile_mut(s)?.surface {
         Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
             Some(modulus_mpa)
         }
@@ -369,11 +359,11 @@ const MODULUS_MPA: Place<f64> = Place {
 };
 
 const KPA: Place<f64> = Place {
-    get: |s| match &body(s)?.surface {
+    get: |s| match &projectile(s)?.surface {
         Surface::Inflated { kpa, .. } => Some(kpa),
         Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
     },
-    get_mut: |s| match &mut body_mut(s)?.surface {
+    get_mut: |s| match &mut projectile_mut(s)?.surface {
         Surface::Inflated { kpa, .. } => Some(kpa),
         Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
     },
@@ -445,16 +435,15 @@ pub static FIELDS: &[Field] = &[
     field("impact", "Impact", "", "A given force on the cornea, or an object that flies at it", Choice(&OneOf(IMPACTS, at!(impact)))),
     field("impact.force_n", "Peak force", "N", "The largest force on the loaded arc", Number(b(0.0, 1e5, 10.0, 100.0), within!(pulse, pulse_mut, force_n))),
     field("impact.duration_ms", "Duration", "ms", "From the first force to the last", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
-    field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(shot, shot_mut, mass_g))),
-    field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(shot, shot_mut, diameter_mm))),
-    field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, 500.0, 1.0, 10.0), within!(shot, shot_mut, speed_m_s))),
+    field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(projectile, projectile_mut, mass_g))),
+    field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(projectile, projectile_mut, diameter_mm))),
+    field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, FASTEST_M_S, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
     field("impact.angle_deg", "Angle", "deg", "0 from the front, above 0 from above; an object is trusted to 40", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
-    field("impact.offset_mm", "Offset of the path", "mm", "How far its path passes beside the middle; above 0 is up", Number(b(-100.0, 100.0, 0.1, 1.0), within!(shot, shot_mut, offset_mm))),
-    field("impact.stiffness", "Its stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(shot, shot_mut, stiffness)))),
+    field("impact.stiffness", "Its stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(projectile, projectile_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
-    field("impact.outline", "Its shape", "", "A ball, or a rod with a flat end", Choice(&OneOf(OUTLINES, within!(body, body_mut, outline)))),
+    field("impact.outline", "Its shape", "", "A ball, or a rod with a flat end", Choice(&OneOf(OUTLINES, within!(projectile, projectile_mut, outline)))),
     field("impact.outline.edge_mm", "Its edge radius", "mm", "How round the edge of the flat end is", Number(b(0.01, 100.0, 0.1, 1.0), EDGE_MM)),
-    field("impact.surface", "Its surface", "", "Hard, solid and elastic, gas or foam, or liquid in a skin", Choice(&OneOf(SURFACES, within!(body, body_mut, surface)))),
+    field("impact.surface", "Its surface", "", "Hard, solid and elastic, gas or foam, or liquid in a skin", Choice(&OneOf(SURFACES, within!(projectile, projectile_mut, surface)))),
     field("impact.surface.kpa", "Presses up to", "kPa", "The pressure beyond which its surface gives way", Number(b(1.0, 1e5, 1.0, 10.0), KPA)),
     field("impact.surface.modulus_mpa", "Surface modulus", "MPa", "How stiff its surface is at first touch", Number(b(1e-3, 1e6, 0.1, 1.0), MODULUS_MPA)),
     field("impact.restitution", "Restitution", "", "Share of its speed that it keeps off a rigid wall", Number(b(0.0, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),

@@ -1,6 +1,6 @@
 //! The integrators that a scenario may name.
 //!
-//! Only the names are here. What each of them is stands in `dynamics::method`, one row each, and the
+//! Only the names are here. What each of them is stands in `models::paper::time::method`, one row each, and the
 //! compiler asks there for the row of every name added here.
 //!
 //! None is spelled `Auto`: the program chooses.

@@ -132,6 +132,12 @@ mod tests {
                 assert_eq!(parse(&to_ron(&scenario), "here").unwrap(), scenario);
             }
         }
+        let unnamed = "(name: \"x\", impact: Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 5))";
+        let scenario = parse(unnamed, "here").unwrap();
+        assert_eq!(
+            scenario.model,
+            Model::Physiological(Physiological::default())
+        );
         let error = complaint("(name: \"x\", impact: Projectile(mass_g: 1, speed_m_s: 5))");
         assert!(error.contains("diameter_mm"), "{error}");
     }

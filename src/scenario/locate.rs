@@ -13,10 +13,11 @@ use std::str::CharIndices;
 /// ancestor that the text holds. Variant names are passed through: `impact.force_n` is found
 /// inside `impact: ForcePulse(...)`.
 pub fn locate(text: &str, path: &str) -> (usize, usize) {
-    if let Some(of) = path.strip_prefix("doubt.") {
-        return line_and_column(text, doubt_of(text, of));
+    // Doubts are a map by paths in quotes.
+    match path.strip_prefix("doubt.") {
+        Some(of) => line_and_column(text, offset_of(text, ["doubt", of])),
+        None => line_and_column(text, offset_of(text, path.split('.'))),
     }
-    line_and_column(text, offset_of(text, path))
 }
 
 /// Whether there is nothing but white space and comments.
@@ -25,26 +26,11 @@ pub(crate) fn is_blank(text: &str) -> bool {
     Walk::new(text).here() == text.len()
 }
 
-/// Doubts are a map by paths in quotes: the value behind the path, or else the map.
-fn doubt_of(text: &str, path: &str) -> usize {
-    let map = offset_of(text, "doubt");
-    let key = format!("\"{path}\"");
-    let Some(at) = text[map..].find(&key) else {
-        return map;
-    };
-    let mut walk = Walk::new(text);
-    walk.jump(map + at + key.len());
-    match walk.token() {
-        Some(Token::Colon) => walk.here(),
-        _ => map + at,
-    }
-}
-
-fn offset_of(text: &str, path: &str) -> usize {
+fn offset_of<'a>(text: &str, path: impl IntoIterator<Item = &'a str>) -> usize {
     let mut walk = Walk::new(text);
     walk.skip_attributes();
     let mut found = walk.here();
-    for segment in path.split('.') {
+    for segment in path {
         if !walk.enter() || !walk.find(segment) {
             break;
         }
@@ -69,7 +55,7 @@ enum Token {
     Close,
     Comma,
     Colon,
-    /// A name, from byte to byte; a raw name without its `r#`.
+    /// A name, from byte to byte; a raw name without its `r#`, one in quotes without these.
     Name(usize, usize),
     /// A number, a string, a character: nothing to look into.
     Other,
@@ -154,7 +140,10 @@ impl<'a> Walk<'a> {
             ')' | ']' | '}' => Token::Close,
             ',' => Token::Comma,
             ':' => Token::Colon,
-            '"' => self.quoted('"'),
+            '"' => {
+                self.quoted('"');
+                Token::Name(start + 1, self.offset().saturating_sub(1))
+            }
             '\'' => self.quoted('\''),
             c if c.is_alphanumeric() || matches!(c, '_' | '+' | '-' | '.') => {
                 self.word(start, first)

@@ -34,36 +34,70 @@ pub use crate::scenario::physiological::{
 pub use crate::scenario::problem::{Problem, ScenarioError};
 pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, Surface};
 use curve_file::CurveFile;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// The finest mesh level of any model.
+pub const FINEST_LEVEL: u32 = 8;
 
 /// One blow to one eye: everything that a run depends on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(from = "WrittenScenario")]
 pub struct Scenario {
     /// Shown wherever the result is shown.
     pub name: String,
     /// The material model.
-    #[serde(default)]
     pub model: Model,
     /// What hits the eye.
     pub impact: Impact,
     /// Simulated time from the first contact, in ms.
-    #[serde(default = "Scenario::default_window_ms")]
     pub window_ms: f64,
     /// Anatomy and mesh.
-    #[serde(default)]
     pub eye: EyeInput,
     /// Integrator and step.
-    #[serde(default)]
     pub numerics: NumericsInput,
     /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
-    /// the field. No single run changes by them; an [ensemble](crate::many::ensemble) draws from them.
-    #[serde(
-        default,
-        deserialize_with = "doubt::once",
-        skip_serializing_if = "BTreeMap::is_empty"
-    )]
+    /// the field. No single run changes by them; an ensemble draws from them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub doubt: BTreeMap<String, f64>,
+}
+
+/// A scenario as text gives it: what hits the eye decides about a model that is not named.
+#[derive(Deserialize)]
+#[serde(rename = "Scenario", deny_unknown_fields)]
+struct WrittenScenario {
+    name: String,
+    #[serde(default, deserialize_with = "named")]
+    model: Option<Model>,
+    impact: Impact,
+    #[serde(default = "Scenario::default_window_ms")]
+    window_ms: f64,
+    #[serde(default)]
+    eye: EyeInput,
+    #[serde(default)]
+    numerics: NumericsInput,
+    #[serde(default, deserialize_with = "doubt::once")]
+    doubt: BTreeMap<String, f64>,
+}
+
+/// Reads a model that is named without `Some`.
+fn named<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Model>, D::Error> {
+    Model::deserialize(deserializer).map(Some)
+}
+
+impl From<WrittenScenario> for Scenario {
+    fn from(written: WrittenScenario) -> Self {
+        Self {
+            name: written.name,
+            model: written
+                .model
+                .unwrap_or_else(|| Model::usual_for(&written.impact)),
+            impact: written.impact,
+            window_ms: written.window_ms,
+            eye: written.eye,
+            numerics: written.numerics,
+            doubt: written.doubt,
+        }
+    }
 }
 
 impl Scenario {
@@ -91,12 +125,38 @@ impl Default for Scenario {
 #[serde(deny_unknown_fields)]
 pub enum Model {
     /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013): unit depth, drag on
-    /// every node.
+    /// every node. It takes force pulses only: a ball in its flat section would be a rod.
     #[default]
     Paper,
     /// A body of revolution about the line of the blow, with tissues that have a bulk modulus each and a
     /// shell that has a thickness.
     Physiological(Physiological),
+}
+
+impl Model {
+    /// The model of a scenario that names none: only the Physiological one takes objects.
+    pub fn usual_for(impact: &Impact) -> Self {
+        match impact {
+            Impact::ForcePulse(_) => Self::Paper,
+            Impact::Projectile(_) => Self::Physiological(Physiological::default()),
+        }
+    }
+
+    /// It in words, with what was chosen of it.
+    pub fn description(&self) -> String {
+        match self {
+            Self::Paper => "Paper model, unit depth (1 m)".to_owned(),
+            Self::Physiological(model) => model.description(),
+        }
+    }
+
+    /// It in two or three words.
+    pub fn title(&self) -> &'static str {
+        match self {
+            Self::Paper => "Paper model, unit depth",
+            Self::Physiological(_) => "Physiological model",
+        }
+    }
 }
 
 /// What hits the eye.

@@ -1,7 +1,6 @@
 //! The Physiological model: the eye as a body of revolution about the line of the blow.
 //!
-//! Its mesh and mechanics are in [`crate::models::axisymmetric::eye`] and [`crate::models::axisymmetric`], where
-//! each default has its source. This holds what a person may change of it. Of [`crate::scenario::EyeInput`] it
+//! Each default has its source in the model itself. This holds what a person may change of it. Of [`crate::scenario::EyeInput`] it
 //! takes the level alone: the rest there is of the section.
 
 use serde::{Deserialize, Serialize};
@@ -15,7 +14,7 @@ pub const FASTEST_M_S: f64 = 200.0;
 /// See [`FASTEST_M_S`].
 pub const MOST_ENERGY_J: f64 = 300.0;
 /// The finest mesh level of this model.
-pub const FINEST_PHYSIOLOGICAL_LEVEL: u32 = crate::models::axisymmetric::eye::RevolutionEye::FINEST;
+pub const FINEST_PHYSIOLOGICAL_LEVEL: u32 = 5;
 
 /// What the eye of revolution is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -56,6 +55,20 @@ pub struct Physiological {
 }
 
 impl Physiological {
+    /// It in words, with species and support.
+    pub(super) fn description(&self) -> String {
+        let species = match self.species {
+            Species::Human => "human",
+            Species::Pig => "pig",
+        };
+        let support = match self.support {
+            Support::Orbit => "in its orbit",
+            Support::Gelatin => "in gelatin",
+            Support::Free => "free",
+        };
+        format!("Physiological model, {species} eye {support}")
+    }
+
     /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of 0.48
     /// makes half of it, which is what the two tests of an impactor in the orbit want: the one number
     /// that is fitted (`contrecoup verify fit`).

@@ -129,6 +129,8 @@ pub fn plain(number: f64) -> String {
 
 /// Characters from which on a part of a name can stand for it.
 const SHORTEST_PART: usize = 4;
+/// A name is like another from this likeness on, of 1 at most.
+pub const ALIKE: f64 = 0.8;
 
 /// Up to three candidates that resemble a mistyped name, the nearest first.
 pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
@@ -136,16 +138,16 @@ pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Ve
     let typed: String = typed.chars().take(LONGEST_QUOTE).collect();
     let mut scored: Vec<(f64, &str)> = candidates
         .map(|candidate| (likeness(&typed, candidate), candidate))
-        .filter(|(score, _)| *score > 0.8)
+        .filter(|(score, _)| *score > ALIKE)
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
     scored.truncate(3);
     scored.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
-/// A path is recognised by its whole or by its last part, a name by any part of it: `force_n` means
+/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by its last part, a name by any part of it: `force_n` means
 /// `impact.force_n`, and `verlet` `VelocityVerlet`.
-fn likeness(typed: &str, candidate: &str) -> f64 {
+pub fn likeness(typed: &str, candidate: &str) -> f64 {
     let bare = |name: &str| name.to_lowercase();
     if typed.chars().count() >= SHORTEST_PART && bare(candidate).contains(&bare(typed)) {
         return 1.0;

@@ -1,13 +1,10 @@
 //! An object that flies at the eye.
 //!
-//! In the section it is a disc, so in space it is a rod across the slab: a small ball engages more of
-//! the eye there than in life. At the eye of revolution it is a ball or a flat cylinder, whose own
-//! surface may give way; the section knows none of [`Projectile::outline`], [`Projectile::surface`] and
-//! [`Projectile::restitution`].
+//! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological model.
 
 use serde::{Deserialize, Serialize};
 
-/// A disc that flies at the cornea along the inward normal at its angle.
+/// A ball or cylinder that flies at the cornea along the inward normal at its angle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Projectile {
@@ -20,20 +17,19 @@ pub struct Projectile {
     /// Front angle that it aims at, in degrees: 0 at the corneal apex, positive above.
     #[serde(default)]
     pub angle_deg: f64,
-    /// Sideways shift of its path, in mm, positive to the left of its flight: up for a level shot.
-    #[serde(default)]
+    /// Sideways shift of its path, in mm. Older files hold it; nothing but 0 is accepted.
+    #[serde(default, skip_serializing_if = "Projectile::is_zero")]
     pub offset_mm: f64,
     /// How it gives way as a whole.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
-    /// Its shape at the eye of revolution.
+    /// Its shape.
     #[serde(default, skip_serializing_if = "Outline::is_default")]
     pub outline: Outline,
-    /// How its surface gives way at the eye of revolution.
+    /// How its surface gives way.
     #[serde(default, skip_serializing_if = "Surface::is_default")]
     pub surface: Surface,
-    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid wall, at the
-    /// eye of revolution.
+    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid wall.
     #[serde(
         default = "Projectile::lossless",
         skip_serializing_if = "Projectile::is_lossless"
@@ -47,17 +43,26 @@ pub struct Projectile {
 
 impl Projectile {
     /// The fields that [`Self::unverified`] may name.
-    pub const FIELDS: [&'static str; 9] = [
+    pub const FIELDS: [&'static str; 8] = [
         "mass_g",
         "diameter_mm",
         "speed_m_s",
         "angle_deg",
-        "offset_mm",
         "stiffness",
         "outline",
         "surface",
         "restitution",
     ];
+
+    /// Mass, in kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.mass_g * 1e-3
+    }
+
+    /// Diameter, in m.
+    pub fn diameter_m(&self) -> f64 {
+        self.diameter_mm * 1e-3
+    }
 
     /// Energy that it brings, in J.
     pub fn energy_j(&self) -> f64 {
@@ -66,6 +71,14 @@ impl Projectile {
 
     fn lossless() -> f64 {
         1.0
+    }
+
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde asks for a reference"
+    )]
+    fn is_zero(offset: &f64) -> bool {
+        *offset == 0.0
     }
 
     #[expect(

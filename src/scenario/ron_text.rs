@@ -42,6 +42,9 @@ fn completed(text: &str) -> Option<String> {
     bare.then(|| format!("{}(){}", &text[..end], &text[end..]))
 }
 
+/// What to say of a value of the wrong kind at a dotted path, and what is allowed there.
+pub(crate) type Expected = fn(&str) -> Option<(&'static str, String)>;
+
 /// Reads a value that stands at the dotted path `under` of a scenario (empty for a whole one).
 pub(crate) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, ScenarioError> {
     let completed = if under.is_empty() {
@@ -49,9 +52,18 @@ pub(crate) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, Sc
     } else {
         None
     };
-    let text = completed.as_deref().unwrap_or(text);
+    read_with(completed.as_deref().unwrap_or(text), under, expected)
+}
+
+/// Reads any value, with what its fields may be.
+pub(crate) fn read_with<T: DeserializeOwned>(
+    text: &str,
+    under: &str,
+    expected: Expected,
+) -> Result<T, ScenarioError> {
+    let explain = |path: &str, error: &SpannedError| explain(text, under, path, error, expected);
     let mut source = Deserializer::from_str_with_options(text, &options())
-        .map_err(|error| explain(text, under, under, &error))?;
+        .map_err(|error| explain(under, &error))?;
     let mut track = Track::new();
     let value = T::deserialize(serde_path_to_error::Deserializer::new(
         &mut source,
@@ -61,7 +73,7 @@ pub(crate) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, Sc
         Ok(value) => (source.end().map(|()| value), under.to_owned()),
         Err(code) => (Err(code), dotted(under, &track.path())),
     };
-    value.map_err(|code| explain(text, under, &path, &source.span_error(code)).into())
+    value.map_err(|code| explain(&path, &source.span_error(code)).into())
 }
 
 /// The scenario as RON, one field a line; reading it back gives an equal scenario.
@@ -97,7 +109,13 @@ fn joined(parent: &str, field: &str) -> String {
     }
 }
 
-fn explain(text: &str, under: &str, path: &str, error: &SpannedError) -> Problem {
+fn explain(
+    text: &str,
+    under: &str,
+    path: &str,
+    error: &SpannedError,
+    expected: Expected,
+) -> Problem {
     let before = (error.span.start.line, error.span.start.col);
     let cursor = (error.span.end.line, error.span.end.col);
     match &error.code {
@@ -136,7 +154,7 @@ fn explain(text: &str, under: &str, path: &str, error: &SpannedError) -> Problem
             } else {
                 locate(text, inside.trim_start_matches('.'))
             };
-            match wrong_kind(path, code, start == cursor) {
+            match expected(path).filter(|_| about_the_value(code, start == cursor)) {
                 Some((complaint, allowed)) => match word_at(text, start) {
                     "" => Problem {
                         message: format!("a value is missing: allowed {allowed}"),
@@ -176,12 +194,9 @@ fn punctuation(code: &Error, text: &str, place: (usize, usize)) -> String {
     }
 }
 
-/// What to say where a value of another kind than the field's stands; `None` where the trouble is
-/// elsewhere.
-fn wrong_kind(path: &str, code: &Error, at_start: bool) -> Option<(&'static str, String)> {
-    let whole = path.split('[').next().unwrap_or(path);
-    let field = fields::find(whole)?;
-    let about_the_value = match code {
+/// Whether an error is about the value that stands there, not about what surrounds it.
+fn about_the_value(code: &Error, at_start: bool) -> bool {
+    match code {
         Error::ExpectedFloat
         | Error::ExpectedInteger
         | Error::ExpectedBoolean
@@ -198,14 +213,19 @@ fn wrong_kind(path: &str, code: &Error, at_start: bool) -> Option<(&'static str,
         | Error::InvalidIdentifier(_)
         | Error::SuggestRawIdentifier(_) => at_start,
         _ => false,
-    };
-    let (complaint, allowed) = match field.kind {
+    }
+}
+
+/// What to say of a value of the wrong kind in a scenario, and what is allowed there.
+fn expected(path: &str) -> Option<(&'static str, String)> {
+    let whole = path.split('[').next().unwrap_or(path);
+    let field = fields::find(whole)?;
+    Some(match field.kind {
         _ if whole == path => (not_a(&field.kind), field.allowed()),
         Kind::Integers(..) => ("is not a whole number in range", field.allowed()),
         // Only a table has numbers inside.
         _ => ("is not a number", "knots (t_ms, share)".to_owned()),
-    };
-    about_the_value.then_some((complaint, allowed))
+    })
 }
 
 /// The complaint about text that is no value of this kind at all.

@@ -51,21 +51,21 @@ static GROUPS: &[Group] = &[
     Group {
         path: "impact.stiffness",
         replace: |s, text| {
-            let stiffness = fields::shot_mut(s).map(|shot| &mut shot.stiffness);
+            let stiffness = fields::projectile_mut(s).map(|shot| &mut shot.stiffness);
             put(stiffness, text, "impact.stiffness")
         },
     },
     Group {
         path: "impact.outline",
         replace: |s, text| {
-            let outline = fields::shot_mut(s).map(|shot| &mut shot.outline);
+            let outline = fields::projectile_mut(s).map(|shot| &mut shot.outline);
             put(outline, text, "impact.outline")
         },
     },
     Group {
         path: "impact.surface",
         replace: |s, text| {
-            let surface = fields::shot_mut(s).map(|shot| &mut shot.surface);
+            let surface = fields::projectile_mut(s).map(|shot| &mut shot.surface);
             put(surface, text, "impact.surface")
         },
     },
@@ -189,7 +189,7 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     let name = path
         .strip_prefix("impact.")
         .and_then(|p| p.split('.').next());
-    if let (Some(name), Some(shot)) = (name, fields::shot_mut(scenario)) {
+    if let (Some(name), Some(shot)) = (name, fields::projectile_mut(scenario)) {
         shot.unverified.retain(|field| field != name);
     }
 }

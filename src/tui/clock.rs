@@ -1,10 +1,10 @@
 //! The one clock that every picture follows.
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::models::paper::recording::frames::nearest;
 use crate::report::figure::Figure;
 use crate::run::kept::Frame;
+use crate::run::quantity::Quantity;
 use crate::tui::step::Step;
 
 /// Speeds in ms of impact a second.
@@ -235,8 +235,8 @@ pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Opt
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::{Keep, Spacing};
+    use crate::run::watch::unwatched;
     use crate::scenario::CheckedScenario;
 
     #[test]
@@ -284,7 +284,7 @@ mod tests {
             }),
         };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
-        let frames = &answer.frames;
+        let frames = &answer.run.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);
         assert!(!clock.playing);
         let time = |clock: &Clock| clock.time(&answer);

@@ -5,7 +5,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::many::ensemble::{Ensemble, run};
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::guest::MOST_SAMPLES;
 use crate::tui::idle;

@@ -6,7 +6,7 @@
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
-use crate::scenario::{Impact, Scenario};
+use crate::scenario::{Impact, Model, Scenario};
 use crate::tui::line::Line;
 use crate::tui::step::Step;
 
@@ -205,6 +205,10 @@ pub fn words(error: &ScenarioError) -> String {
 pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
     let mut changed = scenario.clone();
     set(&mut changed, field.path, text).map_err(|error| words(&error))?;
+    if field.path == "impact" && Model::usual_for(&changed.impact) != Model::Paper {
+        // Whoever asks for an object means the model that takes one; its parts are kept if it is there.
+        set(&mut changed, "model", "Physiological").map_err(|error| words(&error))?;
+    }
     changed.check().map_err(|error| words(&error))?;
     Ok(changed)
 }
@@ -379,6 +383,16 @@ mod tests {
         pulse.angle_deg = 40.0;
         let error = nudged(&scenario, field("impact.angle_deg"), Step::MORE, None);
         assert!(error.unwrap_err().contains("bone shields"));
+    }
+
+    #[test]
+    fn an_object_brings_the_model_that_takes_it_and_keeps_off_the_one_that_does_not() {
+        let object = nudged(&Scenario::default(), field("impact"), Step::MORE, None).unwrap();
+        assert_eq!(field("model").text(&object).unwrap(), "Physiological");
+        let refused = nudged(&object, field("model"), Step::MORE, None).unwrap_err();
+        assert!(refused.starts_with("Paper takes no object"), "{refused}");
+        let pulse = nudged(&object, field("impact"), Step::MORE, None).unwrap();
+        assert!(nudged(&pulse, field("model"), Step::MORE, None).is_ok());
     }
 
     #[test]

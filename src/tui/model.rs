@@ -1,11 +1,11 @@
 //! Everything that the screens show. Nothing here draws and nothing here waits.
 
+use std::borrow::Borrow;
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::answer::solve::Answer;
 use crate::run::drawing::Drawing;
-use crate::scenario;
 use crate::scenario::Scenario;
 use crate::tui::clock::{Clock, Moment};
 use crate::tui::ensemble::Samples;
@@ -58,9 +58,15 @@ impl Shown {
             scenario,
             hottest: hottest(&answer),
             highest: highest(&answer),
-            drawing: Drawing::of(&answer.case),
+            drawing: answer.case.eye.drawing(),
             answer: Arc::new(answer),
         }
+    }
+}
+
+impl Borrow<Answer> for Box<Shown> {
+    fn borrow(&self) -> &Answer {
+        &self.answer
     }
 }
 
@@ -266,10 +272,7 @@ impl Model {
 
     /// The mechanical model of the scenario in words.
     pub fn material(&self) -> &'static str {
-        match self.work.scenario.model {
-            scenario::Model::Paper => "Paper model, unit depth",
-            scenario::Model::Physiological(_) => "Physiological model",
-        }
+        self.work.scenario.model.title()
     }
 
     /// Why the result on show is not that of the form, if it is not.

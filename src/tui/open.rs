@@ -20,6 +20,7 @@ use crate::tui::screens::SCREENS;
 use crate::tui::terminal;
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::update;
+use crate::tui::view::palette::Palette;
 use crate::tui::work::Work;
 
 /// What is opened if nothing is asked for.
@@ -135,10 +136,14 @@ pub fn run(
         depth,
         symbols: symbols(flags.symbols.or(config.symbols), env),
         heat: config.heat,
-        palette: config.colours.on(config.ground.is_light(env)),
+        palette: Palette {
+            light: config.ground.is_light(env),
+            own: config.colours,
+        },
     };
     // Who asks for something, or wants one screen always, goes on from nowhere.
-    let goes_on = guest.is_none() && config.start.is_none();
+    let first = config.first_screen();
+    let goes_on = guest.is_none() && first.is_none();
     let mut model = if goes_on && sources.is_empty() {
         resume(look)?
     } else {
@@ -152,7 +157,7 @@ pub fn run(
     model.idle = config.idle;
     model.keys = config.keys;
     // Several that were given are compared.
-    if let Some(screen) = config.start
+    if let Some(screen) = first
         && sources.len() < 2
     {
         update::show(&mut model, screen);

@@ -1,12 +1,10 @@
 //! The list of everything that can be opened: which of it is shown for what is typed, and in which order.
 //!
 //! A person's own presets come first, then what flies at an eye, then blows that are a force. What is typed is
-//! searched for word by word in name and title; the nearest comes first. Where nothing has every letter, a
-//! letter of each word may be wrong.
+//! searched for word by word in name and title; the nearest comes first. A word that stands there as it is typed
+//! counts most, then one that resembles it.
 
-use frizbee::{CaseMatching, Config, Matcher, Pattern};
-
-use crate::scenario::problem::plain;
+use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};
 use crate::tui::line::Line;
 use crate::tui::model::Choice;
@@ -45,22 +43,13 @@ impl Picker {
         if words.is_empty() {
             return;
         }
-        let texts: Vec<String> = self.shown.iter().map(|at| text(&choices[*at])).collect();
-        let found = [0, 1].map(|typos| {
-            let config = Config {
-                max_typos: Some(typos),
-                casing: CaseMatching::Ignore,
-                ..Config::default()
-            };
-            let patterns: Vec<Pattern> = words
-                .iter()
-                .map(|word| Pattern::new(word, frizbee::PatternConfig::default()))
-                .collect();
-            Matcher::from_patterns(&patterns, &config).match_list(&texts)
-        });
-        let found = found.into_iter().find(|found| !found.is_empty());
-        let places = found.unwrap_or_default().into_iter();
-        self.shown = places.map(|m| self.shown[m.index as usize]).collect();
+        let mut found: Vec<(f64, usize)> = self
+            .shown
+            .iter()
+            .filter_map(|at| Some((nearness(&words, &text(&choices[*at]))?, *at)))
+            .collect();
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        self.shown = found.into_iter().map(|(_, at)| at).collect();
     }
 
     /// The choice with the cursor.
@@ -89,6 +78,25 @@ fn rank(choice: &Choice) -> u8 {
 fn text(choice: &Choice) -> String {
     let title = choice.scenario.as_ref().map_or("", |s| s.name.as_str());
     format!("{} {title}", choice.name)
+}
+
+/// How near a text is to all words that are typed; none where it has nothing like one of them.
+fn nearness(words: &[&str], text: &str) -> Option<f64> {
+    let text = text.to_lowercase();
+    words
+        .iter()
+        .map(|word| {
+            let word = word.to_lowercase();
+            let parts = text.split([' ', '-']);
+            let best = parts.map(|part| likeness(&word, part)).fold(0.0, f64::max);
+            let score = if text.contains(&word) {
+                1.0 + best
+            } else {
+                best
+            };
+            (score > ALIKE).then_some(score)
+        })
+        .sum()
 }
 
 /// Mass, size and speed of what flies; of a force the force, nothing and how long it acts.

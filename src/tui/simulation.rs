@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
-use crate::models::paper::case::{Refusal, Watch};
 use crate::run::kept::{Keep, Spacing};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::{Impact, Scenario};
 use crate::tui::model::{Model, Shown};
 use crate::tui::task::{Question, Report};
@@ -167,8 +168,8 @@ pub fn keep(scenario: &Scenario) -> Keep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::quantity::Quantity;
-    use crate::models::paper::case::unwatched;
+    use crate::run::quantity::Quantity;
+    use crate::run::watch::unwatched;
 
     #[test]
     fn the_mesh_error_needs_no_second_answer() {

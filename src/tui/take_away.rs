@@ -6,10 +6,12 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::many::comparison::Found;
 use crate::report::command::{arguments, line};
 use crate::report::page::html;
 use crate::report::summary;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::model::{Model, Shown};
 use crate::tui::task::{Question, Report};
@@ -97,9 +99,8 @@ impl Question for WritePage {
         let mut entries = Vec::with_capacity(self.blows.len());
         for (source, scenario, answer) in &self.blows {
             entries.push(Entry {
-                source: source.clone(),
-                scenario: scenario.check()?,
-                outcome: Ok((**answer).clone()),
+                found: Found::Answer((**answer).clone()),
+                ..Entry::new(source, scenario)
             });
         }
         match html::page(&entries, self.command.as_deref(), watch) {
@@ -153,7 +154,7 @@ pub(crate) fn copy(model: &mut Model) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::tui::simulation::Simulate;
     use crate::tui::update::driven::{asked, letter, opened};
     use crate::tui::update::{Message, begin, update};

@@ -10,8 +10,9 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::models::paper::case::{Refusal, Watch};
 use crate::report::pace::Pace;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::tui::update::Effect;
 
 /// Tells one request from every other; later ones are larger.

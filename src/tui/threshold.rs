@@ -6,12 +6,13 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::injury::Injury;
 use crate::many::threshold::{Crossing, Question, Threshold};
-use crate::models::paper::case::{Refusal, Watch};
 use crate::report::text::significant;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::fields::{Field, Kind};
 use crate::scenario::problem::plain;
 use crate::tui::form::{Row, with_text};
@@ -154,7 +155,7 @@ fn rupture(shown: &Shown) -> Option<Quantity> {
     let verdict = verdicts.iter().find(|v| v.injury == Injury::GlobeRupture)?;
     let (risk, _) = verdict.parts.first()?;
     let measure = risk.curve.measure;
-    let by = |quantity: &&Quantity| matches!(quantity.row().read, Read::Risk(Injury::GlobeRupture, m) if m == measure);
+    let by = |quantity: &&Quantity| matches!(quantity.derived(), Some(Derived::Risk(Injury::GlobeRupture, m)) if m == measure);
     Quantity::ALL.iter().find(by).copied()
 }
 
@@ -259,8 +260,8 @@ pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
     use crate::scenario::fields;
     use crate::scenario::library::find;
     use crate::tui::task::Question as _;
@@ -298,8 +299,8 @@ mod tests {
         let mut model = bb();
         letter(&mut model, 't');
         assert!(matches!(
-            asking(&model).quantity.row().read,
-            Read::Risk(Injury::GlobeRupture, _)
+            asking(&model).quantity.derived(),
+            Some(Derived::Risk(Injury::GlobeRupture, _))
         ));
         key(&mut model, KeyCode::Esc);
         risk_by_energy(&mut model);

@@ -9,7 +9,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::models::paper::case::Watch;
+use crate::run::watch::Watch;
 use crate::tui::idle;
 use crate::tui::task::{Report, Request, Ticket};
 
@@ -175,7 +175,7 @@ pub fn overseen<T: Send, S: Send>(
 mod tests {
     use super::*;
     use crate::answer::solve::Answer;
-    use crate::models::paper::case::Refusal;
+    use crate::run::refusal::Refusal;
     use crate::scenario::Scenario;
     use crate::tui::simulation::Simulate;
     use crate::tui::task::News;
@@ -233,7 +233,7 @@ mod tests {
             last = done(&heard);
         }
         let answer = last.1.unwrap();
-        assert!(answer.frames.len() > 300 && answer.traces.is_some());
+        assert!(answer.run.frames.len() > 300 && answer.run.traces.is_some());
     }
 
     #[test]

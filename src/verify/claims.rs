@@ -6,16 +6,17 @@
 //! itself: it may be off by what fine levels scatter by.
 
 use crate::answer::choose::{Ladder, within_by};
-use crate::answer::mesh_error::{FINEST_LEVEL, MeshError, OnMesh, at_level, witnesses};
-use crate::answer::quantity::Quantity;
+use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::results::Results;
 use crate::answer::solve::solve;
 use crate::many::statistics::median;
-use crate::models::paper::case::{Refusal, unwatched};
-use crate::models::paper::time::march::Plan;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::scenario::{CheckedScenario, FINEST_LEVEL, Scenario};
 use crate::verify::scenes::{MAX_SCENES, Scenes};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
@@ -147,7 +148,7 @@ pub fn check(
     let check_one = |index| {
         let scene = study.scenes().scene(index, seed);
         let claims = match study.claims(&scene) {
-            Err(Refusal::Through(_)) => None,
+            Err(Refusal::WentThrough(_)) => None,
             claims => claims?,
         };
         let counts = claims.is_some() || matches!(study, Study::Steps(_));
@@ -232,7 +233,7 @@ fn step_errors(scene: &Scenario, fineness: f64) -> Result<Option<Vec<Claim>>, Re
         ..answer.plan
     };
     let reference = answer.case.run(&fine, Keep::default(), &mut unwatched)?;
-    let reference = answer.case.results(&reference.left);
+    let reference = answer.case.results(&reference);
     let truth = answer.results().difference_percent(&reference);
     Ok(Some(about_results(&answer.errors.time_step, &truth)))
 }
@@ -274,7 +275,7 @@ fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
         let refused = matches!(answered, Err(Refusal::ToleranceNotMet { .. }));
         let chosen = if refused { None } else { Some(answered?) };
         let truth = chosen.as_ref().map(|chosen| {
-            let damage = chosen.answer.index.damage();
+            let damage = chosen.answer.index().damage();
             100.0 * (damage - exact).abs() / damage.abs()
         });
         Ok(Claim {

@@ -11,7 +11,7 @@
 //! Pressure in a pig's eye is compared with pressure computed in a pig's, whose wall is taken twice as
 //! thick, and bursting with the limit of its own species (1.64 against 0.91 MPa).
 
-use crate::answer::quantity::Quantity;
+use crate::run::quantity::Quantity;
 use crate::scenario::{
     Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness, Scenario, Species,
     Support, Surface,

@@ -9,7 +9,8 @@
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::verify::experiments::MeasuredBand;
 use crate::verify::rerun::{Rerun, fitted, rerun, with_fat};
 use rayon::prelude::*;

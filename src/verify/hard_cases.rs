@@ -5,22 +5,23 @@
 //! their difference from the answer is its true error; where they do not, nobody can tell, and an
 //! answer without a flag that says so is wrong.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_case};
-use crate::models::compiled::Compiled;
-use crate::models::paper::case::{Case, Refusal, unwatched};
-use crate::models::paper::forces::load::Piece;
-use crate::models::paper::time::march::Plan;
+use crate::models::paper::case::Case;
+use crate::models::pulse::Piece;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
+use crate::run::model::EyeModel;
+use crate::run::plan::Plan;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::Integrator;
-use crate::scenario::{
-    CheckedScenario, EyeInput, ForcePulse, Impact, Projectile, ProjectileStiffness, PulseShape,
-    Scenario,
-};
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, PulseShape, Scenario};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A true error below this, in %, is accurate enough whatever was claimed, and references that
@@ -63,11 +64,6 @@ pub type References = [(Integrator, f64); 2];
 const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 /// For the one case that takes a quarter of a million steps.
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
-/// No other solves a scene with a projectile. Its errors fall with the second power at best.
-const CONTACT: References = [
-    (Integrator::VelocityVerlet, 32.0),
-    (Integrator::VelocityVerlet, 16.0),
-];
 
 /// What became of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -135,23 +131,6 @@ fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
     }
 }
 
-/// An airgun's pellet on a soft spring, at an eye whose drag leaves hardly a swing.
-fn pellet() -> Scenario {
-    Scenario {
-        impact: Impact::Projectile(Projectile {
-            mass_g: 1.05,
-            diameter_mm: 6.35,
-            speed_m_s: 20.0,
-            stiffness: ProjectileStiffness::Linear { n_per_m: 20e3 },
-            ..Projectile::default()
-        }),
-        ..lasting(
-            1.0,
-            scene(|_, e| (e.filament_factor, e.globe_drag_ns_m) = (0.0, 303.0)),
-        )
-    }
-}
-
 /// The standard case by `integrator` at `share` of its stability limit.
 fn at_limit(share: f64, integrator: Integrator) -> Scenario {
     let mut scenario = Scenario::default();
@@ -204,8 +183,6 @@ pub fn cases() -> Vec<HardCase> {
         case("window of 2 us", "the same with two", lasting(2e-3, Scenario::default())),
         case("1e-300 N", "a blow that rounding swallows", scene(|p, _| p.force_n = 1e-300)),
         case("1e-6 N", "a blow not far above rounding", scene(|p, _| p.force_n = 1e-6)),
-        HardCase { references: CONTACT,
-            ..case("pellet, no filaments", "drag stiffer than any spring, under an object", pellet()) },
         case("filaments off", "springs that are not there", scene(|_, e| e.filament_factor = 0.0)),
         case("filaments x100", "the stiffest springs are not in the grid", scene(|_, e| e.filament_factor = 100.0)),
         HardCase { start: Start::OnOneSpot,
@@ -257,7 +234,7 @@ impl HardCase {
     pub fn run(&self) -> CaseOutcome {
         let solved = self.compiled().and_then(|case| {
             solve_case(
-                Compiled::Section(Box::new(case)),
+                Compiled::with(Arc::new(case), &self.scenario),
                 &self.scenario,
                 Keep::default(),
                 &mut unwatched,
@@ -374,7 +351,7 @@ fn reference(
         ..answer.plan
     };
     let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
-    Ok(answer.case.results(&solution.left))
+    Ok(answer.case.results(&solution))
 }
 
 /// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is left out if it

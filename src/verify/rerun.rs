@@ -4,9 +4,10 @@
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
 use crate::answer::solve::{Answer, solve};
-use crate::models::paper::case::{Refusal, unwatched};
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::{Model, Physiological, Scenario};
 use crate::verify::experiments::{EXPERIMENTS, Experiment, Gauge};
 use rayon::prelude::*;
@@ -152,7 +153,7 @@ fn limits(reading: Gauge, kind: FlagKind) -> bool {
 fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
     let answer = answer.as_ref().map_err(Refusal::to_string)?;
     let value = match experiment.reading {
-        Gauge::ForceAt(way) => answer.traces.as_ref().and_then(|traces| {
+        Gauge::ForceAt(way) => answer.run.traces.as_ref().and_then(|traces| {
             let after = traces.intrusion.iter().position(|&x| x >= 1e-3 * way)?;
             let before = after.checked_sub(1)?;
             let (x0, x1) = (traces.intrusion[before], traces.intrusion[after]);
@@ -161,20 +162,14 @@ fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64
             Some(force[before] + share * (force[after] - force[before]))
         }),
         Gauge::Of(quantity) => answer.result(quantity),
-        Gauge::Sensor => {
-            let left = answer.left.revolution();
-            left.map(|left| 1e-6 * left.back_pressure.value)
-        }
+        Gauge::Sensor => answer.run.detail("peak_sensor_pressure_mpa"),
         Gauge::TimeOf(quantity) => answer.peak(quantity).map(|peak| 1e3 * peak.time),
-        Gauge::Volume => answer.left.revolution().map(|left| {
-            let (least, most) = (left.least_volume, left.most_volume);
-            let far = if 1.0 - least > most - 1.0 {
-                least
-            } else {
-                most
-            };
-            1e2 * far
-        }),
+        Gauge::Volume => {
+            let least = answer.run.detail("least_globe_volume_percent");
+            let most = answer.run.detail("largest_globe_volume_percent");
+            let ends = [least, most].into_iter().flatten();
+            ends.max_by(|a, b| (a - 100.0).abs().total_cmp(&(b - 100.0).abs()))
+        }
     };
     let finite = value.filter(|value| value.is_finite());
     finite.ok_or_else(|| "the run does not reach it".to_owned())

@@ -3,7 +3,7 @@
 use super::drawn::{model as open, open_measured, press};
 use std::time::Duration;
 
-use contrecoup::answer::total::Total;
+use contrecoup::many::accuracy::Total;
 use contrecoup::tui::model::{Model, Overlay, Question};
 use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
 use contrecoup::tui::simulation::Simulate;

@@ -6,9 +6,9 @@ use super::drawn::{
     SIZES, cells, line_from, model, open_mapped, open_measured, open_sampled, picture, press,
     ticket,
 };
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
-use contrecoup::models::paper::case::Refusal;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::fields;
 use contrecoup::tui::form::Row;
 use contrecoup::tui::model::Model;
@@ -118,7 +118,7 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     // A folded mesh has no parts on show.
     answer.flags.clear();
     shown.answer = Arc::new(answer);
-    let index = shown.answer.index;
+    let index = shown.answer.index();
     let parts = [
         ("S shell", index.shell_growth / SHELL.threshold),
         ("M meridian", index.meridian_growth / MERIDIAN.threshold),

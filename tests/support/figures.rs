@@ -50,8 +50,8 @@ const TARGETS: [&str; 8] = [
     "plain within 0.1 % against one run alone",
     "plain within 0.1 % against the run of an answer",
     "plain at its limit against one run alone",
-    "a scene of a batch, throughput per core against an answer",
-    "a scene of a batch, throughput per core against one run alone",
+    "a scene among many, throughput per core against an answer",
+    "a scene among many, throughput per core against one run alone",
     "process start to printed result against the solve",
 ];
 
@@ -209,14 +209,19 @@ fn from(text: &str, begin: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Of a measured accuracy the integrators over their steps.
+/// Of a measured accuracy the integrators over their steps, at level 1.
 fn methods(text: &str) -> String {
-    before(&from(text, "  integrator"), "\nfor ")
+    let rows = before(&from(text, "  level "), "\nThe cheapest");
+    only(&rows, |line| {
+        line.starts_with("  level")
+            || line.starts_with("* no")
+            || line[1..].trim().starts_with("1 ")
+    })
 }
 
 /// And the mesh levels.
 fn meshes(text: &str) -> String {
-    from(text, "level ")
+    before(&from(text, "level "), "\n  level ")
 }
 
 fn only(text: &str, keep: impl Fn(&&str) -> bool) -> String {

@@ -8,25 +8,24 @@
 
 use std::time::Duration;
 
+use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::point::{Check, Point};
-use contrecoup::answer::quantity::Family;
-use contrecoup::answer::quantity::Quantity;
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
 use contrecoup::many::spreads::inputs;
-use contrecoup::models::axisymmetric as revolution;
-use contrecoup::models::compiled::Compiled;
-use contrecoup::models::left::Left;
-use contrecoup::models::paper::eye::mesh::{GLOBE_RADIUS_M, Region};
-use contrecoup::models::paper::recording::Extremes;
-use contrecoup::models::paper::recording::shot::ShotExtremes;
-use contrecoup::models::paper::time::march::{Cost, LOCAL_TOLERANCE, Plan};
+use contrecoup::models::axisymmetric::case::RevolutionCase;
+use contrecoup::models::paper::case::Case;
 use contrecoup::run::flags::{Flag, FlagKind};
 use contrecoup::run::fold::Fold;
 use contrecoup::run::kept::{Frame, Peak, Traces};
-use contrecoup::scenario::Integrator;
-use contrecoup::scenario::{Impact, Scenario};
+use contrecoup::run::model::{Detail, Run, Shown};
+use contrecoup::run::places::{GLOBE_RADIUS_M, Region};
+use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
+use contrecoup::run::quantity::{Family, Quantity};
+use contrecoup::run::readings::{Reading, Readings};
+use contrecoup::run::rules::Element;
+use contrecoup::scenario::{Impact, Model, Scenario};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
@@ -61,7 +60,8 @@ fn size(case: &Compiled, scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
         Impact::Projectile(_) => case
-            .blow()
+            .scene
+            .blow
             .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
     }
 }
@@ -102,9 +102,9 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         Impact::ForcePulse(pulse) => pulse.force_n,
         Impact::Projectile(_) => 0.0,
     };
-    let blow = case.blow();
+    let blow = case.scene.blow;
     let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
-    let whole = case.revolution().is_some();
+    let whole = case.rules().element == Element::Cell;
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
         time: over(&|s| s * case.window()),
@@ -126,34 +126,37 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
             0.9 * give * APEX_M * pushed(s)
         }),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
-        projectile: [
-            some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
-            some(blow.is_some(), &|_| 0.0),
-        ],
-        projectile_velocity: [
-            some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
-            some(blow.is_some(), &|_| 0.0),
-        ],
+        projectile: some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
+        projectile_velocity: some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
+    }
+}
+
+/// The axisymmetric eye of a scenario, if its model is that.
+fn axisymmetric(scenario: &Scenario) -> Option<RevolutionCase> {
+    match &scenario.model {
+        Model::Physiological(model) => Some(RevolutionCase::new(&scenario.check().unwrap(), model)),
+        Model::Paper => None,
     }
 }
 
 /// Where each node rests, and whether it never moves.
-fn nodes(case: &Compiled) -> Vec<(Point2<f64>, bool)> {
-    match case {
-        Compiled::Section(case) => {
-            let nodes = case.eye.nodes.iter();
-            nodes.map(|n| (n.position, n.fixed())).collect()
-        }
-        Compiled::Revolution(case) => {
+fn nodes(scenario: &Scenario) -> Vec<(Point2<f64>, bool)> {
+    match axisymmetric(scenario) {
+        Some(case) => {
             let place = |n: usize| Point2::new(case.eye.at(n).0, case.eye.at(n).1);
             let fixed = case.eye.fixed.iter().enumerate();
             fixed.map(|(n, fixed)| (place(n), *fixed)).collect()
+        }
+        None => {
+            let case = Case::new(&scenario.check().unwrap());
+            let nodes = case.eye.nodes.iter();
+            nodes.map(|n| (n.position, n.fixed())).collect()
         }
     }
 }
 
 /// Nodes are pushed back the more, the nearer they are to the cornea; a ring of force runs from it.
-fn frame(case: &Compiled, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
+fn frame(scenario: &Scenario, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
     let share = row as f64 / ROWS as f64;
     let apex = traces.apex[row];
     let deep = peak(&traces.time, &traces.apex).value;
@@ -165,7 +168,7 @@ fn frame(case: &Compiled, traces: &Traces, row: usize, diameter: Option<f64>) ->
         let from = (at - Point2::new(-GLOBE_RADIUS_M, 0.0)).norm() / (2.0 * GLOBE_RADIUS_M);
         traces.force[1][row] * hump(from, 2.0 * share, 0.5)
     };
-    let nodes = nodes(case);
+    let nodes = nodes(scenario);
     Frame {
         time: traces.time[row],
         positions: (nodes.iter())
@@ -176,7 +179,7 @@ fn frame(case: &Compiled, traces: &Traces, row: usize, diameter: Option<f64>) ->
             .collect(),
         projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
-        cells: match case.revolution() {
+        cells: match axisymmetric(scenario) {
             Some(case) => (case.eye.cells.iter())
                 .map(|cell| {
                     let (x, r) = case.eye.at(cell.corners[0]);
@@ -199,69 +202,41 @@ fn peak(times: &[f64], values: &[f64]) -> Peak {
     peak
 }
 
-fn extremes(case: &Compiled, traces: &Traces, size: f64) -> Extremes {
-    let of = |values: &[f64]| peak(&traces.time, values);
-    let work = ENERGY_J * size * size;
-    Extremes {
-        force: std::array::from_fn(|n| of(&traces.force[n])),
-        apex: of(&traces.apex),
-        shell_growth: of(&traces.shell_growth),
-        meridian_growth: of(&traces.meridian_growth),
-        work,
-        elastic: of(&traces.elastic),
-        strain: Peak {
-            value: 0.2 * size,
-            time: 0.1 * case.window(),
-        },
-        least_quad_ratio: 1.0 - size / FOLDING,
-        fold: fold(case, size),
-        energy_residual: 1e-5,
-        still_rising: false,
-        could_rise: false,
-        lost_in_rounding: false,
-        shot: case.blow().map(|blow| ShotExtremes {
-            diameter: blow.diameter,
-            force: of(&traces.contact_force),
-            contact: Some((0.0, 0.12 * case.window())),
-            velocity: Vector2::new(-0.5 * blow.speed, 0.0),
-            rebound_speed: 0.5 * blow.speed,
-            energy: work,
-            energy_before: 0.5 * blow.mass * blow.speed * blow.speed,
-            penetration: 1e-5,
-            penetration_share: 1e-5 / blow.diameter,
-            squeezed_share: 0.0,
-            travel: of(&traces.apex),
-            rim_at: None,
-            through_bone_at: None,
-            light: false,
-            touching: false,
-            going_on: false,
-        }),
-    }
+/// What a model reads off its eye: the peak of each trace that there is, and the numbers.
+fn readings(case: &Compiled, traces: &Traces, size: f64) -> Readings {
+    let speed = case.scene.blow.map(|blow| 0.5 * blow.speed);
+    let of_section = traces.pressure.is_empty();
+    Readings::from_fn(|of| {
+        let trace = of.row().trace?;
+        let values = (trace.values)(traces);
+        match of {
+            Quantity::Energy => Some((ENERGY_J * size * size).into()),
+            Quantity::StoredEnergy if !of_section => None,
+            _ => (!values.is_empty()).then(|| peak(&traces.time, values).into()),
+        }
+    })
+    .map(|of, reading| match of {
+        Quantity::Rebound => speed.map(Reading::from),
+        _ => *reading,
+    })
 }
 
-/// The same of a body of revolution.
-fn of_revolution(case: &Compiled, traces: &Traces, size: f64) -> revolution::Extremes {
-    let of = |values: &[f64]| peak(&traces.time, values);
-    revolution::Extremes {
-        force: of(&traces.contact_force),
-        mean_force: of(&traces.contact_force),
-        pressure: of(&traces.pressure),
-        back_pressure: of(&traces.back_pressure),
-        mean_back_pressure: of(&traces.back_pressure),
-        scleral_stress: of(&traces.scleral_stress),
-        stress_angle: 0.6,
-        shortening: of(&traces.shortening),
-        equator_growth: of(&traces.meridian_growth),
-        meridian_growth: of(&traces.shell_growth),
-        intrusion: of(&traces.intrusion),
-        apex: of(&traces.apex),
-        lens: of(&traces.lens),
-        node_force: std::array::from_fn(|n| of(&traces.force[n])),
-        fold: fold(case, size),
-        energy_imparted: ENERGY_J * size * size,
-        rebound: case.blow().map(|blow| 0.5 * blow.speed),
-        ..revolution::Extremes::at_rest()
+/// Figures beside them.
+fn details(case: &Compiled, size: f64) -> Vec<Detail> {
+    match case.rules().element {
+        Element::Spring => {
+            let at = 0.1 * case.window() * 1e3;
+            vec![Detail {
+                key: "largest_spring_strain_percent",
+                value: 20.0 * size,
+                shown: Shown::OnLine("Spring strain", format!("%  at {at:.4} ms, the largest")),
+            }]
+        }
+        Element::Cell => vec![Detail {
+            key: "scleral_stress_angle_deg",
+            value: 34.0,
+            shown: Shown::Behind(Quantity::ScleralStress, "34 deg from the front".to_owned()),
+        }],
     }
 }
 
@@ -279,8 +254,8 @@ fn fold(case: &Compiled, size: f64) -> Option<Fold> {
     })
 }
 
-fn flags(left: &Left) -> Vec<Flag> {
-    let folded = left.folded_at().map(|time| Flag {
+fn flags(fold: Option<Fold>) -> Vec<Flag> {
+    let folded = fold.map(|fold| fold.since).map(|time| Flag {
         kind: FlagKind::MeshFolded,
         message: "made up: the mesh folded, beyond the model's validity".to_owned(),
         detail: None,
@@ -294,14 +269,11 @@ pub fn answer(scenario: &Scenario) -> Answer {
     let case = Compiled::new(&scenario.check().unwrap());
     let size = size(&case, scenario);
     let traces = traces(&case, scenario, size);
-    let left = match &case {
-        Compiled::Section(_) => Left::Section(extremes(&case, &traces, size)),
-        Compiled::Revolution(_) => Left::Revolution(of_revolution(&case, &traces, size)),
-    };
-    let diameter = case.blow().map(|blow| blow.diameter);
+    let fold = fold(&case, size);
+    let diameter = case.scene.blow.map(|blow| blow.diameter);
     let frames = (0..=ROWS).step_by(EVERY_FRAME);
     let frames = frames
-        .map(|row| frame(&case, &traces, row, diameter))
+        .map(|row| frame(scenario, &traces, row, diameter))
         .collect();
     let stated = |of: Quantity| of.row().family != Family::Unstated;
     let error = |of: Quantity, value: &Option<f64>| {
@@ -309,12 +281,24 @@ pub fn answer(scenario: &Scenario) -> Answer {
         value.is_some().then_some(error).filter(|_| stated(of))
     };
     let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
+    let run = Run {
+        readings: readings(&case, &traces, size),
+        details: details(&case, size),
+        flags: Vec::new(),
+        fold,
+        missed: false,
+        energy_residual: 1e-5,
+        simulated: case.window(),
+        traces: Some(traces),
+        frames,
+        cost: Cost {
+            steps: 1500,
+            evaluations: 9000,
+        },
+    };
     Answer {
         plan: Plan {
-            integrator: scenario.numerics.integrator.unwrap_or(match &case {
-                Compiled::Section(_) => Integrator::Srkn6b,
-                Compiled::Revolution(_) => Integrator::VelocityVerlet,
-            }),
+            integrator: (scenario.numerics.integrator).unwrap_or(case.rules().answer.integrator),
             step,
             window: case.window(),
             multiple: 1.0,
@@ -323,25 +307,16 @@ pub fn answer(scenario: &Scenario) -> Answer {
         step,
         step_limit: 8e-6,
         errors: Errors {
-            time_step: case.results(&left).map(error),
+            time_step: case.results(&run).map(error),
             mesh: None,
             limits: None,
             energy_balance: 1e-3,
         },
-        flags: flags(&left),
-        cost: Cost {
-            steps: 1500,
-            evaluations: 9000,
-            contact_tests: 0,
-        },
-        simulated: case.window(),
+        flags: flags(fold),
         element_evaluations: 8_000_000,
         solve_time: Duration::from_millis(10),
         total_time: Duration::from_millis(25),
-        index: left.index(),
-        left,
-        traces: Some(traces),
-        frames,
+        run,
         case,
     }
 }
@@ -352,7 +327,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
     let answer = answer(scenario);
     let nominal = answer.results();
     let inputs = inputs(scenario);
-    let folds = answer.left.folded_at().is_some();
+    let folds = answer.run.fold.is_some();
     let sample = |index: u32| {
         // Steps of numbers without common factors: every input in another order.
         let shares = (0..inputs.len() as u32).map(|input| {
@@ -420,6 +395,6 @@ pub fn grid(known: usize) -> Grid {
 }
 
 fn damage_only(damage: f64) -> contrecoup::answer::results::Results {
-    let own = |q| (q == contrecoup::answer::quantity::Quantity::Damage).then_some(damage);
-    contrecoup::answer::results::PerQuantity::from_fn(own)
+    let own = |q| (q == contrecoup::run::quantity::Quantity::Damage).then_some(damage);
+    contrecoup::run::readings::PerQuantity::from_fn(own)
 }

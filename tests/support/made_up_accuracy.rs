@@ -1,9 +1,13 @@
 //! A made-up measurement of total error against time, the same on every machine.
 
-use contrecoup::answer::quantity::Quantity;
+use contrecoup::answer::mesh_error::OnMesh;
 use contrecoup::answer::results::Results;
-use contrecoup::answer::total::{OnLevel, Run, Totals};
-use contrecoup::models::paper::time::march::{LOCAL_TOLERANCE, Plan};
+use contrecoup::many::accuracy::Accuracy;
+use contrecoup::many::accuracy::Trial;
+use contrecoup::run::plan::LOCAL_TOLERANCE;
+use contrecoup::run::plan::Plan;
+use contrecoup::run::quantity::Quantity;
+use contrecoup::run::rules::Element;
 use contrecoup::scenario::Integrator;
 use contrecoup::scenario::Model;
 
@@ -43,17 +47,16 @@ fn all(value: f64) -> Results {
 }
 
 /// The measurement, with so many of its levels run.
-pub fn made_up() -> Totals {
-    let level = |(at, value): (usize, &f64)| OnLevel {
+pub fn made_up() -> Accuracy {
+    let level = |value: &f64| OnMesh {
         results: all(*value),
         folded: None,
         elements: 1e6,
-        reference: (at < RUN as usize).then(|| all(*value)),
     };
     let run = |level: u32, place: usize| {
         let (integrator, step, time, error) = ROWS[place];
         let step = step * 1e-6 / f64::from(level);
-        Run {
+        Trial {
             level,
             plan: Plan {
                 integrator,
@@ -65,14 +68,17 @@ pub fn made_up() -> Totals {
             is_answer: place == 0,
             step,
             results: Some(all(LEVELS[level as usize - 1] * (1.0 + 0.01 * error))),
+            elements: 1e6,
             times: vec![time * 1e-3 * f64::from(level.pow(3))],
         }
     };
     let places = |level| (0..ROWS.len()).map(move |place| run(level, place));
-    Totals {
+    Accuracy {
         model: Model::Paper,
-        levels: LEVELS.iter().enumerate().map(level).collect(),
-        runs: (1..=RUN).flat_map(places).collect(),
+        element: Element::Spring,
+        levels: LEVELS.iter().map(level).collect(),
+        references: LEVELS.map(all)[..RUN as usize].to_vec(),
+        trials: (1..=RUN).flat_map(places).collect(),
         done: 32,
         all: 32,
     }

@@ -1,30 +1,30 @@
 //! A scenario with the Physiological model, compiled: the eye in SI units and what hits it.
 
-use crate::answer::believed::Scene;
 use crate::models::axisymmetric as engine;
 use crate::models::axisymmetric::eye::RevolutionEye;
 use crate::models::axisymmetric::eye::parameters::{
     Material, Parameters, ShellParameters, Surround,
 };
 use crate::models::axisymmetric::forces::object::{BallSpring, Object};
-use crate::models::compiled::Ran;
-use crate::models::left::Left;
-use crate::models::paper::case::{Moved, Refusal, Watch};
-use crate::models::paper::forces::load::Pulse;
-use crate::models::paper::time::march::{Cost, Plan};
+use crate::models::axisymmetric::rules::RULES;
+use crate::models::axisymmetric::{drawing, flags, readings};
+use crate::models::pulse::Pulse;
+use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::rules::{REVOLUTION, Rules};
-use crate::scenario::Integrator;
+use crate::run::model::{EyeModel, Run};
+use crate::run::places::Region;
+use crate::run::plan::{Cost, Plan};
+use crate::run::refusal::Refusal;
+use crate::run::rules::Rules;
+use crate::run::watch::Watch;
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
-    CheckedScenario, Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness,
+    CheckedScenario, Impact, Integrator, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
-
-/// A cell with its share of shell and nodes takes some 40 ns, a spring a little more than one.
-const SPRINGS_A_CELL: f64 = 30.0;
+use std::sync::Arc;
 
 /// An eye of revolution ready to be hit.
 #[derive(Debug, Clone)]
@@ -33,8 +33,6 @@ pub struct RevolutionCase {
     pub eye: RevolutionEye,
     /// What hits it.
     pub load: engine::Blow,
-    /// What risks rest on beside what a run leaves.
-    pub scene: Scene,
     /// Simulated time, in s.
     pub window: f64,
     /// Front angle of the blow, in degrees.
@@ -45,34 +43,104 @@ pub struct RevolutionCase {
     limit: f64,
 }
 
-impl Moved for RevolutionCase {
+impl EyeModel for RevolutionCase {
     fn rules(&self) -> &'static Rules {
-        &REVOLUTION
+        &RULES
     }
 
-    fn step_limit(&self, _: Integrator) -> f64 {
-        self.limit
+    fn window(&self) -> f64 {
+        self.window
+    }
+
+    fn level(&self) -> u32 {
+        self.eye.level
+    }
+
+    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
+        let eye = RevolutionEye::new(&self.eye.parameters, level);
+        Arc::new(Self {
+            limit: engine::step_limit(&eye, &self.load),
+            eye,
+            ..self.clone()
+        })
+    }
+
+    fn regions(&self) -> Vec<Region> {
+        self.eye.node_regions()
+    }
+
+    fn elements(&self) -> usize {
+        self.eye.cells.len()
     }
 
     fn elements_per_evaluation(&self) -> usize {
         self.eye.cells.len()
     }
 
-    fn springs_an_element(&self) -> f64 {
-        SPRINGS_A_CELL
+    fn step_limit(&self, _: Integrator) -> f64 {
+        self.limit
     }
 
-    fn window(&self) -> f64 {
-        self.window
+    fn longest_step(&self, plan: &Plan) -> f64 {
+        plan.step / plan.multiple
+    }
+
+    fn steps(&self, plan: &Plan) -> usize {
+        (plan.window * plan.multiple / plan.step).ceil() as usize
+    }
+
+    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
+        let ratio = RULES.estimate.ratio;
+        let finer = Plan {
+            multiple: plan.multiple * ratio,
+            ..*plan
+        };
+        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
+        (finer, RULES.estimate.safety / share)
+    }
+
+    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
+        let steps = self.steps_by(plan)?;
+        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
+        let run = run.map_err(|stop| self.refused(stop))?;
+        let extremes = &run.extremes;
+        let readings = readings::of(extremes);
+        Ok(Run {
+            details: readings::details(extremes),
+            flags: flags::raise(self, extremes, &readings, run.simulated),
+            readings,
+            fold: extremes.fold,
+            missed: extremes.missed(),
+            energy_residual: extremes.energy_residual,
+            simulated: run.simulated,
+            traces: run.traces,
+            frames: run.frames,
+            cost: Cost {
+                steps: run.steps,
+                evaluations: run.steps + 1,
+            },
+        })
+    }
+
+    fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal> {
+        let steps = self.steps_by(plan)?;
+        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
+            .map_err(|stop| self.refused(stop))
+    }
+
+    fn drawing(&self) -> Drawing {
+        drawing::of(self)
     }
 }
 
 impl RevolutionCase {
-    /// Compiles a scenario; none if its model is another.
-    pub fn new(scenario: &CheckedScenario) -> Option<Self> {
-        let Model::Physiological(model) = &scenario.model else {
-            return None;
-        };
+    /// Compiles a scenario with this model.
+    pub fn new(scenario: &CheckedScenario, model: &Physiological) -> Self {
         let (angle_deg, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => {
                 let half_width = pulse.half_width_deg.to_radians();
@@ -81,47 +149,45 @@ impl RevolutionCase {
                     engine::Blow::Pulse(Pulse::new(pulse), half_width),
                 )
             }
-            Impact::Projectile(shot) => (shot.angle_deg, engine::Blow::Object(object(shot))),
+            Impact::Projectile(projectile) => (
+                projectile.angle_deg,
+                engine::Blow::Object(object(projectile)),
+            ),
         };
         let eye = RevolutionEye::new(&parameters(model, angle_deg), scenario.eye.level);
-        Some(Self {
+        Self {
             limit: engine::step_limit(&eye, &load),
             eye,
             load,
-            scene: Scene::of(scenario),
             window: scenario.window_ms * 1e-3,
             angle_deg,
             rim: match model.support {
                 Support::Gelatin => "the rim of the gelatin's cup",
                 Support::Orbit | Support::Free => "the orbit's rim",
             },
-        })
-    }
-
-    /// The same on a mesh of another level.
-    pub(crate) fn at_level(&self, level: u32) -> Self {
-        let eye = RevolutionEye::new(&self.eye.parameters, level);
-        Self {
-            limit: engine::step_limit(&eye, &self.load),
-            eye,
-            ..self.clone()
         }
     }
 
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    fn steps(&self, plan: &Plan) -> engine::Steps {
-        engine::Steps {
+    fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
+        Ok(engine::Steps {
             share: plan.step / plan.multiple / self.limit,
-            integrator: plan.integrator,
-        }
+            scheme: match plan.integrator {
+                Integrator::VelocityVerlet => engine::Scheme::Leapfrog,
+                Integrator::SemiImplicitEuler => engine::Scheme::SemiImplicitEuler,
+                other => return Err(RULES.unfit(other)),
+            },
+        })
     }
 
     /// Why there is no result; of an object that went through the eye what it would have to be.
-    fn refused(&self, refusal: engine::Refusal) -> Refusal {
-        let (time, object) = match (refusal, &self.load) {
-            (engine::Refusal::Stopped(_), _) => return Refusal::Cancelled,
-            (engine::Refusal::Through(time), engine::Blow::Object(object)) => (time * 1e3, object),
-            (other, _) => return other.into(),
+    fn refused(&self, stop: engine::Stop) -> Refusal {
+        let (time, object) = match (stop, &self.load) {
+            (engine::Stop::WentThrough(time), engine::Blow::Object(object)) => (time * 1e3, object),
+            (engine::Stop::NotFinite { time, step }, _) => {
+                return Refusal::NotFinite { time, step };
+            }
+            _ => return Refusal::Cancelled,
         };
         let shell = &self.eye.mesh.shell;
         let ((xa, ra), (xb, rb)) = (self.eye.at(shell[0]), self.eye.at(shell[1]));
@@ -145,44 +211,7 @@ impl RevolutionCase {
             let heavy = format!("m/s is too fast for an object {width} mm wide, which {through}");
             Problem::refused("impact.speed_m_s", &speed, &heavy, allowed.to_owned())
         };
-        Refusal::Through(problem.into())
-    }
-
-    /// Moves the eye by `plan` and records it under the eyes of `watch`.
-    ///
-    /// # Errors
-    /// Motion that leaves the finite numbers, an object that goes through the eye, and
-    /// [`Refusal::Cancelled`] if the watch stopped it.
-    pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Ran, Refusal> {
-        let steps = self.steps(plan);
-        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
-        let run = run.map_err(|refusal| self.refused(refusal))?;
-        Ok(Ran {
-            left: Left::Revolution(run.extremes),
-            traces: run.traces,
-            frames: run.frames,
-            cost: Cost {
-                steps: run.steps,
-                evaluations: run.steps + 1,
-                ..Cost::default()
-            },
-            simulated: run.simulated,
-        })
-    }
-
-    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
-    ///
-    /// # Errors
-    /// As [`Self::run`]; [`Refusal::Cancelled`] if `take` stopped it.
-    pub fn frames(
-        &self,
-        plan: &Plan,
-        spacing: Spacing,
-        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
-    ) -> Result<(), Refusal> {
-        let steps = self.steps(plan);
-        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
-            .map_err(|refusal| self.refused(refusal))
+        Refusal::WentThrough(problem.into())
     }
 
     /// Duration of a pulse, in s.
@@ -248,37 +277,37 @@ fn surround(model: &Physiological) -> Option<Surround> {
     Some(surround)
 }
 
-fn object(shot: &Projectile) -> Object {
-    let radius = 0.5e-3 * shot.diameter_mm;
-    let surface = match shot.surface {
+fn object(projectile: &Projectile) -> Object {
+    let radius = 0.5e-3 * projectile.diameter_mm;
+    let surface = match projectile.surface {
         Surface::Hard => engine::Surface::RIGID,
         Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
         Surface::Inflated { kpa, modulus_mpa } => {
-            let cap = kpa * 1e3 + inertia(shot);
+            let cap = kpa * 1e3 + inertia(projectile);
             engine::Surface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
-        Surface::Splashing => engine::Surface::splashing(inertia(shot), radius),
+        Surface::Splashing => engine::Surface::splashing(inertia(projectile), radius),
     };
     Object {
-        outline: match shot.outline {
+        outline: match projectile.outline {
             Outline::Sphere => engine::Outline::Sphere(radius),
             Outline::Cylinder { edge_mm } => engine::Outline::Cylinder(radius, edge_mm * 1e-3),
         },
-        mass: shot.mass_g * 1e-3,
-        speed: shot.speed_m_s,
-        surface: surface.losing(shot.restitution),
-        spring: match shot.stiffness {
+        mass: projectile.mass_kg(),
+        speed: projectile.speed_m_s,
+        surface: surface.losing(projectile.restitution),
+        spring: match projectile.stiffness {
             ProjectileStiffness::Rigid => None,
             ProjectileStiffness::Linear { n_per_m } => Some(BallSpring {
                 stiffness: n_per_m,
-                restitution: shot.restitution,
+                restitution: projectile.restitution,
             }),
         },
     }
 }
 
 /// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or flattened.
-fn inertia(shot: &Projectile) -> f64 {
-    let density = shot.mass_g * 1e-3 / (PI / 6.0 * (shot.diameter_mm * 1e-3).powi(3));
-    0.5 * density * shot.speed_m_s * shot.speed_m_s
+fn inertia(projectile: &Projectile) -> f64 {
+    let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
+    0.5 * density * projectile.speed_m_s * projectile.speed_m_s
 }

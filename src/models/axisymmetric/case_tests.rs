@@ -1,12 +1,12 @@
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::quantity::Quantity;
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
-use crate::models::axisymmetric::case::RevolutionCase;
-use crate::models::left::Left;
-use crate::models::paper::case::{Refusal, unwatched};
+
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::set::set;
 use crate::scenario::{
     ForcePulse, Impact, Model, Outline, Physiological, Projectile, Scenario, Surface,
@@ -34,10 +34,6 @@ fn bb(speed_m_s: f64) -> Projectile {
 fn solved(scenario: &Scenario) -> Answer {
     let checked = scenario.check().unwrap();
     solve(&checked, Keep::default(), &mut unwatched).unwrap()
-}
-
-fn case(answer: &Answer) -> &RevolutionCase {
-    answer.case.revolution().unwrap()
 }
 
 #[test]
@@ -105,7 +101,7 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
     scenario.numerics.step_us = Some(0.5 * plain.step * 1e6);
     let finer = solved(&scenario);
     assert!((finer.step / plain.step - 0.5).abs() < 1e-9);
-    let steps = finer.cost.steps as f64 / plain.cost.steps as f64;
+    let steps = finer.run.cost.steps as f64 / plain.run.cost.steps as f64;
     assert!((1.8..2.2).contains(&steps), "{steps}");
     assert!(finer.errors.time_step_percent() < plain.errors.time_step_percent());
     scenario.numerics.step_us = Some(1.01 * plain.step_limit * 1e6);
@@ -145,22 +141,17 @@ fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy(
 
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
-    use crate::models::axisymmetric::time::run::run;
     for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
         let mut scenario = scene(Projectile { angle_deg, ..shot });
         scenario.window_ms = 0.5;
         let answer = solved(&scenario);
-        let case = case(&answer);
-        let exact = run(
-            &case.eye,
-            &case.load,
-            case.window,
-            0.06,
-            Keep::default(),
-            &mut unwatched,
-        )
-        .unwrap();
-        let exact = Results::of(&Left::Revolution(exact.extremes), &case.scene);
+        let case = &answer.case;
+        let finer = Plan {
+            multiple: 12.5,
+            ..answer.plan
+        };
+        let exact = case.run(&finer, Keep::default(), &mut unwatched).unwrap();
+        let exact = case.results(&exact);
         let off = exact.difference_percent(&answer.results());
         for (of, off) in off.leading() {
             let stated = answer.errors.time_step[of].unwrap();
@@ -298,29 +289,33 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
 
 #[test]
 fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
-    use crate::answer::accuracy::measure;
-    use crate::models::compiled::{Compiled, Element};
+    use crate::answer::compiled::Compiled;
+    use crate::many::accuracy::Trial;
+    use crate::many::accuracy::measure;
+    use crate::run::rules::Element;
     let checked = short().check().unwrap();
-    let report = measure(&checked, 2, &mut unwatched).unwrap();
-    assert_eq!(report.element, Element::Cell);
-    assert!(report.points.len() >= 4 && !report.folded);
-    let limit = Compiled::new(&checked).step_limit(report.reference.integrator);
-    let of_each: Vec<_> = report
-        .points
-        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator)
-        .collect();
-    assert_eq!(of_each.len(), 2);
-    for points in of_each {
-        for pair in points.windows(2) {
-            assert!(pair[1].step < pair[0].step && pair[0].step < limit);
-            assert!(pair[1].evaluations > pair[0].evaluations);
+    let accuracy = measure(&checked, 1, None, &mut unwatched, &mut |_| {}).unwrap();
+    assert_eq!(accuracy.element, Element::Cell);
+    let case = Compiled::new(&checked);
+    let bound = |trial: &Trial| case.step_limit(trial.plan.integrator);
+    for pair in accuracy.trials.windows(2) {
+        let [longer, shorter] = pair else { panic!() };
+        assert!(longer.step < bound(longer) && shorter.step < bound(shorter));
+        if longer.plan.integrator == shorter.plan.integrator && shorter.step < longer.step {
+            assert!(shorter.elements > longer.elements);
         }
-        let (first, last) = (&points[0], points.last().unwrap());
-        assert!(last.error() < 0.5 * first.error());
     }
-    let (coarse, fine) = (&report.levels[0], &report.levels[1]);
-    assert!(coarse.errors[Quantity::Pressure].unwrap() > 0.0);
-    assert!(fine.element_evaluations > coarse.element_evaluations);
+    let integrators = accuracy
+        .trials
+        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator);
+    assert_eq!(integrators.count(), 2);
+    let (coarse, fine) = (&accuracy.levels[0], &accuracy.levels[1]);
+    assert!(fine.elements > coarse.elements && accuracy.levels.len() == 3);
+    let totals = accuracy.of(Quantity::Pressure);
+    let most = |a: f64, b: f64| a.max(b);
+    let by_step = totals.iter().map(|total| total.by_step);
+    let (largest, least) = (by_step.clone().fold(0.0, most), by_step.fold(1e9, f64::min));
+    assert!(least < 0.5 * largest && totals[0].mesh > 0.0);
 }
 
 #[test]
@@ -334,7 +329,7 @@ fn a_crushed_front_says_how_many_cells_folded_and_where() {
         ..ForcePulse::default()
     });
     let answer = solve(&narrow.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    let fold = answer.left.fold().expect("3 kN on 1 mm folds cells");
+    let fold = answer.run.fold.expect("3 kN on 1 mm folds cells");
     assert!(fold.quads > 0 && fold.quads < fold.of / 4, "{fold:?}");
     assert!(fold.front_angle().to_degrees() < 15.0 && fold.radius() < 12e-3);
     assert!(fold.lasted > 0.0 && fold.since + fold.lasted <= 0.03e-3 + 1e-12);
@@ -411,10 +406,10 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
         frames: Some(Spacing::even(7e-6)),
     };
     let answer = solve(&checked, keep, &mut unwatched).unwrap();
-    assert_eq!(answer.frames.len(), 15);
-    for (i, frame) in answer.frames.iter().enumerate() {
+    assert_eq!(answer.run.frames.len(), 15);
+    for (i, frame) in answer.run.frames.iter().enumerate() {
         assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);
-        assert_eq!(frame.cells.len(), case(&answer).eye.cells.len());
+        assert_eq!(frame.cells.len(), answer.case.eye.elements());
     }
     let mut streamed = Vec::new();
     let take = &mut |frame| {
@@ -423,8 +418,8 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
     };
     let spacing = Spacing::even(7e-6);
     answer.case.frames(&answer.plan, spacing, take).unwrap();
-    assert_eq!(streamed, answer.frames);
-    let traces = answer.traces.as_ref().unwrap();
+    assert_eq!(streamed, answer.run.frames);
+    let traces = answer.run.traces.as_ref().unwrap();
     for &of in Quantity::ALL {
         let (Some(peak), Some(trace)) = (answer.peak(of), of.row().trace) else {
             continue;

@@ -1,31 +1,21 @@
 //! What a reader must know before trusting a result of the eye of revolution.
 
-use crate::answer::quantity::Quantity;
 use crate::models::axisymmetric::case::RevolutionCase;
 use crate::models::axisymmetric::recording::results::Extremes;
-use crate::models::compiled::Element;
-use crate::models::left::Left;
-use crate::run::flags::{Flag, FlagKind};
-use crate::run::raised::{Motion, Raised, TwoRuns};
+use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::quantity::Quantity;
+use crate::run::raised::Raised;
+use crate::run::readings::Readings;
 use crate::scenario::TRUSTED_ANGLE_DEG;
-
-/// A peak in the last share of the window may not have been the last word.
-pub(crate) const END: f64 = 0.999;
 
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
     case: &RevolutionCase,
     extremes: &Extremes,
+    readings: &Readings,
     simulated: f64,
-    two_runs: Option<TwoRuns>,
 ) -> Vec<Flag> {
     let mut raised = Raised::default();
-    raised.motion(&Motion {
-        fold: extremes.fold,
-        element: Element::Cell,
-        energy_residual: extremes.energy_residual,
-        two_runs,
-    });
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
         let angle = case.angle_deg;
         raised.raise(
@@ -36,10 +26,21 @@ pub(crate) fn raise(
         );
     }
     if extremes.rim_force.value > 0.0 {
-        let rim = extremes.rim_force;
-        raised.rim_stops(case.rim, rim.time, Some(rim.value));
+        let (rim, force) = (case.rim, extremes.rim_force);
+        let at = force.time * 1e3;
+        raised.raise_at(
+            force.time,
+            FlagKind::RimStops,
+            format!(
+                "{rim} met the projectile at {at:.3} ms, with {:.1e} N",
+                force.value
+            ),
+        );
         if extremes.missed() {
-            raised.rim_kept_it_off(case.rim);
+            raised.raise(
+                FlagKind::EyeMissed,
+                format!("{rim} kept the projectile off the eye"),
+            );
         }
     }
     if let Some(time) = extremes.crushed_at {
@@ -52,21 +53,30 @@ pub(crate) fn raise(
             ),
         );
     }
-    window(case, extremes, simulated, &mut raised);
+    window(case, extremes, (readings, simulated), &mut raised);
     raised.flags()
 }
 
 /// Flags of a window that ends too early.
-fn window(case: &RevolutionCase, extremes: &Extremes, simulated: f64, raised: &mut Raised) {
+fn window(
+    case: &RevolutionCase,
+    extremes: &Extremes,
+    (readings, simulated): (&Readings, f64),
+    raised: &mut Raised,
+) {
     if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
         raised.pulse_cut(case.window, pulse);
         return;
     }
     if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
-        raised.contact_cut(case.window);
+        raised.raise_at(
+            case.window,
+            FlagKind::ContactCut,
+            "the window ended before the projectile had left the eye",
+        );
     }
     let late = Quantity::ALL.iter().find(|of| {
-        let peak = of.peak(&Left::Revolution(*extremes));
+        let peak = readings.peak(**of);
         peak.is_some_and(|peak| peak.time > END * simulated)
     });
     if let Some(of) = late {

@@ -5,17 +5,20 @@
 //! bone beside them; `run` is the leapfrog through the window, `record`, `frames` and `sensor` read off what `results` keeps.
 
 pub mod case;
+mod drawing;
 pub mod eye;
-pub mod flags;
+mod flags;
 pub mod forces;
+pub mod readings;
 pub mod recording;
+pub(crate) mod rules;
 pub mod time;
 
 pub use crate::models::axisymmetric::forces::object::{BallSpring, HARD, Object, Outline, Surface};
-pub use crate::models::axisymmetric::recording::results::{Energy, Extremes, Run};
+pub use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 pub use crate::models::axisymmetric::recording::sensor::monitored;
 pub use crate::models::axisymmetric::time::run::{
-    Blow, Form, Refusal, STEP_SHARE, Steps, run, run_as, run_through, step_limit,
+    Blow, Form, STEP_SHARE, Scheme, Steps, Stop, run, run_as, run_through, step_limit,
 };
 #[cfg(test)]
 mod case_tests;

@@ -1,50 +1,22 @@
 //! Flags of a section.
 
-use crate::models::compiled::Element;
 use crate::models::paper::case::Case;
-use crate::models::paper::eye::mesh::GLOBE_RADIUS_M;
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::recording::Extremes;
-use crate::models::paper::recording::shot::ShotExtremes;
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::raised::{Motion, Raised, TwoRuns};
+use crate::run::raised::Raised;
 
 /// Quads smaller than this share of their rest area are worth a warning.
 const NEARLY_FOLDED: f64 = 0.2;
-/// A penetration above this share of the diameter is an alarm.
-const DEEP: f64 = 0.02;
-
-/// A soft object squeezed by more than this share of the diameter is no linear spring.
-const FLATTENED: f64 = 0.5;
-
-/// What catches an object.
-const RIM: &str = "the orbit's rim";
 /// A shielded share below this is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// What flags are raised from.
-pub(crate) struct Evidence<'a> {
-    /// What was moved.
-    pub case: &'a Case,
-    /// What its march left.
-    pub extremes: &'a Extremes,
-    /// What a second run says.
-    pub two_runs: Option<TwoRuns>,
-}
-
-/// Flags of a result.
-pub(crate) fn raise(evidence: &Evidence) -> Vec<Flag> {
-    let Evidence { case, extremes, .. } = *evidence;
+/// Flags of a run.
+pub(crate) fn raise(case: &Case, extremes: &Extremes) -> Vec<Flag> {
     let (window, pulse) = (case.window, case.system.load().pulse.duration());
     // The angle from one node of the shell to the next, in radians.
     let spacing = std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64;
     let mut raised = Raised::default();
-    raised.motion(&Motion {
-        fold: extremes.fold,
-        element: Element::Spring,
-        energy_residual: extremes.energy_residual,
-        two_runs: evidence.two_runs,
-    });
     if extremes.fold.is_none() && extremes.least_quad_ratio < NEARLY_FOLDED {
         let percent = 100.0 * extremes.least_quad_ratio;
         raised.raise(
@@ -71,9 +43,6 @@ pub(crate) fn raise(evidence: &Evidence) -> Vec<Flag> {
         );
     }
     of_load(&case.load, spacing, &mut raised);
-    if let Some(shot) = &extremes.shot {
-        of_shot(shot, window, spacing, &mut raised);
-    }
     raised.flags()
 }
 
@@ -96,107 +65,5 @@ fn of_load(load: &ArcLoad, spacing: f64, raised: &mut Raised) {
             FlagKind::BoneShields,
             format!("bone shields {percent:.1} % of the arc: the whole force acts on the rest"),
         );
-    }
-}
-
-/// Flags of a projectile.
-fn of_shot(shot: &ShotExtremes, window: f64, spacing: f64, raised: &mut Raised) {
-    if shot.penetration_share > DEEP {
-        let percent = 100.0 * shot.penetration_share;
-        raised.raise(
-            FlagKind::DeepPenetration,
-            format!("the projectile went {percent:.1} % of its diameter into what it hit"),
-        );
-    }
-    if shot.squeezed_share > FLATTENED {
-        let percent = 100.0 * shot.squeezed_share;
-        raised.raise(
-            FlagKind::ObjectFlattened,
-            format!("the projectile was squeezed by {percent:.0} % of its diameter: beyond a linear spring"),
-        );
-    }
-    if let Some(time) = shot.through_bone_at {
-        let at = time * 1e3;
-        raised.raise_at(
-            time,
-            FlagKind::ThroughBone,
-            format!(
-                "the projectile passed the wall of the orbit at {at:.3} ms: bone is left out there"
-            ),
-        );
-    }
-    let between_nodes = spacing * GLOBE_RADIUS_M;
-    if shot.diameter < between_nodes && shot.contact.is_some() {
-        let millimetres = between_nodes * 1e3;
-        raised.raise(
-            FlagKind::ObjectUnresolved,
-            format!("the projectile is narrower than the {millimetres:.2} mm between two nodes of the shell"),
-        );
-    }
-    if shot.light && shot.contact.is_some() {
-        raised.raise(
-            FlagKind::ObjectLight,
-            "the projectile is lighter than a node: rebound and contact depend on the mesh",
-        );
-    }
-    if let Some(time) = shot.rim_at {
-        raised.rim_stops(RIM, time, None);
-    }
-    match (shot.contact, shot.rim_at) {
-        (None, Some(_)) => raised.rim_kept_it_off(RIM),
-        (None, None) => raised.raise(FlagKind::EyeMissed, "the projectile never touched the eye"),
-        (Some(_), _) if shot.touching || shot.going_on => raised.contact_cut(window),
-        _ => {}
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::answer::quantity::Quantity;
-    use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
-    use crate::models::paper::eye::mesh::Region;
-    use crate::run::fold::Fold;
-    use crate::run::kept::Keep;
-    use crate::scenario::CheckedScenario;
-    use FlagKind::{MeshFolded, NotPredictable, Unconverged};
-    use nalgebra::Point2;
-
-    #[test]
-    fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
-        let answer = solve(&CheckedScenario::default(), Keep::default(), &mut unwatched).unwrap();
-        let mut extremes = *answer.left.section().unwrap();
-        let mut kinds = |fold, error, disagreement| -> Vec<FlagKind> {
-            extremes.fold = fold;
-            let flags = raise(&Evidence {
-                case: answer.case.section().unwrap(),
-                extremes: &extremes,
-                two_runs: Some(TwoRuns {
-                    worst: Some((Quantity::Damage, error)),
-                    disagreement,
-                }),
-            });
-            flags.into_iter().map(|flag| flag.kind).collect()
-        };
-        let folded = Some(Fold {
-            since: 1e-4,
-            lasted: 1e-5,
-            stays: false,
-            quads: 1,
-            of: 193,
-            at: Point2::new(-0.01, 0.0),
-            part: Region::Interior,
-            both_sides: false,
-        });
-        assert_eq!(kinds(folded, 50.0, 50.0), [MeshFolded, NotPredictable]);
-        assert_eq!(
-            kinds(folded, f64::NAN, f64::NAN),
-            [MeshFolded, NotPredictable]
-        );
-        assert_eq!(kinds(folded, 50.0, 1.0), [MeshFolded, Unconverged]);
-        assert_eq!(kinds(None, 50.0, 50.0), [Unconverged]);
-        assert_eq!(kinds(None, f64::NAN, 0.0), [Unconverged]);
-        assert_eq!(kinds(None, 1.0, 50.0), []);
     }
 }

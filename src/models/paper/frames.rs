@@ -4,14 +4,16 @@
 
 use std::ops::ControlFlow;
 
-use crate::models::paper::case::{Case, Refusal};
+use crate::models::paper::case::Case;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::frames::FrameTaker;
-use crate::models::paper::time::march::{Observer, Plan, march};
+use crate::models::paper::time::march::{Observer, march};
+use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
+use crate::run::plan::Plan;
+use crate::run::refusal::Refusal;
 
 struct Stream<'a> {
     taker: FrameTaker,
@@ -49,7 +51,7 @@ impl Observer for Stream<'_> {
 /// Moves the eye of `case` by `plan` and gives every frame to `take` once it is due.
 ///
 /// # Errors
-/// [`Refusal::Cancelled`] if `take` stopped it, [`Refusal::Diverged`] if the motion leaves the
+/// [`Refusal::Cancelled`] if `take` stopped it, [`Refusal::NotFinite`] if the motion leaves the
 /// finite numbers.
 pub(crate) fn frames(
     case: &Case,
@@ -75,8 +77,8 @@ pub(crate) fn frames(
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
     use crate::scenario::library::find;
 
     #[test]
@@ -96,7 +98,7 @@ mod tests {
         };
         kept.case.frames(&kept.plan, spacing, take).unwrap();
         assert_eq!(streamed.len(), 21);
-        assert_eq!(streamed, kept.frames);
+        assert_eq!(streamed, kept.run.frames);
         let stop = &mut |_| ControlFlow::Break(());
         assert!(matches!(
             kept.case.frames(&kept.plan, spacing, stop),

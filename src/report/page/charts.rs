@@ -4,11 +4,12 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use crate::answer::course::{Beside, Course, Group};
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
 use crate::report::text::significant;
+use crate::run::course::{Beside, Course};
+use crate::run::quantity::Quantity;
+use crate::run::trace::Group;
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -134,7 +135,7 @@ fn short(value: f64) -> String {
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
 fn curve(answer: &Answer, course: Course) -> Option<Curve> {
-    let traces = answer.traces.as_ref()?;
+    let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
     if values.iter().all(|value| *value == 0.0) {
         return None;
@@ -163,7 +164,7 @@ fn curve(answer: &Answer, course: Course) -> Option<Curve> {
 
 /// What drives the eye, and the forces of the monitored nodes.
 pub fn forces(answer: &Answer) -> Chart {
-    let nodes = crate::answer::course::COURSES.iter().copied();
+    let nodes = crate::run::course::COURSES.iter().copied();
     let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
     let courses = [Course::Beside(Beside::Drive)].into_iter().chain(nodes);
     Chart {

@@ -8,16 +8,16 @@ use std::fmt::Write;
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::Entry;
-use crate::models::paper::eye::mesh::Region;
 use crate::models::paper::recording::frames::nearest;
 use crate::plain_text::printable;
 use crate::report::page::{FRAMES, spacing};
 use crate::run::drawing::Drawing;
 use crate::run::kept::Frame;
+use crate::run::places::Region;
+use crate::run::quantity::Quantity;
 
 /// Hundredths of a millimetre.
 const PER_M: f64 = 1e5;
@@ -57,9 +57,9 @@ pub struct Picture<'a> {
 impl<'a> Picture<'a> {
     /// Of an answer that has frames.
     pub fn of(answer: &'a Answer) -> Option<Self> {
-        let kept = &answer.frames[..];
+        let kept = &answer.run.frames[..];
         kept.first()?;
-        let drawing = Drawing::of(&answer.case);
+        let drawing = answer.case.eye.drawing();
         let mut places = vec![None; drawing.nodes.len()];
         let mut nodes = Vec::new();
         let mut place = |node: usize| {
@@ -203,7 +203,7 @@ fn closed(outline: &[i64]) -> String {
 /// A file of the pictures alone, side by side, each with its name and first verdict.
 pub fn pictures(entries: &[Entry]) -> String {
     let answered = entries.iter().filter_map(|entry| {
-        let answer = entry.outcome.as_ref().ok()?;
+        let answer = entry.answer()?;
         Some((entry, answer, Picture::of(answer)?))
     });
     let all: Vec<_> = answered.collect();
@@ -241,7 +241,7 @@ pub fn pictures(entries: &[Entry]) -> String {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
+    use crate::run::watch::unwatched;
     use crate::scenario::library::find;
 
     #[test]
@@ -250,11 +250,12 @@ mod tests {
         let keep = crate::tui::simulation::keep(&scenario);
         let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
         let picture = Picture::of(&answer).unwrap();
-        assert!(answer.frames.len() > 400 && picture.frames.len() <= 82);
+        assert!(answer.run.frames.len() > 400 && picture.frames.len() <= 82);
         let apart = |frame: &Frame| (frame.time - picture.time()).abs();
         let deepest = answer.peak(Quantity::Apex).unwrap().time;
         assert!(
             answer
+                .run
                 .frames
                 .iter()
                 .all(|f| (f.time - deepest).abs() >= (picture.time() - deepest).abs())

@@ -4,10 +4,9 @@ use std::ops::ControlFlow;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
-use crate::many::comparison::{Entry, columns};
-use crate::models::paper::case::Watch;
+use crate::many::comparison::Entry;
+use crate::many::comparison::leading;
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
@@ -15,6 +14,8 @@ use crate::report::limit;
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
 use crate::report::text::{capital, percent};
+use crate::run::quantity::Quantity;
+use crate::run::watch::Watch;
 use crate::scenario::load::to_ron;
 
 /// Nothing is loaded from anywhere, whatever a name holds.
@@ -62,23 +63,18 @@ fn figure(caption: &str, chart: &charts::Chart) -> Markup {
 
 /// All blows in one table and one chart.
 fn comparison(entries: &[Entry]) -> Markup {
-    let table = Table::of(entries, &columns(entries, None));
-    let answered = |entry: &'_ Entry| entry.outcome.is_ok();
+    let table = Table::of(entries, &leading(entries, None));
     let answers: Vec<(String, &Answer)> = entries
         .iter()
-        .filter(|entry| answered(entry))
-        .filter_map(|entry| {
-            let name = printable(&entry.source).into_owned();
-            Some((name, entry.outcome.as_ref().ok()?))
-        })
+        .filter_map(|entry| Some((printable(&entry.name).into_owned(), entry.answer()?)))
         .collect();
     html! {
         section.comparison {
             h1 { "Side by side" }
             @for entry in entries {
-                @if let Ok(answer) = &entry.outcome {
+                @if let Some(answer) = entry.answer() {
                     @if let Some((name, words)) = verdicts(answer).into_iter().next() {
-                        p.verdict { strong { (printable(&entry.source)) } ": " (name) ": " (words) }
+                        p.verdict { strong { (printable(&entry.name)) } ": " (name) ": " (words) }
                     }
                 }
             }
@@ -107,9 +103,9 @@ fn blow(entry: &Entry) -> Markup {
     html! {
         section.blow {
             h1 { (printable(&scenario.name)) }
-            @match &entry.outcome {
-                Err(why) => p.flag { "No answer: " (printable(why)) },
-                Ok(answer) => {
+            @match entry.answer() {
+                None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
+                Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
                     @for (name, words) in verdicts(answer) {
                         p.verdict { strong { (name) } ": " (words) }

@@ -2,13 +2,14 @@
 
 use std::io::{self, Write};
 
-use crate::answer::quantity::Quantity;
-use crate::many::comparison::{Entry, columns};
+use crate::many::comparison::Entry;
+use crate::many::comparison::leading;
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
 use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::run::quantity::Quantity;
 
 /// Writes it.
 ///
@@ -17,7 +18,7 @@ use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, ver
 pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
     if entries.len() > 1 {
         writeln!(out, "# Side by side\n")?;
-        Table::of(entries, &columns(entries, None)).markdown(out)?;
+        Table::of(entries, &leading(entries, None)).markdown(out)?;
         writeln!(out)?;
     }
     for entry in entries {
@@ -35,9 +36,9 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "# {}\n", escaped(&printable(&entry.scenario.name)))?;
-    let answer = match &entry.outcome {
-        Ok(answer) => answer,
-        Err(why) => return writeln!(out, "No answer: {}\n", escaped(&printable(why))),
+    let Some(answer) = entry.answer() else {
+        let why = printable(entry.refused().unwrap_or_default());
+        return writeln!(out, "No answer: {}\n", escaped(&why));
     };
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
     for (name, words) in verdicts(answer) {

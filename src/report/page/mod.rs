@@ -14,17 +14,17 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
 use crate::injury::{Verdict, lines};
 use crate::many::comparison::Entry;
-use crate::models::paper::case::unwatched;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_word};
 use crate::report::text::{capital, percent};
 use crate::report::verdict::{VOID, is_void, range};
 use crate::run::kept::{Keep, Spacing};
+use crate::run::quantity::Quantity;
+use crate::run::watch::unwatched;
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Kind};
 
@@ -168,7 +168,7 @@ fn rows(answer: &Answer) -> Vec<Row> {
         }
     };
     // What is believed of an injury says its verdict, above.
-    let own = |(of, _): &(Quantity, f64)| !matches!(of.row().read, Read::Believed(_));
+    let own = |(of, _): &(Quantity, f64)| !matches!(of.derived(), Some(Derived::Believed(_)));
     answer.results().present().filter(own).map(row).collect()
 }
 
@@ -190,9 +190,7 @@ fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
 /// Everything that the page rests on, each once.
 fn sources(entries: &[Entry]) -> Vec<&'static str> {
     let mut sources = vec![SOURCE];
-    let answers = entries
-        .iter()
-        .filter_map(|entry| entry.outcome.as_ref().ok());
+    let answers = entries.iter().filter_map(Entry::answer);
     for risk in answers.flat_map(Answer::risks) {
         if !sources.contains(&risk.curve.source) {
             sources.push(risk.curve.source);

@@ -3,15 +3,10 @@
 use crate::scenario::fields::*;
 
 /// Scenarios that together hold every variant with fields.
-pub(crate) fn every_variant() -> [Scenario; 4] {
+pub(crate) fn every_variant() -> [Scenario; 3] {
     let shot = Projectile {
         stiffness: ProjectileStiffness::LINEAR,
         ..Projectile::default()
-    };
-    let other = Scenario {
-        model: Model::Physiological(Physiological::default()),
-        impact: Impact::Projectile(shot.clone()),
-        ..Scenario::default()
     };
     let physiological = |support, surface| Scenario {
         model: Model::Physiological(Physiological {
@@ -30,7 +25,6 @@ pub(crate) fn every_variant() -> [Scenario; 4] {
         Scenario::default(),
         physiological(Support::Orbit, Surface::ELASTIC),
         physiological(Support::Gelatin, Surface::INFLATED),
-        other,
     ]
 }
 

@@ -5,7 +5,13 @@
 //!
 //! Left out: the keys of single panes, of popups and of typing, which stay as they are.
 
+use std::fmt;
+use std::sync::LazyLock;
+
 use crossterm::event::{KeyCode, KeyModifiers};
+use ron::Value;
+use serde::de::{Error, MapAccess, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::tui::keys::{Act, Binding, KeyTable, Press, shared};
 use crate::tui::screens::SCREENS;
@@ -21,6 +27,82 @@ const TABLES: [&KeyTable; 3] = [&shared::EVERYWHERE, &shared::SHOW, &shared::TIM
 pub fn open_to_choice() -> impl Iterator<Item = &'static Binding> {
     let all = TABLES.iter().flat_map(|table| table.bindings);
     all.filter(|binding| !binding.name.is_empty())
+}
+
+/// What a config file calls them, in the same order.
+static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+    let names = open_to_choice().map(|binding| binding.name.to_lowercase());
+    names.map(|name| &*name.leak()).collect()
+});
+
+/// What a config file calls so.
+pub fn named(name: &str) -> Option<&'static Binding> {
+    open_to_choice().nth(NAMES.iter().position(|known| *known == name)?)
+}
+
+impl Serialize for Keys {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let keys = |binding| self.of(binding).iter().map(|press| press.name());
+        let all = NAMES.iter().zip(open_to_choice());
+        serializer.collect_map(all.map(|(name, binding)| (name, keys(binding).collect::<Vec<_>>())))
+    }
+}
+
+impl<'de> Deserialize<'de> for Keys {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_struct("Keys", &NAMES, ByName)
+    }
+}
+
+/// Reads keys by the names of what they do.
+struct ByName;
+
+impl<'de> Visitor<'de> for ByName {
+    type Value = Keys;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("names and keys in brackets")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Keys, A::Error> {
+        let mut keys = Keys::default();
+        while let Some(name) = map.next_key::<String>()? {
+            let binding = named(&name).ok_or_else(|| A::Error::unknown_field(&name, &NAMES))?;
+            if keys.0.iter().any(|(known, _)| *known == binding.name) {
+                return Err(A::Error::custom(format!("{name} is given twice")));
+            }
+            let Presses(presses) = map.next_value()?;
+            keys.choose(binding, presses);
+        }
+        Ok(keys)
+    }
+}
+
+/// A key, or a list of keys.
+struct Presses(Vec<Press>);
+
+impl<'de> Deserialize<'de> for Presses {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let list = match Value::deserialize(deserializer)? {
+            Value::Seq(list) => list,
+            one => vec![one],
+        };
+        let read = |key: Value| match key {
+            Value::String(key) => Press::read(&key).map_err(|why| {
+                D::Error::custom(format!(
+                    "{key:?} {why}: allowed a key or a list of keys, as in \"Ctrl-X\""
+                ))
+            }),
+            _ => Err(D::Error::invalid_value(
+                Unexpected::Other("value"),
+                &"a key",
+            )),
+        };
+        list.into_iter()
+            .map(read)
+            .collect::<Result<_, _>>()
+            .map(Self)
+    }
 }
 
 /// A key that two things would share.

@@ -3,9 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{COURSES, Course, Group};
 use crate::report::figure::at_a_moment;
+use crate::run::course::{COURSES, Course};
 use crate::run::kept::Traces;
+use crate::run::trace::Group;
 use crate::tui::clock::peak_said;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -124,7 +125,10 @@ pub(crate) const SCREEN: Screen = Screen {
 
 /// The charts on show.
 fn view(model: &Model) -> View {
-    let traces = model.shown.as_ref().and_then(|s| s.answer.traces.as_ref());
+    let traces = model
+        .shown
+        .as_ref()
+        .and_then(|s| s.answer.run.traces.as_ref());
     let mut views = traces.map(views).unwrap_or_default();
     if views.is_empty() {
         return View::new();
@@ -146,7 +150,10 @@ const KEYS: KeyTable = KeyTable::new("Forces", &[
 
 /// The next set of curves.
 fn next_view(model: &mut Model) {
-    let traces = model.shown.as_ref().and_then(|s| s.answer.traces.as_ref());
+    let traces = model
+        .shown
+        .as_ref()
+        .and_then(|s| s.answer.run.traces.as_ref());
     let count = traces.map_or(1, |t| views(t).len().max(1));
     let view = &mut model.screens.forces.view;
     *view = (*view % count + 1) % count;
@@ -174,7 +181,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if end + (said.len() as u16) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, 0), said, style);
     }
-    let Some(traces) = &shown.answer.traces else {
+    let Some(traces) = &shown.answer.run.traces else {
         return;
     };
     let views = views(traces);

@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::quantity::Quantity;
 use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::report::verdict::{VOID, part_of};
+use crate::run::quantity::Quantity;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
 use crate::tui::model::{Model, Shown};

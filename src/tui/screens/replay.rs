@@ -3,11 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{Beside, COURSES, Course, Group};
-use crate::answer::quantity::Quantity;
-use crate::models::paper::eye::mesh::Region;
 use crate::report::figure::at_a_moment;
 use crate::report::text::significant;
+use crate::run::course::{Beside, COURSES, Course};
+use crate::run::places::Region;
+use crate::run::quantity::Quantity;
+use crate::run::trace::Group;
 use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
@@ -120,7 +121,7 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         None => (shown.hottest, "N"),
     };
     legend(scale, (theme, ascii), area, &mut y, buffer);
-    let traces = shown.answer.traces.as_ref();
+    let traces = shown.answer.run.traces.as_ref();
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
     let forces = COURSES.iter().copied();
@@ -239,7 +240,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     );
     put(buffer, area, (end, 0), &rest, theme.text());
     let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
-    if let Some(traces) = &shown.answer.traces {
+    if let Some(traces) = &shown.answer.run.traces {
         let mut raster = Raster::new(field, model.look.symbols);
         let curve = Curve {
             time: &traces.time,

@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::Course;
 use crate::answer::solve::Answer;
+use crate::run::course::Course;
 use crate::tui::keys::{KeyTable, TimeKeys};
 use crate::tui::model::{Model, Shown};
 use crate::tui::step::Step;

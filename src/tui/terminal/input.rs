@@ -2,7 +2,9 @@
 //!
 //! A sequence may arrive in pieces, so the parser keeps what is unfinished; [`Parser::flush`] says
 //! that nothing more came, which makes a lone ESC the Escape key. Unknown sequences are dropped
-//! whole, so no reply of a terminal is ever taken for a key.
+//! whole, so no reply of a terminal is ever taken for a key. Kept by hand, in 300 lines, for the replies:
+//! crossterm hides those to a question for the cursor's place from whoever reads its events, and the
+//! pacer lives by them.
 
 use std::time::Duration;
 

@@ -1,8 +1,9 @@
 //! What keys and answers do to the model, without a terminal and without threads.
 
 use crate::answer::solve::solve as simulate;
-use crate::models::paper::case::{Refusal, unwatched};
 use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
 use crate::scenario::Impact;
 use crate::scenario::fields;
 use crate::tui::form::Row;

@@ -1,6 +1,6 @@
 //! What keys and the wheel do to the clock that every picture follows.
 
-use crate::answer::course::Course;
+use crate::run::course::Course;
 use crate::tui::clock::Moment;
 use crate::tui::model::Model;
 use crate::tui::step::Step;
@@ -9,7 +9,7 @@ use crate::tui::step::Step;
 pub(crate) fn step(model: &mut Model, step: Step) {
     if let Some((answer, window)) = model.timed() {
         let mut clock = model.clock;
-        clock.step(step, model.time(), &answer.frames, window);
+        clock.step(step, model.time(), &answer.run.frames, window);
         model.clock = clock;
     }
 }

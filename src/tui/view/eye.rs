@@ -8,12 +8,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
-use crate::models::paper::eye::mesh::Region;
 use crate::models::paper::recording::frames::nearest;
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::Frame;
+use crate::run::places::Region;
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::Kind;
@@ -195,7 +195,7 @@ pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
 
 /// The frame nearest to a time.
 pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
-    let frames = &answer.frames;
+    let frames = &answer.run.frames;
     frames.get(nearest(frames, time))
 }
 

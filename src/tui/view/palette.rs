@@ -1,12 +1,15 @@
-//! Which colour plays which role: on dark grounds and on light ones, of 256 and of 16, and a person's own.
+//! Which colour plays which role: a theme for dark grounds, one for light ones and one of 16 colours, and a person's
+//! own colours over them.
 //!
-//! [`ROLES`] is their one list: the theme reads it, the config file's names are its names, and printing iterates
-//! it. Palettes are made by hand. Of the 256 every role has a contrast of 4.5 at least, on black and on the bar, or
+//! The themes are made by hand. Of the 256 every role has a contrast of 4.5 at least, on black and on the bar, or
 //! on a near white and on its bar. The sixteen are those that stay legible on both grounds (bright black and blue
 //! do not); a role without one of them is told by bold, dim or reverse.
 
 use clap::ValueEnum;
 use ratatui::style::Color;
+use ron::Value;
+use serde::de::{Error, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::tui::terminal::caps::Depth;
 use crate::tui::view::heat::HeatMap;
@@ -38,100 +41,115 @@ impl Ground {
     }
 }
 
-/// A role that a colour plays, by its place in [`ROLES`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
-    Quiet,
-    Heading,
-    Warning,
-    Error,
-    Bar,
-    BarGround,
-    Chosen,
-    ChosenGround,
-    Load,
-    Cursor,
-    Curve1,
-    Curve2,
-    Curve3,
-    Curve4,
-    Curve5,
-    Curve6,
-    Harmless,
-    Mild,
-    Serious,
-    Grave,
-    Interior,
-    Lens,
-    Shell,
-    Retina,
-    Fat,
-    Orbit,
-}
+/// A colour by its place among the 256, the first of which are the [`SIXTEEN`]; none is left to the theme, or to
+/// the terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Colour(pub Option<u8>);
 
-/// What there is to know of a role.
-pub struct Part {
-    /// Which it is.
-    pub role: Role,
-    /// What a config file calls it.
-    pub name: &'static str,
-    /// What has it, in a few words.
-    pub about: &'static str,
-    /// Its colour of 256 on a dark ground.
-    pub dark: u8,
-    /// The same on a light one.
-    pub light: u8,
-    /// Its place among the [`SIXTEEN`]; none where it has no colour there.
-    pub sixteen: Option<u8>,
-}
+/// What a file calls a colour that is left to the theme.
+const AUTO: &str = "auto";
 
-const fn part(
-    role: Role,
-    (name, about): (&'static str, &'static str),
-    (dark, light): (u8, u8),
-    sixteen: Option<u8>,
-) -> Part {
-    Part {
-        role,
-        name,
-        about,
-        dark,
-        light,
-        sixteen,
+impl Colour {
+    /// The colour as it is drawn.
+    pub fn ink(self) -> Option<Color> {
+        let place = self.0?;
+        let few = SIXTEEN.get(usize::from(place));
+        Some(few.map_or(Color::Indexed(place), |(_, color)| *color))
+    }
+
+    /// What it may be, in words.
+    pub fn allowed() -> String {
+        let names = SIXTEEN.map(|(name, _)| format!("{name:?}")).join(", ");
+        format!("{AUTO:?}, whole numbers 0 to 255, or one of {names}")
     }
 }
 
-/// Every role, in the order in which they are printed.
-#[rustfmt::skip]
-pub static ROLES: [Part; 26] = [
-    part(Role::Quiet, ("quiet", "text of less weight, frames and axes"), (246, 241), None),
-    part(Role::Heading, ("heading", "headings"), (80, 24), Some(6)),
-    part(Role::Warning, ("warning", "something to beware of"), (221, 94), Some(11)),
-    part(Role::Error, ("error", "something wrong"), (203, 160), Some(9)),
-    part(Role::Bar, ("bar", "the bars at the top and the bottom"), (252, 236), None),
-    part(Role::BarGround, ("bar_ground", "what is behind them"), (236, 253), None),
-    part(Role::Chosen, ("chosen", "what is chosen in a bar"), (16, 231), None),
-    part(Role::ChosenGround, ("chosen_ground", "what is behind it"), (80, 24), None),
-    part(Role::Load, ("load", "the load and its arc"), (84, 22), Some(10)),
-    part(Role::Cursor, ("cursor", "the mark of the present moment"), (123, 25), Some(14)),
-    part(Role::Curve1, ("curve_1", "the first of several curves"), (80, 24), Some(14)),
-    part(Role::Curve2, ("curve_2", "the second"), (221, 94), Some(11)),
-    part(Role::Curve3, ("curve_3", "the third"), (176, 127), Some(13)),
-    part(Role::Curve4, ("curve_4", "the fourth"), (114, 22), Some(10)),
-    part(Role::Curve5, ("curve_5", "the fifth"), (209, 124), Some(9)),
-    part(Role::Curve6, ("curve_6", "the sixth"), (254, 238), Some(15)),
-    part(Role::Harmless, ("harmless", "the least of index and risk"), (114, 22), Some(10)),
-    part(Role::Mild, ("mild", "the step above"), (221, 94), Some(11)),
-    part(Role::Serious, ("serious", "the next"), (209, 160), Some(9)),
-    part(Role::Grave, ("grave", "the most"), (203, 88), Some(9)),
-    part(Role::Interior, ("interior", "what fills the globe"), (243, 242), Some(7)),
-    part(Role::Lens, ("lens", "the lens"), (117, 25), Some(14)),
-    part(Role::Shell, ("shell", "cornea and sclera"), (252, 238), Some(7)),
-    part(Role::Retina, ("retina", "the retina"), (176, 127), Some(13)),
+impl Serialize for Colour {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.map(|place| (place, SIXTEEN.get(usize::from(place)))) {
+            None => serializer.serialize_str(AUTO),
+            Some((_, Some((name, _)))) => serializer.serialize_str(name),
+            Some((place, None)) => serializer.serialize_u8(place),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Colour {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let place = match Value::deserialize(deserializer)? {
+            Value::String(word) if word == AUTO => return Ok(Self(None)),
+            Value::String(word) => SIXTEEN.iter().position(|(name, _)| *name == word),
+            Value::Number(number) => Some(number.into_f64())
+                .filter(|number| number.fract() == 0.0 && (0.0..=255.0).contains(number))
+                .map(|number| number as usize),
+            _ => None,
+        };
+        let unknown = || D::Error::invalid_value(Unexpected::Other("value"), &"a colour");
+        Ok(Self(Some(place.ok_or_else(unknown)? as u8)))
+    }
+}
+
+/// Makes a struct of the roles, its three themes and a list of what has each.
+macro_rules! roles {
+    ($($role:ident: $dark:literal, $light:literal, $sixteen:expr, $about:literal;)*) => {
+        /// A colour for every role.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        pub struct Colours {
+            $(#[doc = $about] pub $role: Colour,)*
+        }
+
+        /// On a dark ground, of 256.
+        pub const DARK: Colours = Colours { $($role: Colour(Some($dark)),)* };
+        /// On a light ground, of 256.
+        pub const LIGHT: Colours = Colours { $($role: Colour(Some($light)),)* };
+        /// On either, of 16.
+        pub const FEW: Colours = Colours { $($role: Colour($sixteen),)* };
+
+        /// What a config file calls each role, and what has it.
+        pub const ROLES: &[(&str, &str)] = &[$((stringify!($role), $about),)*];
+
+        impl Colours {
+            /// These where they are chosen and `counts`, else those of a theme.
+            #[must_use]
+            fn over(&self, theme: &Self, counts: impl Fn(u8) -> bool) -> Self {
+                Self {
+                    $($role: Colour(self.$role.0.filter(|place| counts(*place)).or(theme.$role.0)),)*
+                }
+            }
+        }
+    };
+}
+
+roles! {
+    quiet: 246, 241, None, "text of less weight, frames and axes";
+    heading: 80, 24, Some(6), "headings";
+    warning: 221, 94, Some(11), "something to beware of";
+    error: 203, 160, Some(9), "something wrong";
+    bar: 252, 236, None, "the bars at the top and the bottom";
+    bar_ground: 236, 253, None, "what is behind them";
+    chosen: 16, 231, None, "what is chosen in a bar";
+    chosen_ground: 80, 24, None, "what is behind it";
+    load: 84, 22, Some(10), "the load and its arc";
+    cursor: 123, 25, Some(14), "the mark of the present moment";
+    curve_1: 80, 24, Some(14), "the first of several curves";
+    curve_2: 221, 94, Some(11), "the second";
+    curve_3: 176, 127, Some(13), "the third";
+    curve_4: 114, 22, Some(10), "the fourth";
+    curve_5: 209, 124, Some(9), "the fifth";
+    curve_6: 254, 238, Some(15), "the sixth";
+    harmless: 114, 22, Some(10), "the least of index and risk";
+    mild: 221, 94, Some(11), "the step above";
+    serious: 209, 160, Some(9), "the next";
+    grave: 203, 88, Some(9), "the most";
+    interior: 243, 242, Some(7), "what fills the globe";
+    lens: 117, 25, Some(14), "the lens";
+    shell: 252, 238, Some(7), "cornea and sclera";
+    retina: 176, 127, Some(13), "the retina";
     // Dark yellow is a step of heat already, and brown beside dark red would be one colour.
-    part(Role::Fat, ("fat", "the fat behind the eye"), (101, 95), None),
-    part(Role::Orbit, ("orbit", "the bone"), (108, 23), Some(2)),
-];
+    fat: 101, 95, None, "the fat behind the eye";
+    orbit: 108, 23, Some(2), "the bone";
+}
 
 /// The sixteen colours that every colour terminal has, in its order, by name.
 pub const SIXTEEN: [(&str, Color); 16] = [
@@ -156,41 +174,22 @@ pub const SIXTEEN: [(&str, Color); 16] = [
 /// The ground, and the colours of a person's own choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Palette {
-    light: bool,
-    own: [Option<u8>; ROLES.len()],
+    /// Whether the ground is light.
+    pub light: bool,
+    /// What the person chose.
+    pub own: Colours,
 }
 
 impl Palette {
-    /// The same on a light ground, or on a dark one.
-    #[must_use]
-    pub fn on(self, light: bool) -> Self {
-        Self { light, ..self }
-    }
-
-    /// The person's own colour of a role, if they have one: its place among the 256.
-    pub fn own(&self, role: Role) -> Option<u8> {
-        self.own[role as usize]
-    }
-
-    /// Gives a role a colour of one's own, or the usual one.
-    pub fn choose(&mut self, role: Role, color: Option<u8>) {
-        self.own[role as usize] = color;
-    }
-
-    /// The colour of a role; none where there are no colours, or none of the sixteen. One's own of the 256 counts
-    /// where there are so many.
-    pub fn ink(&self, role: Role, depth: Depth) -> Option<Color> {
-        let part = &ROLES[role as usize];
-        let usual = if self.light { part.light } else { part.dark };
-        let place = match depth {
-            Depth::Mono => None,
-            Depth::Sixteen => self.own(role).filter(|own| *own < 16).or(part.sixteen),
-            Depth::TwoFiveSix => Some(self.own(role).unwrap_or(usual)),
-        };
-        place.map(|place| match SIXTEEN.get(usize::from(place)) {
-            Some((_, color)) => *color,
-            None => Color::Indexed(place),
-        })
+    /// The colour of every role; none where there are no colours, or none of the sixteen. One's own of the 256
+    /// counts where there are so many.
+    pub fn colours(&self, depth: Depth) -> Colours {
+        match depth {
+            Depth::Mono => Colours::default(),
+            Depth::Sixteen => self.own.over(&FEW, |place| place < 16),
+            Depth::TwoFiveSix if self.light => self.own.over(&LIGHT, |_| true),
+            Depth::TwoFiveSix => self.own.over(&DARK, |_| true),
+        }
     }
 
     /// The steps of heat from the least on, of what can be told apart on the ground.
@@ -239,27 +238,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_role_stands_at_its_place_under_a_name_of_its_own() {
-        for (place, part) in ROLES.iter().enumerate() {
-            assert_eq!(part.role as usize, place, "{}", part.name);
-            let same = ROLES.iter().filter(|other| other.name == part.name);
-            assert_eq!(same.count(), 1, "{}", part.name);
-        }
-    }
-
-    #[test]
     fn a_colour_of_ones_own_counts_where_the_terminal_has_it() {
         let mut own = Palette::default();
-        own.choose(Role::Heading, Some(200));
-        own.choose(Role::Quiet, Some(3));
-        let many = |role| own.ink(role, Depth::TwoFiveSix);
-        let few = |role| own.ink(role, Depth::Sixteen);
-        assert_eq!(many(Role::Heading), Some(Color::Indexed(200)));
-        assert_eq!(few(Role::Heading), Some(Color::Cyan));
-        assert_eq!(many(Role::Quiet), Some(Color::Yellow));
-        assert_eq!(few(Role::Quiet), Some(Color::Yellow));
-        assert_eq!(few(Role::Fat), None);
-        assert_eq!(own.ink(Role::Quiet, Depth::Mono), None);
+        own.own.heading = Colour(Some(200));
+        own.own.quiet = Colour(Some(3));
+        let (many, few) = (own.colours(Depth::TwoFiveSix), own.colours(Depth::Sixteen));
+        assert_eq!(many.heading.ink(), Some(Color::Indexed(200)));
+        assert_eq!(few.heading.ink(), Some(Color::Cyan));
+        assert_eq!(many.quiet.ink(), Some(Color::Yellow));
+        assert_eq!(few.quiet.ink(), Some(Color::Yellow));
+        assert_eq!(few.fat.ink(), None);
+        assert_eq!(own.colours(Depth::Mono).quiet.ink(), None);
     }
 
     #[test]

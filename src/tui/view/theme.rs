@@ -4,55 +4,32 @@
 use ratatui::style::{Color, Modifier, Style};
 
 use crate::injury::gravity;
-use crate::models::paper::eye::mesh::Region;
+use crate::run::places::Region;
 use crate::tui::model::Look;
 use crate::tui::terminal::caps::Depth;
-use crate::tui::view::palette::Role;
+use crate::tui::view::palette::{Colour, Colours};
 
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
-pub struct Theme(Look);
+pub struct Theme {
+    look: Look,
+    colours: Colours,
+}
 
 const BOLD: Modifier = Modifier::BOLD;
 const DIM: Modifier = Modifier::DIM;
 const REVERSED: Modifier = Modifier::REVERSED;
 
-/// The steps from harmless to grave, for index and risk alike.
-const STEPS: [Role; 4] = [Role::Harmless, Role::Mild, Role::Serious, Role::Grave];
-/// The curves, in their order.
-const CURVES: [Role; 6] = [
-    Role::Curve1,
-    Role::Curve2,
-    Role::Curve3,
-    Role::Curve4,
-    Role::Curve5,
-    Role::Curve6,
-];
-
 impl Theme {
     /// The theme of a look.
     pub fn of(look: Look) -> Self {
-        Self(look)
-    }
-
-    fn ink(self, role: Role) -> Option<Color> {
-        self.0.palette.ink(role, self.0.depth)
-    }
-
-    /// A role's colour, or else another style.
-    fn pick(self, role: Role, otherwise: Style) -> Style {
-        self.ink(role)
-            .map_or(otherwise, |color| Style::new().fg(color))
-    }
-
-    /// A colour on another, or reversed where there are none.
-    fn on(self, role: Role, ground: Role) -> Option<Style> {
-        Some(Style::new().fg(self.ink(role)?).bg(self.ink(ground)?))
+        let colours = look.palette.colours(look.depth);
+        Self { look, colours }
     }
 
     /// Whether there are no colours.
     pub fn is_mono(self) -> bool {
-        self.0.depth == Depth::Mono
+        self.look.depth == Depth::Mono
     }
 
     /// Plain text.
@@ -64,7 +41,7 @@ impl Theme {
     pub fn quiet(self) -> Style {
         // Over a curve it must not take the curve's colour.
         let dim = Style::new().fg(Color::Reset).add_modifier(DIM);
-        self.pick(Role::Quiet, dim)
+        pick(self.colours.quiet, dim)
     }
 
     /// Laid over a result of what was there before the last edit.
@@ -74,7 +51,7 @@ impl Theme {
 
     /// A heading.
     pub fn heading(self) -> Style {
-        self.pick(Role::Heading, Style::new()).add_modifier(BOLD)
+        pick(self.colours.heading, Style::new()).add_modifier(BOLD)
     }
 
     /// A value that matters.
@@ -89,19 +66,18 @@ impl Theme {
 
     /// Something to beware of.
     pub fn warning(self) -> Style {
-        self.pick(Role::Warning, Style::new()).add_modifier(BOLD)
+        pick(self.colours.warning, Style::new()).add_modifier(BOLD)
     }
 
     /// Something wrong.
     pub fn error(self) -> Style {
         let mono = Style::new().add_modifier(Modifier::UNDERLINED);
-        self.pick(Role::Error, mono).add_modifier(BOLD)
+        pick(self.colours.error, mono).add_modifier(BOLD)
     }
 
     /// The bar at the top and the bottom.
     pub fn bar(self) -> Style {
-        self.on(Role::Bar, Role::BarGround)
-            .unwrap_or(Style::new().add_modifier(REVERSED))
+        on(self.colours.bar, self.colours.bar_ground).unwrap_or(Style::new().add_modifier(REVERSED))
     }
 
     /// Something strong in a bar.
@@ -113,7 +89,7 @@ impl Theme {
     pub fn bar_chosen(self) -> Style {
         // Where the bar is reversed this is not.
         let plain = Style::new().remove_modifier(REVERSED);
-        let chosen = self.on(Role::Chosen, Role::ChosenGround);
+        let chosen = on(self.colours.chosen, self.colours.chosen_ground);
         chosen
             .map_or(plain, |style| plain.patch(style))
             .add_modifier(BOLD)
@@ -127,13 +103,13 @@ impl Theme {
     /// The load and its arc.
     pub fn load(self) -> Style {
         let mono = Style::new().add_modifier(BOLD);
-        self.pick(Role::Load, mono)
+        pick(self.colours.load, mono)
     }
 
     /// The mark of the present moment.
     pub fn cursor(self) -> Style {
         let mono = Style::new().add_modifier(BOLD);
-        self.pick(Role::Cursor, mono)
+        pick(self.colours.cursor, mono)
     }
 
     /// One of several curves.
@@ -143,13 +119,19 @@ impl Theme {
             1 => Style::new().add_modifier(BOLD),
             _ => Style::new().add_modifier(DIM),
         };
-        self.pick(CURVES[index % CURVES.len()], mono)
+        let of = self.colours;
+        let curves = [
+            of.curve_1, of.curve_2, of.curve_3, of.curve_4, of.curve_5, of.curve_6,
+        ];
+        pick(curves[index % curves.len()], mono)
     }
 
     /// One of four steps from harmless to grave.
     fn grave(self, step: usize) -> Style {
-        let step = step.min(STEPS.len() - 1);
-        let style = self.pick(STEPS[step], Style::new());
+        let of = self.colours;
+        let steps = [of.harmless, of.mild, of.serious, of.grave];
+        let step = step.min(steps.len() - 1);
+        let style = pick(steps[step], Style::new());
         match step {
             0 | 1 => style,
             2 if !self.is_mono() => style,
@@ -174,7 +156,7 @@ impl Theme {
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.
     fn heats(self) -> &'static [Color] {
-        self.0.palette.heat(self.0.heat, self.0.depth)
+        self.look.palette.heat(self.look.heat, self.look.depth)
     }
 
     /// How many steps of heat there are above cold.
@@ -188,7 +170,7 @@ impl Theme {
             return self.quiet();
         };
         let step = step.min(self.heat_steps() - 1);
-        match self.0.depth {
+        match self.look.depth {
             Depth::Mono if step + 2 < self.heat_steps() => Style::new(),
             Depth::Mono => Style::new().add_modifier(BOLD),
             Depth::Sixteen | Depth::TwoFiveSix => Style::new().fg(self.heats()[step]),
@@ -199,14 +181,24 @@ impl Theme {
     pub fn region(self, region: Region) -> Style {
         let dim = Style::new().add_modifier(DIM);
         match region {
-            Region::Interior => self.pick(Role::Interior, dim),
-            Region::Lens => self.pick(Role::Lens, Style::new()),
-            Region::Shell => self.pick(Role::Shell, Style::new()),
-            Region::Retina => self.pick(Role::Retina, Style::new().add_modifier(BOLD)),
-            Region::Fat => self.pick(Role::Fat, dim),
-            Region::Orbit => self.pick(Role::Orbit, Style::new()),
+            Region::Interior => pick(self.colours.interior, dim),
+            Region::Lens => pick(self.colours.lens, Style::new()),
+            Region::Shell => pick(self.colours.shell, Style::new()),
+            Region::Retina => pick(self.colours.retina, Style::new().add_modifier(BOLD)),
+            Region::Fat => pick(self.colours.fat, dim),
+            Region::Orbit => pick(self.colours.orbit, Style::new()),
         }
     }
+}
+
+/// A role's colour, or else another style.
+fn pick(role: Colour, otherwise: Style) -> Style {
+    role.ink().map_or(otherwise, |color| Style::new().fg(color))
+}
+
+/// A colour on another; none where there are none.
+fn on(role: Colour, ground: Colour) -> Option<Style> {
+    Some(Style::new().fg(role.ink()?).bg(ground.ink()?))
 }
 
 #[cfg(test)]
@@ -224,7 +216,10 @@ mod tests {
             depth,
             symbols: Symbols::Braille,
             heat,
-            palette: Palette::default().on(light),
+            palette: Palette {
+                light,
+                ..Palette::default()
+            },
         })
     }
 

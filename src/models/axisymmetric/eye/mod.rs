@@ -13,7 +13,7 @@
 pub mod mesh;
 pub mod parameters;
 
-use crate::models::paper::eye::mesh::Region as Part;
+use crate::run::places::Region as Part;
 use mesh::{Layers, Mesh};
 use nalgebra::Point2;
 use parameters::{Material, Parameters};

@@ -5,6 +5,7 @@ pub mod contact;
 pub mod face;
 pub mod nodes;
 pub mod object;
+pub mod object_spring;
 pub mod plain;
 pub mod quads;
 pub mod rows;

@@ -20,7 +20,7 @@
 //! wall: while they open, the force is e^2 of what it was at the same place while they closed, and near the
 //! turning point it goes smoothly from one to the other. A ball that bursts or flows (e = 0) gives back nothing.
 
-use crate::models::paper::forces::object_spring::ObjectSpring;
+use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
 
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;

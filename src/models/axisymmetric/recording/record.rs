@@ -47,7 +47,7 @@ impl<C: Cells> Motion<'_, C> {
         let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
         e.shortening.offer(shape.shortening, time);
         e.equator_growth.offer(shape.equator_growth, time);
-        e.meridian_growth
+        e.shell_growth
             .offer(now.shell.length / self.shell.rest_length - 1.0, time);
         e.apex.offer(shape.apex, time);
         e.lens.offer(shape.lens, time);
@@ -134,12 +134,8 @@ impl<C: Cells> Motion<'_, C> {
             t.contact_force.push(self.force_mean.now);
             t.intrusion
                 .push(flight.x[0] + self.eye.parameters.radius + object.reach());
-            let ways = [flight.middle(), 0.0];
-            let speeds = [flight.velocity(), 0.0];
-            for axis in 0..2 {
-                t.projectile[axis].push(ways[axis]);
-                t.projectile_velocity[axis].push(speeds[axis]);
-            }
+            t.projectile.push(flight.middle());
+            t.projectile_velocity.push(flight.velocity());
         }
     }
 }

@@ -26,8 +26,8 @@ pub struct Extremes {
     pub shortening: Peak,
     /// Growth of the largest radius over that at rest.
     pub equator_growth: Peak,
-    /// Growth of the meridian's length over that at rest.
-    pub meridian_growth: Peak,
+    /// Growth of the length of the shell's meridian over that at rest.
+    pub shell_growth: Peak,
     /// Way of the object's surface from the first touch, m.
     pub intrusion: Peak,
     /// Way of the front pole, m.
@@ -71,7 +71,7 @@ impl Extremes {
             stress_angle: 0.0,
             shortening: zero,
             equator_growth: zero,
-            meridian_growth: zero,
+            shell_growth: zero,
             intrusion: zero,
             apex: zero,
             lens: zero,
@@ -91,28 +91,6 @@ impl Extremes {
     /// Whether an object never touched the eye, as one that bone caught.
     pub fn missed(&self) -> bool {
         self.rebound.is_some() && self.force.value == 0.0
-    }
-
-    /// When one of them last grew, s.
-    pub(crate) fn last_growth(&self) -> f64 {
-        let node = self.node_force.iter().map(|p| p.time);
-        [
-            self.force,
-            self.pressure,
-            self.back_pressure,
-            self.mean_back_pressure,
-            self.scleral_stress,
-            self.shortening,
-            self.equator_growth,
-            self.meridian_growth,
-            self.intrusion,
-            self.apex,
-            self.lens,
-        ]
-        .iter()
-        .map(|p| p.time)
-        .chain(node)
-        .fold(0.0, f64::max)
     }
 }
 
@@ -143,9 +121,9 @@ impl Energy {
     }
 }
 
-/// One run.
+/// What the engine gives of one run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
+pub struct EngineRun {
     /// Over every step.
     pub extremes: Extremes,
     /// If they were asked for.

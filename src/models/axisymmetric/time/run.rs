@@ -19,15 +19,16 @@ use crate::models::axisymmetric::forces::plain::Plain;
 use crate::models::axisymmetric::forces::rows::Rows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
 use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::readings;
 use crate::models::axisymmetric::recording::frames::FrameTaker;
-use crate::models::axisymmetric::recording::results::{Energy, Extremes, Run};
+use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
-use crate::models::paper::forces::load::{Piece, Pulse, Segment};
+use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::fold::FoldWatch;
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
-use crate::scenario::Integrator;
+use crate::run::watch::Watch;
 use fearless_simd::Level;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -66,18 +67,30 @@ pub enum Form {
     Vectors(Level),
 }
 
-/// A run without a result.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum Refusal {
+/// Why a run ended without a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stop {
     /// The motion left the finite numbers.
-    #[error("the motion is no longer finite at {:.6} ms", .0 * 1e3)]
-    NotFinite(f64),
-    /// The object's centre came to lie behind the shell: such a thing bursts or flattens, or the eye does.
-    #[error("the object went through the front of the eye at {:.6} ms", .0 * 1e3)]
-    Through(f64),
+    NotFinite {
+        /// Simulated time, in s.
+        time: f64,
+        /// Number of the step.
+        step: usize,
+    },
+    /// The object's centre came to lie behind the shell, at this time in s: such a thing bursts or
+    /// flattens, or the eye does.
+    WentThrough(f64),
     /// The watch stopped it.
-    #[error("stopped at {:.6} ms", .0 * 1e3)]
-    Stopped(f64),
+    Watched,
+}
+
+/// How long forces act on a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scheme {
+    /// Half of the step before and half of the step to come: velocity Verlet.
+    Leapfrog,
+    /// The step to come.
+    SemiImplicitEuler,
 }
 
 /// How long steps are and how they are taken.
@@ -85,29 +98,26 @@ pub enum Refusal {
 pub struct Steps {
     /// Share of the stability bound.
     pub share: f64,
-    /// Velocity Verlet, here a leapfrog, or semi-implicit Euler, whose kick is as long as the drift that follows.
-    pub integrator: Integrator,
+    /// How long forces act on each.
+    pub scheme: Scheme,
 }
 
 impl From<f64> for Steps {
     fn from(share: f64) -> Self {
-        let integrator = Integrator::VelocityVerlet;
-        Self { share, integrator }
+        let scheme = Scheme::Leapfrog;
+        Self { share, scheme }
     }
 }
 
 impl Steps {
     /// How long forces act on a step of `step` s after one of `before` s.
     fn kick(&self, before: f64, step: f64) -> f64 {
-        match self.integrator {
-            Integrator::SemiImplicitEuler => step,
-            _ => 0.5 * (before + step),
+        match self.scheme {
+            Scheme::SemiImplicitEuler => step,
+            Scheme::Leapfrog => 0.5 * (before + step),
         }
     }
 }
-
-/// Told of the share of the window that is done, it may stop the run.
-pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 /// Takes frames as they come, and may stop the run.
 pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
@@ -130,7 +140,7 @@ pub fn run(
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
-) -> Result<Run, Refusal> {
+) -> Result<EngineRun, Stop> {
     run_as(Form::Rows, eye, blow, window, steps, keep, watch)
 }
 
@@ -146,7 +156,7 @@ pub fn run_as(
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
-) -> Result<Run, Refusal> {
+) -> Result<EngineRun, Stop> {
     let steps = steps.into();
     let mut frames = Vec::new();
     let take = &mut |frame| {
@@ -161,7 +171,7 @@ pub fn run_as(
             Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
         }
     };
-    Ok(Run { frames, ..run? })
+    Ok(EngineRun { frames, ..run? })
 }
 
 /// The same as [`run`], with each frame handed on when it is due and nothing kept.
@@ -175,7 +185,7 @@ pub fn run_through(
     steps: impl Into<Steps>,
     spacing: Spacing,
     take: Take,
-) -> Result<(), Refusal> {
+) -> Result<(), Stop> {
     let keep = Keep {
         traces: false,
         frames: Some(spacing),
@@ -183,6 +193,12 @@ pub fn run_through(
     let watch = &mut |_| ControlFlow::Continue(());
     let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
     motion.go(steps.into(), watch, take).map(|_| ())
+}
+
+/// When one of the readings, or a force or pressure that some of them are means of, last grew, in s.
+fn last_growth(extremes: &Extremes) -> f64 {
+    let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
+    readings::of(extremes).last_peak().max(unfiltered)
 }
 
 /// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
@@ -341,13 +357,13 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<Run, Refusal> {
+    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<EngineRun, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
         loop {
             if steps % WATCH_EVERY == 0 && watch(time / self.window).is_break() {
-                return Err(Refusal::Stopped(time));
+                return Err(Stop::Watched);
             }
             let now = self.forces(time);
             let most = by.share * now.limit;
@@ -376,14 +392,14 @@ impl<'a, C: Cells> Motion<'a, C> {
                     self.audit();
                 }
                 if !self.energy.total().is_finite() {
-                    return Err(Refusal::NotFinite(time));
+                    return Err(Stop::NotFinite { time, step: steps });
                 }
             }
             if trace {
                 self.take_trace(&now, time, forces);
             }
             if !step.is_finite() || step <= 0.0 {
-                return Err(Refusal::NotFinite(time));
+                return Err(Stop::NotFinite { time, step: steps });
             }
             self.through(time)?;
             if last {
@@ -415,7 +431,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             steps += 1;
             for frame in self.take_frames(time, step) {
                 if take(frame).is_break() {
-                    return Err(Refusal::Stopped(time));
+                    return Err(Stop::Watched);
                 }
             }
         }
@@ -485,11 +501,11 @@ impl<'a, C: Cells> Motion<'a, C> {
             self.over_since = None;
             time
         };
-        over && self.extremes.last_growth().max(since) < time - self.swing
+        over && last_growth(&self.extremes).max(since) < time - self.swing
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
-    fn through(&self, time: f64) -> Result<(), Refusal> {
+    fn through(&self, time: f64) -> Result<(), Stop> {
         let Some((object, flight)) = &self.object else {
             return Ok(());
         };
@@ -501,12 +517,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
         };
         if centre > apex {
-            return Err(Refusal::Through(time));
+            return Err(Stop::WentThrough(time));
         }
         Ok(())
     }
 
-    fn finish(mut self, time: f64, steps: usize, settled: bool) -> Run {
+    fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
         let eye: f64 = self
             .mass
             .iter()
@@ -529,7 +545,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                 ..Extremes::at_rest()
             };
         }
-        Run {
+        EngineRun {
             extremes: self.extremes,
             traces: self.keep.traces.then_some(self.traces),
             frames: Vec::new(),

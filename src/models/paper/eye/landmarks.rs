@@ -5,42 +5,15 @@
 
 use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
 use crate::models::paper::eye::mesh::Mesh;
+use crate::run::places::Monitor;
 
-/// One of the four nodes whose force is followed (paper, "Static plots").
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Monitor {
-    /// 1.33 mm from the centre of the eye, 45 degrees up and back.
-    Centre,
-    /// On the cornea, 5 degrees above the anterior pole.
-    Front,
-    /// On the retina, 5 degrees above the posterior pole.
-    Right,
-    /// On the shell, 5 degrees behind 12 o'clock.
-    Top,
-}
-
-impl Monitor {
-    /// All four, in the paper's order.
-    pub const ALL: [Self; 4] = [Self::Centre, Self::Front, Self::Right, Self::Top];
-
-    /// Lower-case name, as used in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Centre => "centre",
-            Self::Front => "front",
-            Self::Right => "right",
-            Self::Top => "top",
-        }
-    }
-
-    /// Column and row of the node in the mesh of level 1.
-    fn grid(self) -> (usize, usize) {
-        match self {
-            Self::Centre => (8, 8),
-            Self::Front => (3, 8),
-            Self::Right => (12, 8),
-            Self::Top => (8, 12),
-        }
+/// Column and row of a monitored node in the mesh of level 1.
+fn grid(monitor: Monitor) -> (usize, usize) {
+    match monitor {
+        Monitor::Centre => (8, 8),
+        Monitor::Front => (3, 8),
+        Monitor::Right => (12, 8),
+        Monitor::Top => (8, 12),
     }
 }
 
@@ -72,7 +45,7 @@ pub(crate) fn find(mesh: &Mesh, level: u32) -> Landmarks {
             .expect("the globe is never cut by the opening")
     };
     let mirrored = |(i, j): (usize, usize)| (i, 15 - j);
-    let (front, top) = (Monitor::Front.grid(), Monitor::Top.grid());
+    let (front, top) = (grid(Monitor::Front), grid(Monitor::Top));
     let (apex, meridian) = ([front, mirrored(front)], [top, mirrored(top)]);
 
     let mut shell: Vec<usize> = (0..mesh.nodes.len())
@@ -94,10 +67,10 @@ pub(crate) fn find(mesh: &Mesh, level: u32) -> Landmarks {
     Landmarks {
         shell_hats: along_shell(&shell, k, first),
         shell,
-        monitors: Monitor::ALL.map(|m| at(m.grid())),
+        monitors: Monitor::ALL.map(|m| at(grid(m))),
         apex: apex.map(at),
         meridian: meridian.map(at),
-        monitor_hats: Monitor::ALL.map(|m| of_force(mesh, k, m.grid())),
+        monitor_hats: Monitor::ALL.map(|m| of_force(mesh, k, grid(m))),
         apex_hats: apex.map(mean),
         meridian_hats: meridian.map(mean),
     }

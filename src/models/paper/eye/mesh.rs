@@ -9,60 +9,15 @@
 //! circles, which its figure 5 shows.
 
 use crate::models::paper::eye::lens;
+use crate::run::places::{GLOBE_RADIUS_M, Region};
 use crate::scenario::EyeInput;
 use nalgebra::Point2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-
-/// Radius of the globe, in m.
-pub const GLOBE_RADIUS_M: f64 = 12e-3;
-/// Radius of the bony orbit, in m.
-pub const ORBIT_RADIUS_M: f64 = 20e-3;
 
 /// Ring index of the shell at level 1, in mesh units.
 const SHELL_RING: f64 = 4.5;
 /// Finer levels have nodes exactly on the edge of the opening.
 const ANGLE_TOLERANCE_RAD: f64 = 1e-9 * PI / 180.0;
-
-/// Which part of the section a node belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Region {
-    /// Inside the shell, lens apart: vitreous and aqueous.
-    Interior,
-    /// Inside the lens, whose springs may have a modulus of their own.
-    Lens,
-    /// Corneoscleral shell outside the retina's span.
-    Shell,
-    /// Shell with retina behind it.
-    Retina,
-    /// Orbital fat.
-    Fat,
-    /// Bone, rigid.
-    Orbit,
-}
-
-impl Region {
-    /// Whether the node is part of the globe, shell included.
-    pub fn in_globe(self) -> bool {
-        !matches!(self, Self::Fat | Self::Orbit)
-    }
-
-    /// Whether the node lies on the shell.
-    pub fn on_shell(self) -> bool {
-        matches!(self, Self::Shell | Self::Retina)
-    }
-
-    /// Lower-case name, as used in exports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Interior => "interior",
-            Self::Lens => "lens",
-            Self::Shell => "shell",
-            Self::Retina => "retina",
-            Self::Fat => "fat",
-            Self::Orbit => "orbit",
-        }
-    }
-}
 
 /// A point mass.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,8 +11,9 @@
 
 use crate::models::paper::eye::cross;
 use crate::models::paper::eye::lens::area_within;
+use crate::models::paper::eye::mesh::Mesh;
 use crate::models::paper::eye::mesh::Node;
-use crate::models::paper::eye::mesh::{Mesh, Region};
+use crate::run::places::Region;
 use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;
 

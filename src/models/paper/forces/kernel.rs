@@ -317,7 +317,8 @@ pub fn vector_sets() -> Vec<Level> {
 mod tests {
     use super::*;
     use crate::models::paper::eye::Eye;
-    use crate::models::paper::forces::load::{ArcLoad, Pulse};
+    use crate::models::paper::forces::load::ArcLoad;
+    use crate::models::pulse::Pulse;
     use crate::scenario::{Impact, Scenario};
 
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {

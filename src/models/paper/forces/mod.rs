@@ -1,15 +1,11 @@
 //! What acts on the nodes: the eye compiled into rows, the pulse, and the kernel.
 
 pub mod aligned;
-pub mod contact;
-pub mod coupled;
 pub mod kernel;
 pub mod lanes;
 pub mod load;
-pub mod object_spring;
 pub mod plain;
 pub mod ring;
-pub mod scene;
 pub mod state;
 pub mod sweep;
 pub mod system;

@@ -4,7 +4,8 @@
 //! is tested against and as the baseline that the benchmarks compare with.
 
 use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::load::{ArcLoad, Pulse};
+use crate::models::paper::forces::load::ArcLoad;
+use crate::models::pulse::Pulse;
 
 /// An eye and its load as lists of edges and nodes.
 #[derive(Debug, Clone)]

@@ -1,11 +1,10 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::coupled::{Coupled, Readings};
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Piece;
 use crate::models::paper::forces::system::{LANES, Place, System};
+use crate::models::pulse::Piece;
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
@@ -24,8 +23,6 @@ pub struct State {
     pub work: f64,
     /// Energy lost to drag so far, in J.
     pub dissipated: f64,
-    /// Of the projectile, where the scene has one.
-    pub readings: Readings,
     pub(crate) scratch: Scratch,
 }
 
@@ -63,9 +60,6 @@ impl State {
             ay: zeros(),
             work: 0.0,
             dissipated: 0.0,
-            readings: system
-                .coupled()
-                .map_or_else(Readings::default, Coupled::at_rest),
             scratch: Scratch {
                 up_x: zeros(),
                 up_y: zeros(),
@@ -92,7 +86,6 @@ impl State {
             ay: none(),
             work: 0.0,
             dissipated: 0.0,
-            readings: Readings::default(),
             scratch: Scratch {
                 up_x: none(),
                 up_y: none(),
@@ -121,15 +114,11 @@ impl State {
         ] {
             to[moved.clone()].copy_from_slice(&from[moved.clone()]);
         }
-        self.readings = other.readings;
     }
 
     /// Brings the acceleration up to date by the load law `piece`.
     pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
         let force = system.load().pulse.force(piece, self.time);
-        if let Some(coupled) = system.coupled() {
-            return self.evaluate_coupled(system, coupled, force);
-        }
         kernel::evaluate(system, self, force, 0.0)
     }
 

@@ -15,14 +15,13 @@
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::coupled::Coupled;
 use crate::models::paper::forces::lanes;
-use crate::models::paper::forces::load::{ArcLoad, Pulse};
+use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::ring;
 use crate::models::paper::forces::ring::Ring;
-use crate::models::paper::forces::scene::SceneKind;
 use crate::models::paper::forces::sweep::Active;
 use crate::models::paper::time::stability;
+use crate::models::pulse::Pulse;
 use fearless_simd::{Level, dispatch};
 
 /// Nodes that the kernel handles at once.
@@ -121,9 +120,7 @@ pub struct System {
     pub(crate) active: Active,
     places: Vec<Place>,
     load: NodeLoad,
-    coupled: Option<Coupled>,
     omega_bound: f64,
-    omega_by_nodes: f64,
     springs_per_evaluation: usize,
 }
 
@@ -157,9 +154,7 @@ impl System {
                 shares: Vec::new(),
                 work: Vec::new(),
             },
-            coupled: None,
             omega_bound: stability::omega_bound(eye),
-            omega_by_nodes: stability::omega_by_nodes(eye),
             springs_per_evaluation: 0,
         };
         system.put_nodes(eye, &rows);
@@ -275,37 +270,10 @@ impl System {
         &self.load
     }
 
-    /// Adds a projectile. The eye must have been compiled whole.
-    #[must_use]
-    pub fn with(mut self, coupled: Option<Coupled>) -> Self {
-        debug_assert!(coupled.is_none() || !self.mirrored());
-        self.coupled = coupled;
-        self
-    }
-
-    /// What kind of scene it was compiled for.
-    pub fn kind(&self) -> SceneKind {
-        if self.coupled.is_some() {
-            SceneKind::Contact
-        } else {
-            SceneKind::Springs
-        }
-    }
-
-    /// The projectile, where the scene has one.
-    pub fn coupled(&self) -> Option<&Coupled> {
-        self.coupled.as_ref()
-    }
-
     /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
     /// rad/s; see [`crate::models::paper::time::stability`].
     pub fn omega_bound(&self) -> f64 {
         self.omega_bound
-    }
-
-    /// The wider bound of [`stability::omega_by_nodes`], in rad/s.
-    pub(crate) fn omega_by_nodes(&self) -> f64 {
-        self.omega_by_nodes
     }
 
     /// Springs that one force evaluation computes.

@@ -8,9 +8,9 @@
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::Spring;
-use crate::models::paper::forces::load::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
+use crate::models::pulse::Piece;
 use crate::run::kept::Peak;
 use nalgebra::{Point2, Vector2};
 

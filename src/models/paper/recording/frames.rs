@@ -4,11 +4,10 @@
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
 use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::load::Piece;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::Path;
-use crate::models::paper::recording::shot;
+use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
 /// The place of the frame nearest to a time, in s.
@@ -82,8 +81,6 @@ impl FrameTaker {
                     probe.set(place, path.position(share), path.velocity(share));
                 }
             }
-            probe.readings = after.readings;
-            probe.readings.body.position = shot::centre(before, after, share);
             probe.evaluate(system, piece);
             self.keep(system, &probe);
             self.probe = probe;
@@ -100,10 +97,8 @@ impl FrameTaker {
                 .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
                 .collect(),
             cells: Vec::new(),
-            projectile: system
-                .coupled()
-                .map(|_| state.readings.body.position + state.readings.body.shift * 0.5),
-            squeezed: state.readings.body.shift.norm(),
+            projectile: None,
+            squeezed: 0.0,
             pressure: None,
         });
         self.taken += 1;

@@ -7,11 +7,10 @@ pub mod frames;
 pub mod lengths;
 pub mod recorder;
 pub mod settling;
-pub mod shot;
 
 use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Peak, Traces};
-use shot::ShotExtremes;
+use crate::run::plan::Cost;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +23,7 @@ pub struct Extremes {
     pub shell_growth: Peak,
     /// Growth of the vertical diameter, as a share of it.
     pub meridian_growth: Peak,
-    /// Work done by the load, in J; by a projectile: the kinetic energy it has given up.
+    /// Work done by the load, in J.
     pub work: f64,
     /// Energy stored in all springs, in J, at step ends.
     pub elastic: Peak,
@@ -43,18 +42,10 @@ pub struct Extremes {
     pub could_rise: bool,
     /// Whether a load was so small that all it does is rounding, and was taken as nothing.
     pub lost_in_rounding: bool,
-    /// What the projectile did, where the scene has one.
-    pub shot: Option<ShotExtremes>,
 }
 
 impl Extremes {
-    /// Whether a projectile never touched the eye.
-    pub fn missed(&self) -> bool {
-        self.shot.is_some_and(|shot| shot.contact.is_none())
-    }
-
-    /// Nothing acted on the eye: what it seems to have done is rounding. The rim gives back all that it
-    /// takes of a projectile, so what is missing is an error.
+    /// Nothing acted on the eye: what it seems to have done is rounding.
     fn forget_rounding(&mut self) {
         let nothing = Peak::floor(0.0);
         self.force = [nothing; 4];
@@ -64,8 +55,7 @@ impl Extremes {
         self.elastic = nothing;
         self.strain = nothing;
         self.work = 0.0;
-        let missing = |shot: ShotExtremes| (shot.energy / shot.energy_before).abs();
-        self.energy_residual = self.shot.map_or(0.0, missing);
+        self.energy_residual = 0.0;
     }
 }
 
@@ -78,4 +68,8 @@ pub struct Recording {
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.
     pub frames: Vec<Frame>,
+    /// Steps and force evaluations.
+    pub cost: Cost,
+    /// Time simulated, in s: less than the window if all readings were final before.
+    pub simulated: f64,
 }

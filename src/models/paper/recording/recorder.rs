@@ -2,20 +2,21 @@
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::hats::Hat;
-use crate::models::paper::eye::mesh::Region;
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::{ArcLoad, Piece};
+use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::NodeForce;
 use crate::models::paper::recording::frames::FrameTaker;
 use crate::models::paper::recording::lengths::{Growth, Kind, Point};
 use crate::models::paper::recording::settling::{Bend, Bounds, ShellBound};
-use crate::models::paper::recording::shot::ShotWatch;
 use crate::models::paper::recording::{Extremes, Recording};
 use crate::models::paper::time::march::Observer;
+use crate::models::pulse::Piece;
 use crate::run::fold::FoldWatch;
 use crate::run::kept::{Keep, Peak, Traces};
+use crate::run::places::Region;
+use crate::run::plan::Cost;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
@@ -117,10 +118,6 @@ pub struct Recorder {
     every_row: usize,
     steps: usize,
     frames: Option<FrameTaker>,
-    shot: ShotWatch,
-    /// Whether the proofs of [`crate::models::paper::recording::settling`] and the search within steps hold: not with a
-    /// projectile, of which they know nothing.
-    provable: bool,
 }
 
 impl Recorder {
@@ -191,8 +188,6 @@ impl Recorder {
                 .frames
                 .map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
-            shot: ShotWatch::new(system),
-            provable: system.kind().bounded_by_energy(),
         }
     }
 
@@ -218,7 +213,6 @@ impl Recorder {
         let residual = state.work - stored - state.dissipated;
         self.residual = self.residual.max(residual.abs());
         self.most_energy = self.most_energy.max(stored);
-        self.shot.look(state);
         if self.steps.is_multiple_of(self.every_row)
             && let Some(rows) = &mut self.rows
         {
@@ -236,14 +230,6 @@ impl Recorder {
             rows.elastic.push(survey.elastic);
             rows.dissipated.push(state.dissipated);
             rows.work.push(state.work);
-            let readings = &state.readings;
-            if let Some(force) = self.shot.contact_force() {
-                rows.contact_force.push(force);
-                for axis in 0..2 {
-                    rows.projectile[axis].push(readings.body.position[axis]);
-                    rows.projectile_velocity[axis].push(readings.body.velocity[axis]);
-                }
-            }
         }
     }
 
@@ -266,7 +252,7 @@ impl Recorder {
     /// Whether nothing that is recorded can change before the end of the window. Traces and frames
     /// change to the very end.
     pub fn settled(&self) -> bool {
-        if !self.provable || self.loaded || self.rows.is_some() || self.frames.is_some() {
+        if self.loaded || self.rows.is_some() || self.frames.is_some() {
             return false;
         }
         let left = self.window - self.before.time;
@@ -280,8 +266,8 @@ impl Recorder {
                 <= self.meridian.peak.value
     }
 
-    /// The recording, once the march has ended at `state`.
-    pub fn finish(self, state: &State) -> Recording {
+    /// The recording, once the march has ended at `state` and cost so much.
+    pub fn finish(self, state: &State, cost: Cost) -> Recording {
         let relative = |growth: &Growth| Peak {
             value: growth.peak.value / growth.rest(),
             time: growth.peak.time,
@@ -290,8 +276,7 @@ impl Recorder {
             .iter()
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
-        let open = self.provable && (self.loaded || !self.forces_are_final(0.0));
-        let shot = self.shot.finish();
+        let open = self.loaded || !self.forces_are_final(0.0);
         let mut extremes = Extremes {
             force: self.forces,
             apex: self.apex.peak,
@@ -307,21 +292,20 @@ impl Recorder {
             } else {
                 0.0
             },
-            lost_in_rounding: shot.is_none()
-                && state.work != 0.0
-                && self.most_energy <= LOST * self.rounding,
+            lost_in_rounding: state.work != 0.0 && self.most_energy <= LOST * self.rounding,
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,
-            shot,
         };
         let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;
-        if extremes.missed() || untouched || extremes.lost_in_rounding {
+        if untouched || extremes.lost_in_rounding {
             extremes.forget_rounding();
         }
         Recording {
             extremes,
             traces: self.rows,
             frames: self.frames.map_or_else(Vec::new, |f| f.frames),
+            cost,
+            simulated: state.time,
         }
     }
 }
@@ -352,7 +336,7 @@ impl Observer for Recorder {
             .zip(before.into_iter().zip(self.last_forces))
         {
             let ends = f64::max(earlier, now);
-            if !self.provable || ends < FAR * peak.value {
+            if ends < FAR * peak.value {
                 continue;
             }
             let guess = monitor.guess(system, &self.before, state).max(ends);
@@ -362,7 +346,7 @@ impl Observer for Recorder {
                 peak.offer(found.value, found.time);
             }
         }
-        if self.provable && !self.loaded && !self.surveyed_shell {
+        if !self.loaded && !self.surveyed_shell {
             self.bend = self.shell.bend(system, state);
         }
         if let Some(frames) = &mut self.frames {

@@ -10,12 +10,12 @@
 
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
-use crate::models::paper::forces::load::Segment;
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::march::Cost;
 use crate::models::paper::time::method::Drag;
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::pulse::Segment;
+use crate::run::plan::Cost;
 
 /// A composition, ready for steps of one length.
 pub(crate) struct Composition<'a> {
@@ -82,7 +82,7 @@ impl<'a> Composition<'a> {
 }
 
 /// Distance per initial speed when the speed decays at `rate` for `t` seconds.
-pub(crate) fn exact_reach(rate: f64, t: f64) -> f64 {
+fn exact_reach(rate: f64, t: f64) -> f64 {
     if rate == 0.0 {
         t
     } else {
@@ -128,7 +128,7 @@ impl Stepper for Composition<'_> {
         let survey = kernel::evaluate(system, state, force, self.last_kick);
         let after = state.load_speed(system);
         state.work += self.last_kick * force * 0.5 * (speed + after);
-        state.time = self.clock.advance(1);
+        state.time = self.clock.advance();
         cost.evaluations += self.stages.len();
         survey
     }

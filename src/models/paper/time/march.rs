@@ -4,11 +4,11 @@
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::{Piece, Pulse, Segment};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::stepper::stepper;
-use crate::scenario::Integrator;
+use crate::models::pulse::{Piece, Pulse, Segment};
+use crate::run::plan::{Cost, Plan};
+use crate::run::refusal::Refusal;
 
 /// Steps that a segment is given at least, under load and after it, so that a short pulse and its
 /// wake are resolved.
@@ -24,45 +24,6 @@ pub trait Observer {
     fn satisfied(&self) -> bool {
         false
     }
-}
-
-/// How to move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plan {
-    /// The method.
-    pub integrator: Integrator,
-    /// Longest step, in s.
-    pub step: f64,
-    /// Simulated time, in s.
-    pub window: f64,
-    /// Multiplies the number of steps of every segment, 1 or more.
-    pub multiple: f64,
-    /// Local error allowed a step in the energy norm, for integrators that choose their steps.
-    pub local_tolerance: f64,
-}
-
-/// The local tolerance unless another is asked for.
-pub const LOCAL_TOLERANCE: f64 = 1e-5;
-
-/// What a march cost.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Cost {
-    /// Steps taken.
-    pub steps: usize,
-    /// Force evaluations.
-    pub evaluations: usize,
-    /// Segments tested against a projectile.
-    pub contact_tests: usize,
-}
-
-/// A march that could not be finished.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("the motion is no longer finite at {:.6} ms (step {step}): the step is unstable", time * 1e3)]
-pub struct Diverged {
-    /// Simulated time, in s.
-    pub time: f64,
-    /// Number of the step.
-    pub step: usize,
 }
 
 impl Plan {
@@ -122,14 +83,14 @@ impl Plan {
 /// Moves `state` from 0 to the end of the window under `observer`'s eyes.
 ///
 /// # Errors
-/// [`Diverged`] as soon as the energy is not finite.
+/// [`Refusal::NotFinite`] as soon as the energy is not finite.
 pub fn march(
     system: &System,
     plan: &Plan,
     state: &mut State,
     observer: &mut impl Observer,
-) -> Result<Cost, Diverged> {
-    let mut stepper = stepper(system, plan);
+) -> Result<Cost, Refusal> {
+    let mut stepper = plan.integrator.method().stepper(system, plan);
     let mut cost = Cost::default();
     for segment in system.load().pulse.segments(plan.window) {
         let survey = stepper.begin(state, &segment, plan.steps_in(&segment), &mut cost);
@@ -139,7 +100,7 @@ pub fn march(
             cost.steps += 1;
             let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
             if !energies.is_finite() {
-                return Err(Diverged {
+                return Err(Refusal::NotFinite {
                     time: state.time,
                     step: cost.steps,
                 });

@@ -14,9 +14,9 @@
 
 use crate::models::paper::forces::system::System;
 use crate::models::paper::time::composition::Composition;
-use crate::models::paper::time::march::Plan;
 use crate::models::paper::time::runge_kutta::{RungeKutta, Tableau};
 use crate::models::paper::time::stepper::Stepper;
+use crate::run::plan::Plan;
 use crate::scenario::Integrator;
 
 /// One integrator.

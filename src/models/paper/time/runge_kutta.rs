@@ -17,11 +17,11 @@ use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Survey, by_tissue};
 use crate::models::paper::forces::lanes::{V, fused, load, splat, store, total};
-use crate::models::paper::forces::load::{Piece, Segment};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::{LANES, System};
-use crate::models::paper::time::march::{Cost, Plan};
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::pulse::{Piece, Segment};
+use crate::run::plan::{Cost, Plan};
 use fearless_simd::{Simd, SimdBase, dispatch};
 use std::ops::Range;
 
@@ -345,7 +345,7 @@ impl Stepper for RungeKutta<'_> {
         } else {
             let h = self.clock.length();
             let survey = self.attempt(state, segment.piece, h, cost);
-            state.time = self.clock.advance(1);
+            state.time = self.clock.advance();
             survey
         };
         // The end of this step is the start of the next.

@@ -26,8 +26,6 @@
 //! * Without drag the high-order compositions have hair-thin gaps far below their limit, which grow
 //!   by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step stays
 //!   under the first gap.
-//!
-//! Scenes with a projectile have one integrator, and its limit in `verlet`.
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::SpringKind;
@@ -44,9 +42,6 @@ const MAX_DRAG: f64 = 2.0;
 
 /// Largest step in s for which `integrator` is stable on `system` whatever its shape.
 pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
-    if let Some(coupled) = system.coupled() {
-        return coupled.step_limit();
-    }
     // An eye without stiffness has no limit; it must still be seen to move.
     let omega = system.omega_bound().max(1.0);
     let most = system.decay[0].max(system.decay[1]);
@@ -72,7 +67,7 @@ pub(crate) fn omega_bound(eye: &Eye) -> f64 {
 }
 
 /// The bound that takes each node by itself, in rad/s.
-pub(crate) fn omega_by_nodes(eye: &Eye) -> f64 {
+fn omega_by_nodes(eye: &Eye) -> f64 {
     highest(eye, |_| true, |_| 0.0)
 }
 

@@ -1,11 +1,9 @@
 //! What makes the steps of a march.
 
 use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::Segment;
 use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
-use crate::models::paper::time::march::{Cost, Plan};
-use crate::models::paper::time::verlet::SubsteppedVerlet;
+use crate::models::pulse::Segment;
+use crate::run::plan::Cost;
 
 /// Makes the steps of one march, segment by segment, without allocating.
 pub(crate) trait Stepper {
@@ -22,14 +20,6 @@ pub(crate) trait Stepper {
     /// Moves `state`, whose acceleration is up to date, by one step; the last of a segment ends
     /// exactly where the segment does.
     fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey;
-}
-
-/// The stepper of `plan` for what `system` holds.
-pub(crate) fn stepper<'a>(system: &'a System, plan: &Plan) -> Box<dyn Stepper + 'a> {
-    match system.coupled() {
-        Some(coupled) => Box::new(SubsteppedVerlet::new(system, coupled)),
-        None => plan.integrator.method().stepper(system, plan),
-    }
 }
 
 /// Equal steps through a segment.
@@ -58,15 +48,10 @@ impl EqualSteps {
         self.length
     }
 
-    /// Steps taken so far.
-    pub fn taken(&self) -> usize {
-        self.taken
-    }
-
-    /// The time after `more` further steps, in s: computed, not summed, so that rounding does not
-    /// pile up over many steps.
-    pub fn advance(&mut self, more: usize) -> f64 {
-        self.taken += more;
+    /// The time after one more step, in s: computed, not summed, so that rounding does not pile up
+    /// over many steps.
+    pub fn advance(&mut self) -> f64 {
+        self.taken += 1;
         if self.taken == self.total {
             self.end
         } else {

@@ -1,22 +1,28 @@
-//! Total error against time as the app holds it: what is measured, what the cursor stands on, and what to propose.
+//! Total error against time as the app holds it: what is measured, what the cursor stands on, and
+//! what to propose.
 //!
-//! It belongs to a scenario apart from the scenario's own level, integrator and step, which are what it is there
-//! to choose.
+//! It belongs to a scenario apart from the scenario's own level, integrator and step, which are
+//! what it is there to choose.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::answer::quantity::Quantity;
-use crate::answer::total::{Total, Totals, finest_tried, measure};
-use crate::models::paper::case::{Refusal, Watch};
+use crate::many::accuracy::Accuracy;
+use crate::many::accuracy::Total;
+use crate::many::accuracy::cheapest;
+use crate::many::accuracy::finest_tried;
+use crate::many::accuracy::measure;
 use crate::report::text::{percent, significant};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::{NumericsInput, Scenario};
 use crate::tui::step::Step;
 use crate::tui::task::{Question, Report, Task};
 
 /// What there is so far is shown this often at most.
 const SHOW_EVERY: Duration = Duration::from_millis(200);
-/// Where the cursor begins: the fastest run of the front within so many percent.
+/// Where the cursor begins: the cheapest within so many percent.
 const FIRST: f64 = 10.0;
 /// Something is more exact or faster only below this share of what there is.
 const WORTH: f64 = 0.8;
@@ -25,23 +31,25 @@ const WORTH: f64 = 0.8;
 #[derive(Debug, Clone)]
 pub struct MeasureAccuracy {
     scenario: Scenario,
-    known: Option<Arc<Totals>>,
+    known: Option<Arc<Accuracy>>,
 }
 
 impl Question for MeasureAccuracy {
-    type Answer = Totals;
+    type Answer = Accuracy;
 
-    fn answer(&self, watch: Watch) -> Result<Totals, Refusal> {
+    fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
         self.fill_in(watch, &mut |_| {})
     }
 
-    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Totals)) -> Result<Totals, Refusal> {
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Accuracy)) -> Result<Accuracy, Refusal> {
         let known = self.known.as_deref().cloned();
         let mut shown = Instant::now();
-        measure(&self.scenario.check()?, known, watch, &mut |totals| {
+        let finest = finest_tried(&self.scenario);
+        let scenario = self.scenario.check()?;
+        measure(&scenario, finest, known, watch, &mut |so_far| {
             if shown.elapsed() >= SHOW_EVERY {
                 shown = Instant::now();
-                show(totals.clone());
+                show(so_far.clone());
             }
         })
     }
@@ -73,7 +81,7 @@ pub struct Proposal {
 #[derive(Debug, Default)]
 pub struct Measurement {
     /// What is known, and of which scenario.
-    pub known: Option<(Scenario, Arc<Totals>)>,
+    pub known: Option<(Scenario, Arc<Accuracy>)>,
     /// What is under way, or that it was stopped.
     pub task: Task<MeasureAccuracy>,
     /// The run under the cursor, once it was moved: level, integrator's name and step in s.
@@ -88,7 +96,7 @@ pub struct Measurement {
 
 impl Measurement {
     /// What is known of this scenario.
-    pub fn of(&self, scenario: &Scenario) -> Option<&Arc<Totals>> {
+    pub fn of(&self, scenario: &Scenario) -> Option<&Arc<Accuracy>> {
         let (asked, totals) = self.known.as_ref()?;
         (*asked == key(scenario)).then_some(totals)
     }
@@ -124,15 +132,7 @@ impl Measurement {
 
     /// The result on show: the chosen one where its error is known, else pressure, else damage.
     pub fn quantity(&self, scenario: &Scenario) -> Option<Quantity> {
-        let known = self.of(scenario)?.results();
-        let own = [
-            self.chosen,
-            Some(Quantity::Pressure),
-            Some(Quantity::Damage),
-        ];
-        let mut own = own.into_iter().flatten();
-        let there = own.find(|of| known.contains(of));
-        there.or(known.first().copied())
+        self.of(scenario)?.to_show(self.chosen)
     }
 
     /// Shows the next result.
@@ -154,9 +154,8 @@ impl Measurement {
     /// The place of the cursor among them.
     pub fn place(&self, shown: &[Total]) -> usize {
         let is_here = |total: &Total| self.cursor == Some(name(total));
-        let first = |total: &Total| total.on_front && total.error() <= FIRST;
         let place = shown.iter().position(is_here);
-        let place = place.or_else(|| shown.iter().position(first));
+        let place = place.or_else(|| cheapest(shown, FIRST));
         let best = || shown.iter().rposition(|total| total.on_front);
         place.or_else(best).unwrap_or(0)
     }
@@ -176,8 +175,8 @@ impl Measurement {
         }
     }
 
-    /// Something more exact than the scenario is solved now, or something faster; an error says why there is
-    /// none, and nothing that too little is known yet.
+    /// Something more exact than the scenario is solved now, or something faster; an error says why
+    /// there is none, and nothing that too little is known yet.
     pub fn propose(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
         let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
         let shown = known.of(of);

@@ -1,15 +1,20 @@
 //! Total error against time: every run on two logarithmic axes, the front joined.
 //!
-//! A letter tells the integrator, a capital that nothing beats the run in both; levels stand in rows, as the mesh
-//! errors are mostly the larger by far. So the picture is legible without colours, which tell the level.
+//! A letter tells the integrator, a capital that nothing beats the run in both; levels stand in
+//! rows, as the mesh errors are mostly the larger by far. So the picture is legible without
+//! colours, which tell the level.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::quantity::Quantity;
-use crate::answer::total::{ROUNDS, Total, Totals};
+use crate::many::accuracy::Accuracy;
+use crate::many::accuracy::ROUNDS;
+use crate::many::accuracy::TOLERANCES;
+use crate::many::accuracy::Total;
+use crate::many::accuracy::cheapest;
 use crate::report::text::{percent, significant};
+use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::model::{Look, Model};
 use crate::tui::screens::accuracy::log_axis::{Axis, tick_label};
@@ -134,7 +139,7 @@ fn legend(shown: &[Total]) -> Vec<String> {
 }
 
 /// What each mesh level may be off by.
-fn levels(totals: &Totals, of: Quantity) -> Vec<String> {
+fn levels(totals: &Accuracy, of: Quantity) -> Vec<String> {
     let mut parts = vec!["mesh error".to_owned()];
     for level in 1..=totals.levels.len() as u32 {
         let Some(mesh) = totals.mesh(level) else {
@@ -168,12 +173,22 @@ fn named(shown: &[Total], here: usize) -> Vec<String> {
             percent(total.mesh),
             percent(total.by_step)
         ),
-        if total.on_front {
-            "on the front".to_owned()
-        } else {
-            "beaten: not on the front".to_owned()
-        },
+        front(shown, here),
     ]
+}
+
+/// Whether the run under the cursor is on the front, and the tolerances that it is the cheapest
+/// for.
+fn front(shown: &[Total], here: usize) -> String {
+    let of = TOLERANCES
+        .into_iter()
+        .filter(|percent| cheapest(shown, *percent) == Some(here));
+    let of: Vec<String> = of.map(|percent| format!("{percent} %")).collect();
+    match (shown[here].on_front, of.is_empty()) {
+        (_, false) => format!("the cheapest for {}", of.join(", ")),
+        (true, true) => "on the front".to_owned(),
+        (false, true) => "beaten: not on the front".to_owned(),
+    }
 }
 
 fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Buffer) {

@@ -1,11 +1,11 @@
 //! A cell of the table: a value with as many digits as its error allows, and that error below it.
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
+use crate::many::comparison::Column;
 use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};
-use crate::tui::screens::compare::comparison::Column;
+use crate::run::quantity::Quantity;
 
 /// What an answer has in a column, and how far that may be off. Whether a mesh error is still to come.
 pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {
@@ -13,7 +13,7 @@ pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, Strin
     match column {
         Column::Name => nothing(),
         Column::Result(quantity) => {
-            if let Read::Believed(injury) = quantity.row().read
+            if let Some(Derived::Believed(injury)) = quantity.derived()
                 && let Some(range) = range(answer, quantity)
             {
                 let word = verdict(answer, injury).and_then(|verdict| verdict.word());
@@ -24,8 +24,8 @@ pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, Strin
             let Some(figure) = Figure::of(answer, quantity) else {
                 return nothing();
             };
-            let error = match (quantity.row().read, figure.off) {
-                (Read::Risk(..), _) => return risk(answer, quantity, figure.number),
+            let error = match (quantity.derived(), figure.off) {
+                (Some(Derived::Risk(..)), _) => return risk(answer, quantity, figure.number),
                 (_, Off::Step(_)) if mesh_comes => "mesh …".to_owned(),
                 (_, off) => off.to_string().replace(' ', ""),
             };
@@ -39,7 +39,7 @@ fn risk(answer: &Answer, quantity: Quantity, value: String) -> (String, String) 
     let risks = answer.risks();
     let own = |risk: &&crate::injury::Risk| {
         let curve = risk.curve;
-        matches!(quantity.row().read, Read::Risk(injury, measure) if (injury, measure) == (curve.injury, curve.measure))
+        matches!(quantity.derived(), Some(Derived::Risk(injury, measure)) if (injury, measure) == (curve.injury, curve.measure))
     };
     let Some(risk) = risks.iter().find(own) else {
         return (value, String::new());

@@ -1,16 +1,15 @@
-//! The presets marked for comparison, their answers, and the order of the table.
+//! The presets marked for comparison, and how they are shown.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use crate::answer::course::{Beside, Course};
 use crate::answer::mesh_error::MeshError;
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
 use crate::answer::solve::Answer;
-use crate::many::comparison::order;
+use crate::many::comparison::{Column, Entry, Found, columns, order};
 use crate::report;
+use crate::run::course::{Beside, Course};
 use crate::run::kept::Traces;
+use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use crate::tui::model::Shown;
 use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
@@ -21,41 +20,6 @@ use crate::tui::work::brief;
 pub const FORM: &str = "(the form)";
 /// As many as fit side by side.
 pub const MAX_MARKED: usize = 6;
-
-/// A column of the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
-    /// The preset's name.
-    Name,
-    /// One result; of what is believed of an injury the verdict stands there.
-    Result(Quantity),
-}
-
-impl Column {
-    /// The value of an answer in this column, where it has one.
-    pub fn of(self, answer: &Answer) -> Option<f64> {
-        match self {
-            Self::Name => None,
-            Self::Result(quantity) => answer.result(quantity),
-        }
-    }
-
-    /// Whether it holds what is believed of an injury.
-    fn is_believed(self) -> bool {
-        matches!(self, Self::Result(of) if matches!(of.row().read, Read::Believed(_)))
-    }
-
-    /// What is believed before what that is read off, then other risks and the rest.
-    fn rank(self) -> u8 {
-        match self {
-            Self::Name => 0,
-            _ if self.is_believed() => 0,
-            Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
-            Self::Result(quantity) if quantity.is_risk() => 2,
-            Self::Result(_) => 3,
-        }
-    }
-}
 
 /// What stands at the same time in all replays and curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -93,7 +57,7 @@ impl Alignment {
     fn moment(self, answer: &Answer) -> f64 {
         match self {
             Self::Clock => 0.0,
-            Self::Contact => answer.traces.as_ref().map_or(0.0, first_contact),
+            Self::Contact => answer.run.traces.as_ref().map_or(0.0, first_contact),
             Self::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
         }
     }
@@ -107,45 +71,14 @@ fn first_contact(traces: &Traces) -> f64 {
     traces.time.get(before).copied().unwrap_or(0.0)
 }
 
-/// What is known of an entry.
-#[derive(Debug, Clone)]
-pub enum Found {
-    /// Nothing yet.
-    Awaited,
-    /// Its answer.
-    Answer(Box<Shown>),
-    /// Why there is none.
-    Refused(String),
-}
-
-/// A marked scenario.
-#[derive(Debug, Clone)]
-pub struct Entry {
-    /// Its name in the list.
-    pub name: String,
-    /// What is simulated.
-    pub scenario: Scenario,
-    /// What came of it.
-    pub found: Found,
-    /// Whether its mesh error was refused.
-    pub without_mesh: bool,
-}
-
-impl Entry {
-    /// The answer, if there is one.
-    pub fn answer(&self) -> Option<&Answer> {
-        match &self.found {
-            Found::Answer(shown) => Some(&shown.answer),
-            _ => None,
-        }
-    }
-}
+/// A marked scenario, with what pictures are made of.
+pub type Marked = Entry<Box<Shown>>;
 
 /// The comparison.
 #[derive(Debug, Default)]
 pub struct Comparison {
     /// What is marked, in the order of marking; differences are against the first.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<Marked>,
     /// The row with the cursor in the list of presets.
     pub row: usize,
     /// The column with the cursor.
@@ -175,12 +108,7 @@ impl Comparison {
         if self.entries.len() == MAX_MARKED {
             return Err(format!("{MAX_MARKED} are marked already: unmark one first"));
         }
-        self.entries.push(Entry {
-            name: name.to_owned(),
-            scenario: scenario.clone(),
-            found: Found::Awaited,
-            without_mesh: false,
-        });
+        self.entries.push(Entry::new(name, scenario));
         Ok(())
     }
 
@@ -195,21 +123,19 @@ impl Comparison {
         if let Some(entry) = entry
             && entry.scenario != *scenario
         {
-            entry.scenario = scenario.clone();
-            entry.found = Found::Awaited;
-            entry.without_mesh = false;
+            *entry = Entry::new(name, scenario);
         }
     }
 
     /// The next entry to simulate.
-    pub fn next(&self) -> Option<&Entry> {
-        let awaited = |entry: &&Entry| matches!(entry.found, Found::Awaited);
+    pub fn next(&self) -> Option<&Marked> {
+        let awaited = |entry: &&Marked| matches!(entry.found, Found::Awaited);
         self.entries.iter().find(awaited)
     }
 
     /// The next entry whose mesh error is to be estimated, once all are simulated.
-    pub fn next_mesh(&self) -> Option<(&Entry, &Answer)> {
-        let lacks = |entry: &Entry| !entry.without_mesh;
+    pub fn next_mesh(&self) -> Option<(&Marked, &Answer)> {
+        let lacks = |entry: &Marked| !entry.without_mesh;
         let open = self.entries.iter().filter(|entry| lacks(entry));
         let mut answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
         let next = answered.find(|(_, answer)| answer.errors.mesh.is_none());
@@ -219,7 +145,7 @@ impl Comparison {
     /// Takes in the mesh error of an entry, or that it has none.
     pub fn take_mesh(&mut self, asked: &EstimateMarked, mesh: Option<MeshError>) {
         let mut entries = self.entries.iter_mut();
-        let same = |e: &&mut Entry| e.name == asked.name && e.scenario == asked.mesh.scenario;
+        let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.mesh.scenario;
         let Some(entry) = entries.find(same) else {
             return;
         };
@@ -237,22 +163,15 @@ impl Comparison {
     }
 
     /// Takes in what came of an entry.
-    pub fn take(&mut self, name: &str, found: Found) {
+    pub fn take(&mut self, name: &str, found: Found<Box<Shown>>) {
         if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
             entry.found = found;
         }
     }
 
-    /// The columns, from the left: what to believe, then the results that some answer has.
+    /// The columns, from the left.
     pub fn columns(&self) -> Vec<Column> {
-        let answers = || self.entries.iter().filter_map(Entry::answer);
-        let none = answers().next().is_none();
-        let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
-        let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
-        let mut columns: Vec<Column> = results.filter(there).collect();
-        columns.sort_by_key(|column| column.rank());
-        columns.insert(0, Column::Name);
-        columns
+        columns(&self.entries)
     }
 
     /// The column with the cursor.
@@ -278,19 +197,11 @@ impl Comparison {
     }
 
     /// The entries in the order of the table.
-    pub fn sorted(&self) -> Vec<&Entry> {
-        let mut entries: Vec<&Entry> = self.entries.iter().collect();
-        let Some((column, largest)) = self.sorting() else {
-            return entries;
-        };
-        entries.sort_by(|a, b| {
-            let value = |entry: &Entry| column.of(entry.answer()?);
-            match column {
-                Column::Name if largest => b.name.cmp(&a.name),
-                Column::Name => a.name.cmp(&b.name),
-                Column::Result(_) => order(value(a), value(b), largest),
-            }
-        });
+    pub fn sorted(&self) -> Vec<&Marked> {
+        let mut entries: Vec<&Marked> = self.entries.iter().collect();
+        if let Some(by) = self.sorting() {
+            entries.sort_by(|a, b| order(a, b, by));
+        }
         entries
     }
 
@@ -312,7 +223,7 @@ impl Comparison {
 
     /// The curve below the table: by itself the pressure, where there is one.
     pub fn curve(&self) -> Course {
-        let pressure = |entry: &Entry| entry.answer()?.result(Quantity::Pressure);
+        let pressure = |entry: &Marked| entry.answer()?.result(Quantity::Pressure);
         let own = if self.entries.iter().any(|entry| pressure(entry).is_some()) {
             Course::Of(Quantity::Pressure)
         } else {
@@ -335,8 +246,8 @@ impl Comparison {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
     use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
     use crate::scenario::library;
 
     fn filled() -> Comparison {
@@ -379,7 +290,7 @@ mod tests {
             comparison.sort_here();
             let values = |c: &Comparison| -> Vec<f64> {
                 let sorted = c.sorted();
-                let value = |e: &&Entry| column.of(e.answer().unwrap()).unwrap();
+                let value = |e: &&Marked| column.of(e.answer().unwrap()).unwrap();
                 sorted.iter().map(value).collect()
             };
             assert!(values(&comparison).is_sorted_by(|a, b| a >= b));
@@ -410,7 +321,7 @@ mod tests {
         let (name, _) = comparison.next_mesh().map(|(e, a)| (&e.name, a)).unwrap();
         assert_eq!(name, "foam-dart", "in the order of marking");
         comparison.alignment = Alignment::Deepest;
-        let deepest = |entry: &Entry| {
+        let deepest = |entry: &Marked| {
             let answer = entry.answer().unwrap();
             let own = answer.peak(Quantity::Apex).unwrap().time;
             own - comparison.shift(answer)
@@ -419,7 +330,7 @@ mod tests {
         assert!(times[0] > 0.0 && (times[1] - times[0]).abs() < 1e-12);
         comparison.alignment = Alignment::Contact;
         let contact =
-            |entry: &Entry| first_contact(entry.answer().unwrap().traces.as_ref().unwrap());
+            |entry: &Marked| first_contact(entry.answer().unwrap().run.traces.as_ref().unwrap());
         assert!(comparison.entries.iter().all(|entry| contact(entry) < 1e-4));
     }
 

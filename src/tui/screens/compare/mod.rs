@@ -8,12 +8,14 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use crate::answer::course::Course;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::Answer;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::many::comparison::Found;
 use crate::plain_text::quoted;
+use crate::run::course::Course;
 use crate::run::kept::Traces;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::keys::shared::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP};
 use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
@@ -26,7 +28,7 @@ use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::{Question, Report};
 use crate::tui::update::{PAGE, time};
 use crate::tui::work::Work;
-use comparison::{Comparison, FORM, Found, MAX_MARKED};
+use comparison::{Comparison, FORM, MAX_MARKED};
 
 /// The places of the panes.
 const LIST: usize = 0;
@@ -312,7 +314,7 @@ fn next_curve(model: &mut Model) {
     let there = |course: &Course| {
         let has = |traces: &Traces| !course.values(traces).is_empty();
         let mut answers = entries.iter().filter_map(|entry| entry.answer());
-        answers.any(|answer| answer.traces.as_ref().is_some_and(has))
+        answers.any(|answer| answer.run.traces.as_ref().is_some_and(has))
     };
     let here = model.screens.compare.curve();
     let after = drawn().skip_while(|course| *course != here).skip(1);

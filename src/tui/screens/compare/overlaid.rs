@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::Course;
 use crate::answer::solve::Answer;
+use crate::run::course::Course;
 use crate::tui::model::Model;
 use crate::tui::screens::compare::comparison::Alignment;
 use crate::tui::screens::forces::mark;
@@ -20,7 +20,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     // Each on the time of the first.
     let shifted = |answer: &Answer| -> Option<Vec<f64>> {
         let shift = compare.shift(answer);
-        let times = answer.traces.as_ref()?.time.iter();
+        let times = answer.run.traces.as_ref()?.time.iter();
         Some(times.map(|time| time - shift).collect())
     };
     let times = compare
@@ -31,7 +31,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     let entries = compare.entries.iter().enumerate();
     let curves: Vec<Curve> = entries
         .filter_map(|(i, entry)| {
-            let traces = entry.answer()?.traces.as_ref()?;
+            let traces = entry.answer()?.run.traces.as_ref()?;
             let values = course.values(traces);
             if values.is_empty() {
                 return None;
@@ -61,7 +61,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
     // What drives the eye is a load for some and a contact for others.
     let entries = model.screens.compare.entries.iter();
     let mut labels: Vec<&str> = entries
-        .filter_map(|entry| Some(course.label(entry.answer()?.traces.as_ref()?)))
+        .filter_map(|entry| Some(course.label(entry.answer()?.run.traces.as_ref()?)))
         .collect();
     labels.sort_unstable_by(|a, b| b.cmp(a));
     labels.dedup();

@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::many::comparison::Found;
 use crate::tui::model::Model;
-use crate::tui::screens::compare::comparison::Found;
 use crate::tui::screens::compare::view::heading;
 use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::injury::lines;
+use crate::many::comparison::{Column, Found};
 use crate::tui::model::Model;
 use crate::tui::screens::forces::mark;
 use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
@@ -12,7 +13,7 @@ use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
 use crate::tui::screens::compare::cell::cell;
-use crate::tui::screens::compare::comparison::{Column, Comparison, Entry, FORM, Found};
+use crate::tui::screens::compare::comparison::{Comparison, FORM, Marked};
 use crate::tui::screens::compare::overlaid::overlaid;
 use crate::tui::screens::compare::replays::replays;
 use crate::tui::screens::compare::{LIST, REPLAYS, SCREEN, TABLE};
@@ -82,9 +83,9 @@ pub(super) fn heading(model: &Model, area: Rect, text: &str, buffer: &mut Buffer
 /// How far simulations and mesh errors are.
 fn progress(compare: &Comparison) -> String {
     let count = compare.entries.len();
-    let answered = |entry: &&Entry| !matches!(entry.found, Found::Awaited);
+    let answered = |entry: &&Marked| !matches!(entry.found, Found::Awaited);
     let done = compare.entries.iter().filter(answered).count();
-    let lacks = |entry: &&Entry| {
+    let lacks = |entry: &&Marked| {
         let lacks = |answer: &Answer| answer.errors.mesh.is_none();
         !entry.without_mesh && entry.answer().is_some_and(lacks)
     };
@@ -241,7 +242,7 @@ fn table(model: &Model, each: u16, numbers: &[(Column, u16)], area: Rect, buffer
 
 fn row(
     model: &Model,
-    entry: &Entry,
+    entry: &Marked,
     (place, numbers): (usize, &[(Column, u16)]),
     area: Rect,
     buffer: &mut Buffer,

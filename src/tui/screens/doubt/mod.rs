@@ -2,11 +2,11 @@
 
 mod view;
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::injury::Verdict;
 use crate::many::ensemble::Ensemble;
 use crate::report::verdict::is_void;
+use crate::run::quantity::Quantity;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::shared::{DOWN, UP};
 use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
@@ -50,7 +50,7 @@ const STOPPED_KEYS: KeyTable = KeyTable {
 /// other risks, and last what means nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    let believed = |of: Quantity| matches!(of.row().read, Read::Believed(_));
+    let believed = |of: Quantity| matches!(of.derived(), Some(Derived::Believed(_)));
     results.sort_by_key(|of| (is_void(verdicts, *of), !believed(*of), !of.is_risk()));
     results
 }
@@ -68,7 +68,8 @@ fn go(model: &mut Model, by: isize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::case::{Refusal, unwatched};
+    use crate::run::refusal::Refusal;
+    use crate::run::watch::unwatched;
     use crate::scenario::Scenario;
     use crate::tui::ensemble::{FEW, RunSamples};
     use crate::tui::keys::live;

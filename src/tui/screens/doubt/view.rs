@@ -7,12 +7,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::quantity::Quantity;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
 use crate::report::text::{digits, percent};
+use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::Model;
 use crate::tui::screens::doubt::{is_void, listed};

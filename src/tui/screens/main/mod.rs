@@ -5,6 +5,8 @@ mod pulse;
 mod score;
 mod view;
 
+use std::mem::discriminant;
+
 use ratatui::layout::Rect;
 
 use crate::scenario::Scenario;
@@ -148,8 +150,14 @@ fn nudge(model: &mut Model, path: &'static str, step: Step) {
 fn take(model: &mut Model, path: &'static str, outcome: Result<Scenario, String>) {
     match outcome {
         Ok(scenario) => {
+            let another_model =
+                discriminant(&scenario.model) != discriminant(&model.work.scenario.model);
             let work = model.work.with(scenario);
             change(model, work, path);
+            if path == "impact" && another_model {
+                model.notice =
+                    Some("objects need the Physiological model: it is taken now".to_owned());
+            }
         }
         Err(why) => model.form.complaint = Some(why),
     }

@@ -1,6 +1,6 @@
 //! A force pulse as a line of the form: its course in blocks, how long it lasts, how high it goes.
 
-use crate::models::paper::forces::load::Pulse;
+use crate::models::pulse::Pulse;
 use crate::report::text::significant;
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, PulseShape, Scenario};

@@ -5,11 +5,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::quantity::Quantity;
 use crate::injury::{Injury, Term, Verdict, lines, span};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::limit::alone;
 use crate::run::flags::Flag;
+use crate::run::quantity::Quantity;
 use crate::tui::model::{Model, Shown};
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
@@ -113,7 +113,7 @@ fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut 
 fn index(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let answer = &shown.answer;
     let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
-    let damage = answer.index.damage();
+    let damage = answer.index().damage();
     if let Some(figure) = Figure::of(answer, Quantity::Damage) {
         put(buffer, area, (0, 0), "Index", theme.heading());
         let end = put(buffer, area, (6, 0), &figure.to_string(), theme.strong());

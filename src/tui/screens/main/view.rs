@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::course::{Beside, Course};
-use crate::answer::quantity::Quantity;
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
+use crate::run::course::{Beside, Course};
 use crate::run::kept::Peak;
+use crate::run::quantity::Quantity;
 use crate::tui::model::{Model, Shown};
 use crate::tui::screens::injury;
 use crate::tui::screens::main::DIAL;
@@ -138,7 +138,7 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         count => count + 3,
     };
     let top = (used + 1 + taken).min(upper.height);
-    let Some(traces) = &shown.answer.traces else {
+    let Some(traces) = &shown.answer.run.traces else {
         return;
     };
     let courses = [
@@ -288,7 +288,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
 /// The curves, each with its peak and when it came.
 fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let Some(recorded) = &shown.answer.traces else {
+    let Some(recorded) = &shown.answer.run.traces else {
         return;
     };
     let sparks = sparks(&shown.answer);

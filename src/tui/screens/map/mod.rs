@@ -120,9 +120,9 @@ fn adopt(model: &mut Model) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::quantity::Quantity;
-    use crate::answer::results::PerQuantity;
     use crate::many::map::Spot;
+    use crate::run::quantity::Quantity;
+    use crate::run::readings::PerQuantity;
     use crate::scenario::library::find;
     use crate::tui::screens::map::state::DrawMap;
     use crate::tui::simulation::Simulate;

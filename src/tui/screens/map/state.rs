@@ -1,9 +1,10 @@
 //! The map of two inputs as the app holds it: which inputs, what is known, where the cursor stands.
 
-use crate::answer::quantity::Quantity;
 use crate::many::map::{Grid, Reading, SIDE, Span, fill};
 use crate::many::sweep::spaced;
-use crate::models::paper::case::{Refusal, Watch};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
@@ -326,8 +327,8 @@ impl Map {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::results::PerQuantity;
     use crate::many::map::Spot;
+    use crate::run::readings::PerQuantity;
 
     #[test]
     fn inputs_follow_the_scenario_and_go_round_without_meeting() {

@@ -10,13 +10,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::quantity::Quantity;
-use crate::answer::quantity::Read;
+use crate::answer::derived::Derived;
 use crate::injury::{Blow, Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
 use crate::report::verdict::VOID;
+use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
 use crate::tui::model::Model;
@@ -289,7 +289,8 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
 
 /// Whether a result is a risk by energy where the object under the cursor is larger than what such curves hold for.
 pub(super) fn is_void_there(model: &Model, of: Quantity) -> bool {
-    let Read::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy) = of.row().read else {
+    let Some(Derived::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy)) = of.derived()
+    else {
         return false;
     };
     let there = model.screens.map.adopted(&model.work.scenario);

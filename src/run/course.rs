@@ -4,8 +4,9 @@
 //! iterate [`COURSES`]. A result joins them by its [`Trace`] in the table of results; what is no
 //! result, such as the load, is a row here.
 
-use crate::answer::quantity::Quantity;
 use crate::run::kept::Traces;
+use crate::run::quantity::Quantity;
+use crate::run::trace::Group;
 use std::io::Write;
 use std::sync::LazyLock;
 use strum::VariantArray;
@@ -37,31 +38,10 @@ pub enum Beside {
     Kinetic,
     /// Energy lost so far.
     Dissipated,
-    /// Centre of the projectile.
+    /// Centre of the projectile along its flight.
     ProjectileX,
-    /// The same, up.
-    ProjectileY,
-    /// Velocity of the projectile.
+    /// Its velocity.
     ProjectileVx,
-    /// The same, up.
-    ProjectileVy,
-}
-
-/// Courses that are looked at together, in the order of the views of them and of the columns of CSV.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, VariantArray)]
-pub enum Group {
-    /// What the scenario prescribes.
-    Input,
-    /// Forces of nodes.
-    NodeForces,
-    /// What acts on the eye, and how the whole of it moves.
-    Motion,
-    /// Where the energy is.
-    Energies,
-    /// Pressures and stresses.
-    Inside,
-    /// What the projectile does.
-    Projectile,
 }
 
 /// All that is known of a course.
@@ -90,37 +70,6 @@ pub struct Column {
     pub factor: f64,
     /// Its digits.
     pub digits: fn(f64) -> String,
-}
-
-/// The course of a result over time.
-#[derive(Clone, Copy)]
-pub struct Trace {
-    /// What the course is called, of which the result is the largest or the last value.
-    pub label: &'static str,
-    /// Its column in CSV: a contract.
-    pub column: &'static str,
-    /// The values, SI; empty where the scene has none.
-    pub values: fn(&Traces) -> &[f64],
-    /// What it is looked at with, and its place there.
-    pub place: (Group, u8),
-    /// Whether it is drawn beside the eye.
-    pub spark: bool,
-}
-
-/// A course that is not drawn beside the eye.
-pub(crate) const fn trace(
-    label: &'static str,
-    column: &'static str,
-    values: fn(&Traces) -> &[f64],
-    place: (Group, u8),
-) -> Trace {
-    Trace {
-        label,
-        column,
-        values,
-        place,
-        spark: false,
-    }
 }
 
 /// Every course, by its place.
@@ -243,27 +192,13 @@ impl Beside {
                     "mm",
                     1e3,
                     "projectile_x_mm",
-                    |t| &t.projectile[0],
+                    |t| &t.projectile,
                     (Projectile, 1),
                 )
             },
-            Self::ProjectileY => CourseRow {
-                label: "projectile y",
-                ..course(
-                    "mm",
-                    1e3,
-                    "projectile_y_mm",
-                    |t| &t.projectile[1],
-                    (Projectile, 2),
-                )
-            },
             Self::ProjectileVx => {
-                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[0];
+                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity;
                 course("m/s", 1.0, "projectile_vx_m_s", values, (Projectile, 3))
-            }
-            Self::ProjectileVy => {
-                let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity[1];
-                course("m/s", 1.0, "projectile_vy_m_s", values, (Projectile, 4))
             }
         }
     }
@@ -297,10 +232,6 @@ pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::models::paper::case::unwatched;
-    use crate::run::kept::Keep;
-    use crate::scenario::CheckedScenario;
 
     #[test]
     fn courses_have_places_and_columns_of_their_own() {
@@ -311,38 +242,6 @@ mod tests {
                 let name = |row: &CourseRow| row.column.map(|column| column.name);
                 assert!(row.column.is_none() || name(&row) != name(&other));
             }
-        }
-    }
-
-    #[test]
-    fn a_result_is_the_largest_of_its_course_or_its_end() {
-        let scenario = CheckedScenario::default();
-        let keep = Keep {
-            traces: true,
-            frames: None,
-        };
-        let answer = solve(&scenario, keep, &mut unwatched).unwrap();
-        let traces = answer.traces.as_ref().unwrap();
-        for (quantity, trace) in Quantity::ALL
-            .iter()
-            .filter_map(|q| Some((*q, q.row().trace?)))
-        {
-            let values = (trace.values)(traces);
-            let Some(result) = answer.result(quantity) else {
-                assert!(values.is_empty(), "{}", trace.label);
-                continue;
-            };
-            let found = match answer.peak(quantity) {
-                Some(_) => values.iter().copied().fold(0.0, f64::max),
-                None => values[values.len() - 1],
-            };
-            // Between two steps it may have been a little larger.
-            let share = found * quantity.row().factor / result;
-            assert!(
-                (0.99..=1.0 + 1e-12).contains(&share),
-                "{} {share}",
-                trace.label
-            );
         }
     }
 }

@@ -1,0 +1,413 @@
+//! Total error against time: mesh levels, integrators and steps on one scale.
+//!
+//! A trial is one integrator at one step on one level. Its total error is the mesh error of the
+//! level, from the two finer ones as in [`crate::answer::mesh_error`], and its step error: the
+//! difference from a reference on the same mesh. Times are medians of rounds interleaved over all
+//! trials, so that a busy moment hits them alike.
+//!
+//! The work is a list of jobs from coarse to fine, so that what was stopped goes on where it was.
+//!
+//! Left out: methods that choose their own step, whose tolerance a scenario does not hold, and
+//! steps so short that only a step error shows them.
+
+use crate::answer::compiled::Compiled;
+use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
+use crate::answer::results::Results;
+use crate::many::statistics::median;
+use crate::models::rules;
+use crate::run::kept::Keep;
+use crate::run::plan::Plan;
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::rules::Element;
+use crate::run::watch::Watch;
+use crate::scenario::{CheckedScenario, Integrator, Model, NumericsInput, Scenario};
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// The finest level that is tried for a scenario.
+pub fn finest_tried(scenario: &Scenario) -> u32 {
+    let mesh = &rules(&scenario.model).mesh;
+    mesh.finest
+        .min(mesh.finest_in_study.max(scenario.eye.level))
+}
+
+/// Shares of the stability limit that are tried beside that of an answer.
+const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
+/// Below this share of the error of all that is faster a run is on the front: less is no gain.
+const WORTH: f64 = 0.98;
+/// Runs of which the median time is taken.
+pub const ROUNDS: usize = 3;
+/// The step of the reference as a share of its stability limit: beside mesh errors its own error is
+/// nothing.
+const REFERENCE_SHARE: f64 = 0.15;
+/// Total errors that the cheapest trial is named for, in %.
+pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
+
+/// One integrator at one step on one level, and what came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// The level.
+    pub level: u32,
+    /// Integrator and step.
+    pub plan: Plan,
+    /// Whether an answer is computed so by itself.
+    pub is_answer: bool,
+    /// Longest step taken, in s.
+    pub step: f64,
+    /// What came of it; none where it diverged.
+    pub results: Option<Results>,
+    /// Springs or cells that were computed.
+    pub elements: f64,
+    /// Wall times, in s.
+    pub times: Vec<f64>,
+}
+
+/// The error of a trial in one result, and its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Total {
+    /// The level.
+    pub level: u32,
+    /// Integrator and step.
+    pub plan: Plan,
+    /// Whether an answer is computed so by itself.
+    pub is_answer: bool,
+    /// Longest step taken, in s.
+    pub step: f64,
+    /// Springs or cells that were computed.
+    pub elements: f64,
+    /// Median wall time, in s.
+    pub seconds: f64,
+    /// Error by the mesh, in %.
+    pub mesh: f64,
+    /// Error by the step, in %.
+    pub by_step: f64,
+    /// Whether it is more exact than all that is faster, by more than a trifle.
+    pub on_front: bool,
+}
+
+impl Total {
+    /// Both errors together, in %.
+    pub fn error(&self) -> f64 {
+        self.mesh + self.by_step
+    }
+}
+
+/// The cheapest of trials from the fastest to the slowest whose error is within `percent`.
+pub fn cheapest(totals: &[Total], percent: f64) -> Option<usize> {
+    totals.iter().position(|total| total.error() <= percent)
+}
+
+/// All that is known of a scenario, from coarse to fine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Accuracy {
+    /// The model that was measured.
+    pub model: Model,
+    /// What the work is counted in.
+    pub element: Element,
+    /// Levels 1, 2, 3, ... by the automatic step of a run alone.
+    pub levels: Vec<OnMesh>,
+    /// What step errors are against, of the levels that are reached.
+    pub references: Vec<Results>,
+    /// Every trial, by level.
+    pub trials: Vec<Trial>,
+    /// Jobs done, from the first.
+    pub done: usize,
+    /// All jobs.
+    pub all: usize,
+}
+
+impl Accuracy {
+    /// The mesh error of a level, in % of each result, once the two finer ones are known.
+    pub fn mesh(&self, level: u32) -> Option<Results> {
+        let on = |level: u32| self.levels.get(level as usize - 1);
+        let [coarser, finer] = witnesses(&self.model, level).map(on);
+        Some(MeshError::of(&self.model, level, on(level)?, [coarser?, finer?]).errors)
+    }
+
+    /// The trials whose error in a result is known, from the fastest to the slowest.
+    pub fn of(&self, quantity: Quantity) -> Vec<Total> {
+        let one = |trial: &Trial| {
+            let reference = self.references.get(trial.level as usize - 1)?;
+            let by_step = trial.results?.difference_percent(reference)[quantity]?;
+            Some(Total {
+                level: trial.level,
+                plan: trial.plan,
+                is_answer: trial.is_answer,
+                step: trial.step,
+                elements: trial.elements,
+                seconds: median(trial.times.clone())?,
+                mesh: self.mesh(trial.level)?[quantity]?,
+                by_step,
+                on_front: false,
+            })
+        };
+        let mut totals: Vec<Total> = self.trials.iter().filter_map(one).collect();
+        totals.retain(|total| total.error().is_finite());
+        totals.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let mut best = f64::INFINITY;
+        for total in &mut totals {
+            total.on_front = total.error() < WORTH * best;
+            if total.on_front {
+                best = total.error();
+            }
+        }
+        totals
+    }
+
+    /// The results of which some trial's error is known.
+    pub fn results(&self) -> Vec<Quantity> {
+        let all = Quantity::ALL.iter().copied();
+        all.filter(|of| !self.of(*of).is_empty()).collect()
+    }
+
+    /// The result to show: the chosen one where its error is known, else pressure, else damage.
+    pub fn to_show(&self, chosen: Option<Quantity>) -> Option<Quantity> {
+        let known = self.results();
+        let mut own = chosen
+            .into_iter()
+            .chain([Quantity::Pressure, Quantity::Damage]);
+        let there = own.find(|of| known.contains(of));
+        there.or(known.first().copied())
+    }
+}
+
+/// One piece of the work.
+#[derive(Clone, Copy)]
+enum Job {
+    /// The automatic step on a level.
+    Level(u32),
+    /// What step errors on a level are against.
+    Reference(u32),
+    /// The trial of this place among all.
+    Trial(usize),
+}
+
+/// The work and what each piece costs, from coarse to fine; then the further rounds.
+fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
+    let most = cases.len() as u32;
+    let case = |level: u32| &cases[level.min(most) as usize - 1];
+    // Above the finest level that is tried work is taken to grow with the cube.
+    let cost = |level: u32, plan: &Plan| {
+        let evaluations = plan.window / plan.step * plan.integrator.method().evaluations() as f64;
+        let finer = f64::from(level) / f64::from(level.min(most));
+        evaluations * case(level).eye.elements_per_evaluation() as f64 * finer.powi(3)
+    };
+    let timed = |(place, trial): (usize, &Trial)| {
+        let cost = cost(trial.level, &trial.plan);
+        (Job::Trial(place), cost)
+    };
+    let places = || trials.iter().enumerate();
+    let (mut jobs, mut levels) = (Vec::new(), 0);
+    for level in 1..=most {
+        let finest = witnesses(model, level)[1];
+        for next in levels + 1..=finest {
+            jobs.push((Job::Level(next), cost(next, &answer(case(next)))));
+        }
+        levels = levels.max(finest);
+        jobs.push((Job::Reference(level), cost(level, &reference(case(level)))));
+        jobs.extend(places().filter(|(_, of)| of.level == level).map(timed));
+    }
+    for _ in 1..ROUNDS {
+        jobs.extend(places().map(timed));
+    }
+    jobs
+}
+
+/// How an answer is computed.
+fn answer(case: &Compiled) -> Plan {
+    let automatic = case.rules().answer;
+    case.plan_at(automatic.integrator, automatic.share)
+}
+
+fn reference(case: &Compiled) -> Plan {
+    case.plan_at(case.rules().reference, REFERENCE_SHARE)
+}
+
+/// What is tried on a level, the answer's own plan first.
+fn trials(case: &Compiled) -> Vec<Trial> {
+    let fixed = |integrator: &&Integrator| !integrator.method().adaptive();
+    let others = case.rules().integrators.iter().filter(fixed);
+    let others = others.flat_map(|of| SHARES.map(|share| case.plan_at(*of, share)));
+    let mut plans: Vec<Plan> = [answer(case)].into_iter().chain(others).collect();
+    // In a short window several steps come to the same.
+    let mut seen = HashSet::new();
+    plans.retain(|plan| seen.insert((plan.integrator, case.eye.steps(plan))));
+    let trial = |plan: Plan| Trial {
+        level: case.level(),
+        plan,
+        is_answer: plan == answer(case),
+        step: case.eye.longest_step(&plan),
+        results: None,
+        elements: 0.0,
+        times: Vec::new(),
+    };
+    plans.into_iter().map(trial).collect()
+}
+
+impl Accuracy {
+    /// Does one piece of the work.
+    fn add(
+        &mut self,
+        job: Job,
+        scenario: &Scenario,
+        cases: &[Compiled],
+        watch: Watch,
+    ) -> Result<(), Refusal> {
+        let case = |level: u32| &cases[level as usize - 1];
+        match job {
+            Job::Level(level) => self.levels.push(at_level(scenario, level, watch)?),
+            Job::Reference(level) => {
+                let case = case(level);
+                let run = case.run(&reference(case), Keep::default(), watch)?;
+                self.references.push(case.results(&run));
+            }
+            Job::Trial(place) => {
+                let trial = &mut self.trials[place];
+                let case = case(trial.level);
+                let began = Instant::now();
+                let ran = case.run(&trial.plan, Keep::default(), watch);
+                let took = began.elapsed().as_secs_f64();
+                match ran {
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    Err(_) => {}
+                    Ok(ran) => {
+                        let each = case.eye.elements_per_evaluation();
+                        trial.elements = (ran.cost.evaluations * each) as f64;
+                        trial.results = Some(case.results(&ran));
+                    }
+                }
+                trial.times.push(took);
+            }
+        }
+        self.done += 1;
+        Ok(())
+    }
+}
+
+/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose
+/// mesh errors come from two more. `show` is told what there is after each job.
+///
+/// # Errors
+/// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
+pub fn measure(
+    scenario: &CheckedScenario,
+    finest: u32,
+    known: Option<Accuracy>,
+    watch: Watch,
+    show: &mut dyn FnMut(&Accuracy),
+) -> Result<Accuracy, Refusal> {
+    let case = |level| -> Result<Compiled, Refusal> {
+        let mut other = Scenario::from(scenario.clone());
+        other.eye.level = level;
+        other.numerics = NumericsInput::default();
+        Ok(Compiled::new(&other.check()?))
+    };
+    let cases: Vec<Compiled> = (1..=finest).map(case).collect::<Result<_, _>>()?;
+    let mut accuracy = known.unwrap_or_else(|| Accuracy {
+        model: scenario.model,
+        element: cases[0].rules().element,
+        levels: Vec::new(),
+        references: Vec::new(),
+        trials: cases.iter().flat_map(trials).collect(),
+        done: 0,
+        all: 0,
+    });
+    let jobs = jobs(&scenario.model, &cases, &accuracy.trials);
+    accuracy.all = jobs.len();
+    let whole: f64 = jobs.iter().map(|(_, cost)| cost).sum();
+    let mut done: f64 = jobs[..accuracy.done].iter().map(|(_, cost)| cost).sum();
+    for (job, cost) in &jobs[accuracy.done..] {
+        let mut part = |share: f64| watch(((done + share.min(1.0) * cost) / whole).min(1.0));
+        accuracy.add(*job, scenario, &cases, &mut part)?;
+        done += cost;
+        show(&accuracy);
+        if watch((done / whole).min(1.0)) == ControlFlow::Break(()) {
+            return Err(Refusal::Cancelled);
+        }
+    }
+    Ok(accuracy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::watch::unwatched;
+
+    #[test]
+    fn a_measurement_goes_on_where_it_was_stopped_and_finer_levels_are_more_exact() {
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        let scenario = scenario.check().unwrap();
+        let mut last = None;
+        let stopped = measure(
+            &scenario,
+            4,
+            None,
+            &mut |share| {
+                if share > 0.3 {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            },
+            &mut |accuracy| last = Some(accuracy.clone()),
+        );
+        assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
+        let part = last.unwrap();
+        let before = part.clone();
+        let whole = measure(&scenario, 4, Some(part), &mut unwatched, &mut |_| {}).unwrap();
+        assert!(before.done > 3 && before.done < whole.done);
+        assert_eq!(whole.levels[0], before.levels[0]);
+        let timed = |trial: &Trial| trial.times.len() == ROUNDS;
+        assert!(whole.trials.iter().all(timed));
+
+        let totals = whole.of(Quantity::Damage);
+        assert!(totals.is_sorted_by(|a, b| a.seconds <= b.seconds));
+        let front: Vec<&Total> = totals.iter().filter(|total| total.on_front).collect();
+        assert!(front.is_sorted_by(|a, b| a.error() > b.error()));
+        let least = |level| {
+            let of = totals.iter().filter(|total| total.level == level);
+            of.map(Total::error).fold(f64::INFINITY, f64::min)
+        };
+        assert!(least(1) > least(4), "{} {}", least(1), least(4));
+        assert_eq!(whole.to_show(None), Some(Quantity::Damage));
+        assert_eq!(whole.to_show(Some(Quantity::Apex)), Some(Quantity::Apex));
+        for percent in TOLERANCES {
+            let within = |total: &Total| total.error() <= percent;
+            let (faster, rest) =
+                totals.split_at(cheapest(&totals, percent).unwrap_or(totals.len()));
+            assert!(rest.first().is_none_or(within) && !faster.iter().any(within));
+        }
+    }
+
+    /// The watch stops it at its first word beyond `limit`, and hears nothing after that.
+    #[test]
+    fn it_can_be_stopped_within_every_run_that_it_makes() {
+        let scenario = Scenario {
+            window_ms: 0.3,
+            ..Scenario::default()
+        };
+        let scenario = scenario.check().unwrap();
+        for limit in [0.0, 0.05, 0.3, 0.62, 0.9] {
+            let (mut last, mut after) = (0.0, 0);
+            let mut watch = |share| {
+                assert!((last..=1.0).contains(&share), "{share} after {last}");
+                after += usize::from(last > limit);
+                last = share;
+                if share > limit {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            let outcome = measure(&scenario, 1, None, &mut watch, &mut |_| {});
+            assert_eq!(outcome.unwrap_err(), Refusal::Cancelled);
+            assert_eq!(after, 0, "{limit}");
+            assert!(last - limit < 0.1, "{limit}: only at {last}");
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! The picture of the axisymmetric eye: its half section, the mirror image of that, and both turned to
+//! where the blow comes from.
+//!
+//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+
+use crate::models::axisymmetric::case::RevolutionCase;
+use crate::models::axisymmetric::eye::RevolutionEye;
+use crate::models::axisymmetric::eye::mesh::Block;
+use crate::models::axisymmetric::forces::object::Outline;
+use crate::models::axisymmetric::recording::sensor::monitored;
+use crate::models::axisymmetric::time::run::Blow;
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
+use crate::run::places::{ORBIT_RADIUS_M, Region};
+use nalgebra::{Point2, Vector2};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The drawing of a case.
+pub(crate) fn of(case: &RevolutionCase) -> Drawing {
+    let eye = &case.eye;
+    let angle = case.angle_deg.to_radians();
+    let along = Vector2::new(libm::cos(angle), -libm::sin(angle));
+    let (half, coarse) = half_section(eye);
+    let regions = eye.node_regions();
+    let rest = |of: usize| Point2::new(eye.at(of).0, eye.at(of).1);
+    let node = |of: usize, mirrored: bool| DrawnNode {
+        region: regions[of],
+        coarse: coarse.contains(&of),
+        of,
+        rest: rest(of),
+        mirrored,
+    };
+    let count = eye.mass.len();
+    let mut nodes: Vec<DrawnNode> = (0..count).map(|of| node(of, false)).collect();
+    // What lies on the axis is its own mirror image.
+    let mut image = Vec::with_capacity(count);
+    for of in 0..count {
+        if rest(of).y == 0.0 {
+            image.push(of);
+        } else {
+            image.push(nodes.len());
+            nodes.push(node(of, true));
+        }
+    }
+    let mirrored = |(a, b): (usize, usize)| (image[a], image[b]);
+    let mut lines = half.clone();
+    lines.extend(half.iter().filter_map(|line| {
+        let ends = mirrored(line.ends);
+        (ends != line.ends).then_some(Line { ends, ..*line })
+    }));
+    let pulse = match &case.load {
+        Blow::Pulse(pulse, half_width) => Some((pulse.duration(), *half_width)),
+        Blow::Object(_) => None,
+    };
+    let under = |node: usize| {
+        let (x, r) = eye.at(node);
+        pulse.is_some_and(|(_, half_width)| libm::atan2(r, -x) <= half_width)
+    };
+    let arc = eye.mesh.shell.windows(2).map(|ends| (ends[0], ends[1]));
+    let arc = arc.filter(|(a, _)| under(*a));
+    let loaded = arc.map(|(a, b)| (a, if under(b) { b } else { a }));
+    let cells = eye.cells.iter().enumerate();
+    let cells = cells.flat_map(|(of, cell)| {
+        let corners = cell.corners;
+        [corners, corners.map(|node| image[node])].map(|corners| DrawnCell { corners, of })
+    });
+    let mut drawing = Drawing {
+        cells: cells.collect(),
+        monitors: monitored(eye),
+        loaded: loaded.flat_map(|ends| [ends, mirrored(ends)]).collect(),
+        loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
+        // The arrow of the blow needs some room too.
+        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
+        along: Some(along),
+        object: match &case.load {
+            Blow::Object(object) => Some(DrawnObject {
+                radius: object.outline.radius(),
+                edge: match object.outline {
+                    Outline::Sphere(_) => None,
+                    Outline::Cylinder(_, edge) => Some(edge),
+                },
+                direction: along,
+            }),
+            Blow::Pulse(..) => None,
+        },
+        nodes,
+        lines,
+    };
+    let places = drawing.nodes.iter().map(|node| drawing.at_rest(node));
+    drawing.reach = places.fold(drawing.reach, |(across, up), at| {
+        (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
+    });
+    drawing
+}
+
+/// The lines of the half section, and the nodes at which those of its cells cross.
+fn half_section(eye: &RevolutionEye) -> (Vec<Line>, BTreeSet<usize>) {
+    let sorted = |a: usize, b: usize| (a.min(b), a.max(b));
+    let regions = eye.node_regions();
+    let mut parts: BTreeMap<(usize, usize), Region> = BTreeMap::new();
+    for ends in eye.mesh.wall.windows(2) {
+        parts.insert(sorted(ends[0], ends[1]), Region::Orbit);
+    }
+    for ends in eye.mesh.shell.windows(2) {
+        let both = ends.iter().all(|&node| regions[node] == Region::Retina);
+        let region = if both { Region::Retina } else { Region::Shell };
+        parts.insert(sorted(ends[0], ends[1]), region);
+    }
+    // The lens is outlined where cells that are mostly lens meet others.
+    let mut sides: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for cell in eye.cells.iter().filter(|cell| cell.lens > 0.5) {
+        for i in 0..4 {
+            *sides
+                .entry(sorted(cell.corners[i], cell.corners[(i + 1) % 4]))
+                .or_default() += 1;
+        }
+    }
+    let on_axis = |node: usize| eye.at(node).1 == 0.0;
+    for ((a, b), cells) in sides {
+        if cells == 1 && !(on_axis(a) && on_axis(b)) {
+            parts.entry((a, b)).or_insert(Region::Lens);
+        }
+    }
+    let mut crossings = BTreeSet::new();
+    for (i, block) in eye.mesh.blocks.iter().enumerate() {
+        let region = if i == 2 {
+            Region::Fat
+        } else {
+            Region::Interior
+        };
+        let (lines, corners) = coarse_lines(block, eye.level);
+        crossings.extend(corners);
+        for (a, b) in lines {
+            parts.entry(sorted(a, b)).or_insert(region);
+        }
+    }
+    let line = |(ends, region)| Line { ends, region };
+    (parts.into_iter().map(line).collect(), crossings)
+}
+
+/// Edges on about as many rows and columns of a block as it has at level 1, and where these cross.
+fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) {
+    let chosen = |intervals: usize| -> BTreeSet<usize> {
+        // The mesh of level k has (2k + 2)/4 times as many cells along each side as that of level 1.
+        let coarse = (2.0 * intervals as f64 / f64::from(level + 1))
+            .round()
+            .max(1.0);
+        let place = |i: usize| (i as f64 * intervals as f64 / coarse).round() as usize;
+        (0..=coarse as usize).map(place).collect()
+    };
+    let (rows, columns) = (block.nodes.len() / block.columns, block.columns);
+    let (along, across) = (chosen(rows - 1), chosen(columns - 1));
+    let node = |row: usize, column: usize| block.nodes[row * columns + column];
+    let mut lines = Vec::new();
+    for &row in &along {
+        lines.extend((1..columns).map(|c| (node(row, c - 1), node(row, c))));
+    }
+    for &column in &across {
+        lines.extend((1..rows).map(|r| (node(r - 1, column), node(r, column))));
+    }
+    let crossing = |row: &usize| across.iter().map(|c| node(*row, *c)).collect::<Vec<_>>();
+    (lines, along.iter().flat_map(crossing).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::run::kept::Keep;
+    use crate::run::kept::Spacing;
+    use crate::run::watch::unwatched;
+    use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario};
+
+    #[test]
+    fn an_axisymmetric_eye_is_drawn_as_a_whole_section_that_faces_the_blow() {
+        let scenario = Scenario {
+            model: Model::Physiological(Physiological::default()),
+            impact: Impact::Projectile(Projectile {
+                angle_deg: 30.0,
+                ..Projectile::default()
+            }),
+            window_ms: 0.05,
+            ..Scenario::default()
+        };
+        let keep = Keep {
+            traces: false,
+            frames: Some(Spacing::even(1e-5)),
+        };
+        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let drawing = answer.case.eye.drawing();
+        let (first, last) = (&answer.run.frames[0], answer.run.frames.last().unwrap());
+        let has = |region| drawing.lines.iter().any(|line| line.region == region);
+        for region in [Region::Shell, Region::Retina, Region::Lens, Region::Orbit] {
+            assert!(has(region), "{region:?}");
+        }
+        // The object comes from 30 degrees above the front and lies outside of the globe.
+        let outline = drawing.object(first).unwrap();
+        let nearest = outline.iter().map(|p| p.coords.norm());
+        let touch = outline
+            .iter()
+            .zip(nearest)
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let (at, distance) = touch.unwrap();
+        assert!((distance - 12e-3).abs() < 1e-4, "{distance}");
+        let angle = at.y.atan2(-at.x).to_degrees();
+        assert!((angle - 30.0).abs() < 4.0, "{angle}");
+        // Every line has a mirror image about the line of the blow.
+        let along = Vector2::new(30f64.to_radians().cos(), -30f64.to_radians().sin());
+        let across = |p: Point2<f64>| p.coords.perp(&along);
+        let sum: f64 = (0..drawing.nodes.len())
+            .map(|node| across(drawing.place(last, node, 1.0)))
+            .sum();
+        assert!(sum.abs() < 1e-9, "{sum}");
+    }
+}

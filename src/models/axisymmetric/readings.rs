@@ -1,0 +1,59 @@
+//! The table of what is read off the axisymmetric eye, under the public names.
+
+use crate::models::axisymmetric::recording::results::Extremes;
+use crate::run::model::{Detail, Shown};
+use crate::run::places::Monitor;
+use crate::run::quantity::Quantity;
+use crate::run::readings::{Reading, Readings};
+
+/// The readings of a run. The paper's S, the growth of the shell's length, is that of the meridian,
+/// which a section shows as the shell; its M is that of the largest diameter across the blow.
+pub fn of(e: &Extremes) -> Readings {
+    let node = |monitor: Monitor| Some(e.node_force[monitor as usize].into());
+    // Without an object there is neither contact nor a way into the eye.
+    let of_object = |reading: Reading| e.rebound.map(|_| reading);
+    Readings::from_fn(|of| match of {
+        Quantity::ShellGrowth => Some(e.shell_growth.into()),
+        Quantity::MeridianGrowth => Some(e.equator_growth.into()),
+        Quantity::Energy => Some(e.energy_imparted.into()),
+        Quantity::Apex => Some(e.apex.into()),
+        Quantity::ForceCentre => node(Monitor::Centre),
+        Quantity::ForceFront => node(Monitor::Front),
+        Quantity::ForceRight => node(Monitor::Right),
+        Quantity::ForceTop => node(Monitor::Top),
+        Quantity::Pressure => Some(e.pressure.into()),
+        Quantity::Contact => of_object(e.mean_force.into()),
+        Quantity::BackPressure => Some(e.mean_back_pressure.into()),
+        Quantity::ScleralStress => Some(e.scleral_stress.into()),
+        Quantity::Shortening => Some(e.shortening.into()),
+        Quantity::Intrusion => of_object(e.intrusion.into()),
+        Quantity::LensWay => Some(e.lens.into()),
+        Quantity::Rebound => e.rebound.map(Reading::from),
+        _ => None,
+    })
+}
+
+/// Figures beside them.
+pub(crate) fn details(e: &Extremes) -> Vec<Detail> {
+    let percent = |share: f64| share * 1e2;
+    let angle = e.stress_angle.to_degrees();
+    let (least, most) = (percent(e.least_volume), percent(e.most_volume));
+    vec![
+        Detail {
+            key: "scleral_stress_angle_deg",
+            value: angle,
+            shown: Shown::Behind(
+                Quantity::ScleralStress,
+                format!("{angle:.0} deg from the front"),
+            ),
+        },
+        Detail {
+            key: "least_globe_volume_percent",
+            value: least,
+            shown: Shown::OnLine("Globe volume", format!("to {most:.2} % of that at rest")),
+        },
+        Detail::data("largest_globe_volume_percent", most),
+        Detail::data("peak_rim_force_n", e.rim_force.value),
+        Detail::data("peak_sensor_pressure_mpa", e.back_pressure.value * 1e-6),
+    ]
+}

@@ -1,0 +1,82 @@
+//! The picture of the Paper model's section.
+//!
+//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+
+use crate::models::paper::case::Case;
+use crate::models::paper::eye::Eye;
+use crate::models::paper::eye::mesh::Node;
+use crate::models::paper::eye::springs::{Spring, SpringKind};
+use crate::run::drawing::{Drawing, DrawnNode, Line, MARGIN};
+use crate::run::places::{ORBIT_RADIUS_M, Region};
+
+/// The drawing of a case.
+pub(crate) fn of(case: &Case) -> Drawing {
+    let eye = &case.eye;
+    let level = eye.level as usize;
+    let node = |(of, node): (usize, &Node)| DrawnNode {
+        region: node.region,
+        coarse: node.grid.0.is_multiple_of(level) && node.grid.1.is_multiple_of(level),
+        of,
+        rest: node.position,
+        mirrored: false,
+    };
+    let line = |spring: &Spring| {
+        let (ends, region) = ((spring.a, spring.b), part(eye, spring)?);
+        Some(Line { ends, region })
+    };
+    let shell = &eye.landmarks.shell;
+    let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
+    let next = shell.iter().cycle().skip(1);
+    Drawing {
+        nodes: eye.nodes.iter().enumerate().map(node).collect(),
+        lines: eye.springs.iter().filter_map(line).collect(),
+        monitors: eye.landmarks.monitors,
+        loaded: shell
+            .iter()
+            .zip(next)
+            .filter(|(a, _)| loaded(**a))
+            .map(|(&a, &b)| (a, if loaded(b) { b } else { a }))
+            .collect(),
+        loaded_until: case.system.load().pulse.duration(),
+        cells: Vec::new(),
+        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
+        along: None,
+        object: None,
+    }
+}
+
+/// Which part of the eye a spring draws, if it is drawn at all: sides of the level-1 mesh, and
+/// the whole shell, lens and orbit of any mesh.
+fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
+    let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
+    let (along, across) = (a.grid.0.abs_diff(b.grid.0), a.grid.1.abs_diff(b.grid.1));
+    if along + across != 1 || spring.kind == SpringKind::Filament {
+        return None;
+    }
+    let both = |region| a.region == region && b.region == region;
+    if both(Region::Orbit) {
+        return Some(Region::Orbit);
+    }
+    if both(Region::Retina) {
+        return Some(Region::Retina);
+    }
+    if a.region.on_shell() && b.region.on_shell() {
+        return Some(Region::Shell);
+    }
+    let level = eye.level as usize;
+    let on_coarse_line = if along == 1 {
+        a.grid.1.is_multiple_of(level)
+    } else {
+        a.grid.0.is_multiple_of(level)
+    };
+    if !on_coarse_line {
+        return None;
+    }
+    Some(if both(Region::Lens) {
+        Region::Lens
+    } else if a.region.in_globe() && b.region.in_globe() {
+        Region::Interior
+    } else {
+        Region::Fat
+    })
+}

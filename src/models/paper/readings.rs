@@ -1,0 +1,50 @@
+//! The table of what is read off the section, under the public names.
+
+use crate::models::paper::case::Case;
+use crate::models::paper::recording::Extremes;
+use crate::run::model::{Detail, Shown};
+use crate::run::places::Monitor;
+use crate::run::quantity::Quantity;
+use crate::run::readings::Readings;
+
+/// A shielded share below this is rounding.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// The readings of a run.
+pub(crate) fn of(e: &Extremes) -> Readings {
+    let node = |monitor: Monitor| Some(e.force[monitor as usize].into());
+    Readings::from_fn(|of| match of {
+        Quantity::ShellGrowth => Some(e.shell_growth.into()),
+        Quantity::MeridianGrowth => Some(e.meridian_growth.into()),
+        Quantity::Energy => Some(e.work.into()),
+        Quantity::Apex => Some(e.apex.into()),
+        Quantity::ForceCentre => node(Monitor::Centre),
+        Quantity::ForceFront => node(Monitor::Front),
+        Quantity::ForceRight => node(Monitor::Right),
+        Quantity::ForceTop => node(Monitor::Top),
+        Quantity::StoredEnergy => Some(e.elastic.into()),
+        _ => None,
+    })
+}
+
+/// Figures beside them.
+pub(crate) fn details(case: &Case, e: &Extremes) -> Vec<Detail> {
+    let (strain, shielded) = (e.strain.value * 1e2, case.load.shielded);
+    let at = e.strain.time * 1e3;
+    vec![
+        Detail {
+            key: "largest_spring_strain_percent",
+            value: strain,
+            shown: Shown::OnLine("Spring strain", format!("%  at {at:.4} ms, the largest")),
+        },
+        Detail {
+            key: "shielded_percent",
+            value: shielded * 1e2,
+            shown: if shielded > NEGLIGIBLE {
+                Shown::OnLine("Shielded by bone", "%  of the arc".to_owned())
+            } else {
+                Shown::InData
+            },
+        },
+    ]
+}

@@ -1,0 +1,307 @@
+//! The force pulse in time, in SI units.
+//!
+//! A pulse is smooth except at its breaks; a table has one at every knot. Integrators end a segment
+//! at every break and look up the force by segment, so that a jump has a left and a right value and
+//! no step straddles it.
+
+use crate::scenario::{Curve, ForcePulse, PulseShape};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// The part of a pulse between two breaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Piece {
+    /// Rising edge.
+    Rise,
+    /// Constant.
+    Plateau,
+    /// Falling edge.
+    Fall,
+    /// Half a sine.
+    Arch,
+    /// A straight line of a table, by its number.
+    Line(usize),
+    /// After the pulse.
+    Nothing,
+}
+
+/// A stretch of time with a smooth load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// First instant, in s.
+    pub start: f64,
+    /// Last instant, in s.
+    pub end: f64,
+    /// What the force does in between.
+    pub piece: Piece,
+}
+
+/// Total force against time; cloning one copies no table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pulse {
+    /// In N; the peak, but of a table the force that a share of 1 stands for.
+    force: f64,
+    duration: f64,
+    shape: PulseShape,
+    /// The straight lines of a table, from time 0 on without gaps; none of another shape.
+    lines: Arc<[Line]>,
+}
+
+/// A straight line from knot to knot, times in s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Line {
+    start: f64,
+    end: f64,
+    /// Shares at both ends.
+    shares: (f64, f64),
+}
+
+impl Line {
+    fn share(&self, t: f64) -> f64 {
+        let along = (t - self.start) / (self.end - self.start);
+        self.shares.0 + (self.shares.1 - self.shares.0) * along
+    }
+
+    fn integral(&self) -> f64 {
+        0.5 * (self.shares.0 + self.shares.1) * (self.end - self.start)
+    }
+}
+
+/// The lines of a curve whose last knot falls at `duration` s. Before the first knot nothing acts.
+fn lines(curve: &Curve, duration: f64) -> Arc<[Line]> {
+    let seconds = |ms: f64| ms / curve.last_ms() * duration;
+    let knots = curve.knots();
+    let wait = (knots[0].0 > 0.0).then_some([(0.0, 0.0), (knots[0].0, 0.0)]);
+    let pairs = knots.windows(2).map(|pair| [pair[0], pair[1]]);
+    wait.into_iter()
+        .chain(pairs)
+        .map(|[(start, first), (end, last)]| Line {
+            start: seconds(start),
+            end: seconds(end),
+            shares: (first, last),
+        })
+        .collect()
+}
+
+impl Pulse {
+    /// The pulse of a scenario, in SI units.
+    pub fn new(input: &ForcePulse) -> Self {
+        let duration = input.duration_ms * 1e-3;
+        Self {
+            force: input.force_n,
+            duration,
+            shape: input.shape.clone(),
+            lines: match &input.shape {
+                PulseShape::Table(curve) => lines(curve, duration),
+                _ => Arc::default(),
+            },
+        }
+    }
+
+    /// No force at any time, where something else acts.
+    pub fn none() -> Self {
+        Self {
+            force: 0.0,
+            duration: 0.0,
+            shape: PulseShape::HalfSine,
+            lines: Arc::default(),
+        }
+    }
+
+    /// Time from the start of the blow to the last force, in s.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    fn edge(&self) -> f64 {
+        match self.shape {
+            PulseShape::SmoothRectangle { edge_fraction } => edge_fraction * self.duration,
+            _ => 0.5 * self.duration,
+        }
+    }
+
+    /// Smooth stretches from 0 to `window` seconds, in order.
+    pub fn segments(&self, window: f64) -> Vec<Segment> {
+        let edge = self.edge();
+        let t = self.duration;
+        let pieces = match self.shape {
+            PulseShape::HalfSine => vec![(t, Piece::Arch)],
+            PulseShape::Table(_) => {
+                let numbered = self.lines.iter().enumerate();
+                numbered
+                    .map(|(i, line)| (line.end, Piece::Line(i)))
+                    .collect()
+            }
+            _ => vec![
+                (edge, Piece::Rise),
+                (t - edge, Piece::Plateau),
+                (t, Piece::Fall),
+            ],
+        };
+        let mut start = 0.0;
+        let mut segments = Vec::with_capacity(4);
+        for (end, piece) in pieces.into_iter().chain([(window, Piece::Nothing)]) {
+            let end = end.min(window);
+            // An edge of no length is a jump, not a segment.
+            if end - start > 1e-12 * t {
+                segments.push(Segment { start, end, piece });
+                start = end;
+            }
+        }
+        segments
+    }
+
+    /// Force at time `t` by the law of `piece`, in N.
+    pub fn force(&self, piece: Piece, t: f64) -> f64 {
+        let raised = |s: f64| match self.shape {
+            PulseShape::SmoothRectangle { .. } => 0.5 - 0.5 * libm::cos(PI * s),
+            _ => s,
+        };
+        self.force
+            * match piece {
+                Piece::Rise => raised(t / self.edge()),
+                Piece::Plateau => 1.0,
+                Piece::Fall => raised((self.duration - t) / self.edge()),
+                Piece::Arch => libm::sin(PI * t / self.duration),
+                Piece::Line(i) => self.lines[i].share(t),
+                Piece::Nothing => 0.0,
+            }
+    }
+
+    /// Integral of the force over the whole pulse, in N s.
+    pub fn impulse(&self) -> f64 {
+        let even = match self.shape {
+            PulseShape::SmoothRectangle { edge_fraction } => 1.0 - edge_fraction,
+            PulseShape::Triangle => 0.5,
+            PulseShape::HalfSine => 2.0 / PI,
+            PulseShape::Table(_) => {
+                return self.force * self.lines.iter().map(Line::integral).sum::<f64>();
+            }
+        };
+        self.force * self.duration * even
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pulse(shape: PulseShape) -> Pulse {
+        Pulse::new(&ForcePulse {
+            force_n: 100.0,
+            duration_ms: 0.2,
+            shape,
+            ..ForcePulse::default()
+        })
+    }
+
+    fn table(knots: &[(f64, f64)]) -> PulseShape {
+        PulseShape::Table(Curve::new(knots.iter().copied()).unwrap())
+    }
+
+    fn shapes() -> [PulseShape; 7] {
+        [
+            PulseShape::SmoothRectangle { edge_fraction: 0.1 },
+            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
+            PulseShape::SmoothRectangle { edge_fraction: 0.5 },
+            PulseShape::Triangle,
+            PulseShape::HalfSine,
+            table(&[(0.0, 0.5), (0.01, 1.0), (0.07, -0.2), (0.2, 0.1)]),
+            table(&[(0.05, 0.5), (0.0501, 1.0), (0.4, 0.0)]),
+        ]
+    }
+
+    #[test]
+    fn segments_cover_the_window_without_gaps() {
+        for shape in shapes() {
+            for window in [1e-4, 2e-4, 3e-3] {
+                let segments = pulse(shape.clone()).segments(window);
+                assert_eq!(segments[0].start, 0.0);
+                assert!((segments.last().unwrap().end - window).abs() < 1e-18);
+                for pair in segments.windows(2) {
+                    assert_eq!(pair[0].end, pair[1].start);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_impulse_is_the_integral_of_the_force() {
+        for shape in shapes() {
+            let pulse = pulse(shape.clone());
+            let sum: f64 = pulse
+                .segments(3e-4)
+                .iter()
+                .map(|s| {
+                    let n = 20_000;
+                    let h = (s.end - s.start) / f64::from(n);
+                    (0..n)
+                        .map(|i| h * pulse.force(s.piece, s.start + (f64::from(i) + 0.5) * h))
+                        .sum::<f64>()
+                })
+                .sum();
+            assert!((sum / pulse.impulse() - 1.0).abs() < 1e-8, "{shape:?}");
+        }
+    }
+
+    /// The force just before and just after `t`, and at `t` if nothing jumps there.
+    fn force_at(pulse: &Pulse, t: f64) -> Vec<f64> {
+        let segments = pulse.segments(1e-3);
+        let there = segments.iter().filter(|s| s.start <= t && t <= s.end);
+        there.map(|s| pulse.force(s.piece, t)).collect()
+    }
+
+    #[test]
+    fn a_table_of_a_simple_shape_is_that_shape() {
+        let same = |table: PulseShape, shape: PulseShape, times: &[f64]| {
+            let (table, shape) = (pulse(table), pulse(shape));
+            assert!((table.impulse() / shape.impulse() - 1.0).abs() < 1e-15);
+            for &t in times {
+                let (a, b) = (force_at(&table, t), force_at(&shape, t));
+                assert!((a[0] - b[0]).abs() < 1e-11, "{t}: {a:?} {b:?}");
+                assert!(
+                    (a[a.len() - 1] - b[b.len() - 1]).abs() < 1e-11,
+                    "{t}: {a:?} {b:?}"
+                );
+            }
+        };
+        let times: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.71e-5).collect();
+        same(
+            table(&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)]),
+            PulseShape::Triangle,
+            &times,
+        );
+        same(
+            table(&[(0.0, 1.0), (0.2, 1.0)]),
+            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
+            &times,
+        );
+    }
+
+    #[test]
+    fn a_table_jumps_at_its_ends_waits_for_its_first_knot_and_may_pull() {
+        let pulse = pulse(table(&[(0.05, 0.5), (0.1, -1.0), (0.2, 0.25)]));
+        assert_eq!(force_at(&pulse, 0.02e-3), [0.0]);
+        assert_eq!(force_at(&pulse, 0.05e-3), [0.0, 50.0]);
+        assert_eq!(force_at(&pulse, 0.1e-3), [-100.0, -100.0]);
+        assert_eq!(force_at(&pulse, 0.2e-3), [25.0, 0.0]);
+        let impulse = 100.0 * 0.5 * (-0.5 * 0.05e-3 - 0.75 * 0.1e-3);
+        assert!((pulse.impulse() - impulse).abs() < 1e-18);
+    }
+
+    #[test]
+    fn a_duration_stretches_a_table_and_its_impulse() {
+        let knots = [(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)];
+        let mut input = ForcePulse {
+            force_n: 100.0,
+            ..ForcePulse::default()
+        };
+        input.follow(Curve::new(knots).unwrap());
+        let own = Pulse::new(&input);
+        assert_eq!(own.duration(), 0.1e-3);
+        input.duration_ms *= 3.0;
+        let long = Pulse::new(&input);
+        assert!((long.impulse() / own.impulse() - 3.0).abs() < 1e-14);
+        assert!((force_at(&long, 0.15e-3)[0] - 100.0).abs() < 1e-10);
+    }
+}

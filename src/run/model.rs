@@ -1,0 +1,171 @@
+//! The socket that every model fills: an eye compiled from a scenario, ready to be hit.
+//!
+//! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model only.
+
+use crate::run::drawing::Drawing;
+use crate::run::flags::Flag;
+use crate::run::fold::Fold;
+use crate::run::kept::{Frame, Keep, Spacing, Traces};
+use crate::run::places::Region;
+use crate::run::plan::{Cost, Plan};
+use crate::run::planning::plan_by;
+use crate::run::quantity::Quantity;
+use crate::run::readings::Readings;
+use crate::run::refusal::Refusal;
+use crate::run::rules::Rules;
+use crate::run::watch::Watch;
+use crate::scenario::{Integrator, Scenario};
+use std::fmt::Debug;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// An eye of some model and what hits it.
+pub trait EyeModel: Debug + Send + Sync {
+    /// What holds for every scene of the model.
+    fn rules(&self) -> &'static Rules;
+
+    /// Simulated time, in s.
+    fn window(&self) -> f64;
+
+    /// Refinement level of the mesh.
+    fn level(&self) -> u32;
+
+    /// The same on the mesh of another level, which may be finer than a scenario may ask for.
+    fn at_level(&self, level: u32) -> Arc<dyn EyeModel>;
+
+    /// The part that each node belongs to.
+    fn regions(&self) -> Vec<Region>;
+
+    /// Springs or cells of the mesh.
+    fn elements(&self) -> usize;
+
+    /// How many of them each evaluation of the forces computes.
+    fn elements_per_evaluation(&self) -> usize;
+
+    /// Largest stable step of `integrator`, in s, of the eye at rest.
+    fn step_limit(&self, integrator: Integrator) -> f64;
+
+    /// The longest step of a plan, in s; where steps follow the motion, the step at rest.
+    fn longest_step(&self, plan: &Plan) -> f64;
+
+    /// Steps of a plan; where steps follow the motion, those that it would take at rest.
+    fn steps(&self, plan: &Plan) -> usize;
+
+    /// The run whose difference from that of `plan` tells the step error, and the factor from the
+    /// difference to the error.
+    fn second_plan(&self, plan: &Plan) -> (Plan, f64);
+
+    /// Moves the eye by `plan` and records it under the eyes of `watch`.
+    ///
+    /// # Errors
+    /// Motion that leaves the finite numbers, an object that goes through the eye, and
+    /// [`Refusal::Cancelled`] if the watch stopped it.
+    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal>;
+
+    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
+    ///
+    /// # Errors
+    /// As [`Self::run`]; [`Refusal::Cancelled`] if `take` stopped it.
+    fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal>;
+
+    /// What a picture of the eye is made of.
+    fn drawing(&self) -> Drawing;
+
+    /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
+    /// has a second run for its error.
+    ///
+    /// # Errors
+    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
+    fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self, scenario, &self.rules().answer)
+    }
+
+    /// The same for one run alone, as a mesh error makes it.
+    ///
+    /// # Errors
+    /// As [`Self::plan`].
+    fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
+        plan_by(self, scenario, &self.rules().alone)
+    }
+
+    /// Order by which the step error of `integrator` is taken to fall.
+    fn order(&self, integrator: Integrator) -> i32 {
+        (self.rules().estimate.order)(integrator)
+    }
+}
+
+/// What one run gave and cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// What was read off the eye.
+    pub readings: Readings,
+    /// Figures beside the readings, without an error.
+    pub details: Vec<Detail>,
+    /// What limits them, as far as this run alone tells.
+    pub flags: Vec<Flag>,
+    /// How the mesh folded, if it did.
+    pub fold: Option<Fold>,
+    /// Whether an object never touched the eye.
+    pub missed: bool,
+    /// By how much the energies miss, as a share of what came in.
+    pub energy_residual: f64,
+    /// Time simulated, in s: less than the window if all readings were final before.
+    pub simulated: f64,
+    /// Traces, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+    /// Steps and force evaluations.
+    pub cost: Cost,
+}
+
+impl Run {
+    /// When the mesh folded, in s.
+    pub fn folded_at(&self) -> Option<f64> {
+        Some(self.fold?.since)
+    }
+
+    /// A detail by its key.
+    pub fn detail(&self, key: &str) -> Option<f64> {
+        let found = self.details.iter().find(|detail| detail.key == key);
+        found.map(|detail| detail.value)
+    }
+}
+
+/// A figure of a run that is no result: it has no error, and few need it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Detail {
+    /// Name with its unit, as in JSON: a contract.
+    pub key: &'static str,
+    /// The value in that unit.
+    pub value: f64,
+    /// Where people read it.
+    pub shown: Shown,
+}
+
+/// Where people read a detail.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shown {
+    /// In JSON alone.
+    InData,
+    /// On a line of its own: what it is called, and the figure in words.
+    OnLine(&'static str, String),
+    /// Behind a result, in these words.
+    Behind(Quantity, String),
+}
+
+impl Detail {
+    /// A figure for programs alone.
+    pub fn data(key: &'static str, value: f64) -> Self {
+        Self {
+            key,
+            value,
+            shown: Shown::InData,
+        }
+    }
+}
