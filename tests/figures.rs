@@ -20,6 +20,7 @@ use std::path::{Path, PathBuf};
 
 use contrecoup::guide::{TOPICS, holds_here};
 use contrecoup::scenario::fields::FIELDS;
+use contrecoup::tui::app::tables;
 use contrecoup::tui::keys;
 use figures::{FIGURES, Figures, Form, form, printed};
 
@@ -78,7 +79,7 @@ fn find(name: &str) -> &'static Figures {
 /// The content of a block that is no figures but a list of the program's own, the same to the letter.
 fn list(name: &str) -> Option<String> {
     match name {
-        "keys" => Some(keys::markdown() + "\n"),
+        "keys" => Some(keys::markdown(&tables::all()) + "\n"),
         "fields" => Some(format!("\n```text\n{}```\n\n", fields())),
         _ => None,
     }

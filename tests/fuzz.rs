@@ -22,16 +22,18 @@ use contrecoup::many::sweep::{Axis, MAX_ROWS, Sweep};
 use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::set::{full_path, set};
 use contrecoup::scenario::{Scenario, ScenarioError, library};
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::frame;
+use contrecoup::tui::app::update::{Message, begin, update};
 use contrecoup::tui::config::Config;
-use contrecoup::tui::model::{Look, Model};
+use contrecoup::tui::look::Look;
+use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::prepare;
+use contrecoup::tui::request::Report;
 use contrecoup::tui::simulation::Simulate;
-use contrecoup::tui::task::Report;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
 use contrecoup::tui::terminal::pacer::{Cause, Pacer};
-use contrecoup::tui::update::{Effect, Message, begin, update};
-use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
 use contrecoup::tui::view::palette::Palette;
 use ratatui::buffer::Buffer;
@@ -445,7 +447,7 @@ fn sent(dice: &mut Dice) -> Vec<u8> {
     bytes
 }
 
-fn opened() -> Model {
+fn opened() -> App {
     let look = Look {
         depth: Depth::Sixteen,
         symbols: Symbols::Braille,
@@ -456,7 +458,7 @@ fn opened() -> Model {
 }
 
 /// Answers the form's own question, as far as that is quick, and nothing else.
-fn answered(model: &mut Model, effects: Vec<Effect>) {
+fn answered(app: &mut App, effects: Vec<Effect>) {
     for effect in effects {
         if let Effect::Start(request) = effect
             && let Some(Simulate(asked)) = request.question()
@@ -467,7 +469,7 @@ fn answered(model: &mut Model, effects: Vec<Effect>) {
                 Err(Refusal::Cancelled)
             };
             update(
-                model,
+                app,
                 Message::News(Report::done::<Simulate>(request.ticket, outcome)),
             );
         }
@@ -486,9 +488,9 @@ fn key_bytes() {
             .flat_map(|byte| bytewise.feed(&[*byte]))
             .collect();
         assert_eq!(whole, pieces);
-        let mut model = opened();
-        let effects = begin(&mut model);
-        answered(&mut model, effects);
+        let mut app = opened();
+        let effects = begin(&mut app);
+        answered(&mut app, effects);
         let sizes = [(80, 24), (60, 20), (1, 1), (200, 60)];
         let inputs = whole.into_iter().chain(parser.flush()).enumerate();
         for (number, input) in inputs {
@@ -499,12 +501,12 @@ fn key_bytes() {
                 Input::Mouse(event) => Message::Mouse(event, size),
                 Input::CursorReport(_) => continue,
             };
-            let effects = update(&mut model, message);
-            answered(&mut model, effects);
-            model.work.scenario.check().unwrap();
+            let effects = update(&mut app, message);
+            answered(&mut app, effects);
+            app.model.work.scenario.check().unwrap();
             if number % 4 == 0 {
                 let mut buffer = Buffer::empty(Rect::new(0, 0, size.0, size.1));
-                view::draw(&model, &mut buffer);
+                frame::draw(&app, &mut buffer);
             }
         }
         // From wherever it is, Ctrl-C leaves.
@@ -512,7 +514,7 @@ fn key_bytes() {
         let [Input::Key(event)] = leave[..] else {
             panic!("{leave:?}")
         };
-        let effects = update(&mut model, Message::Key(event));
+        let effects = update(&mut app, Message::Key(event));
         assert!(
             effects
                 .iter()

@@ -10,16 +10,19 @@ use std::time::Duration;
 use contrecoup::answer::solve::Answer;
 use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::Scenario;
-use contrecoup::tui::model::{Look, Model, Overlay};
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::frame;
+use contrecoup::tui::app::update::{Message, begin, update};
+use contrecoup::tui::look::Look;
+use contrecoup::tui::outbox::Effect;
+use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::prepare;
+use contrecoup::tui::request::{Report, Request};
 use contrecoup::tui::save::SaveError;
 use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
-use contrecoup::tui::screens::compare::SimulateMarked;
+use contrecoup::tui::screens::compare::comparison::{Comparison, SimulateMarked};
 use contrecoup::tui::simulation::Simulate;
-use contrecoup::tui::task::{Report, Request};
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
-use contrecoup::tui::update::{Effect, Message, begin, update};
-use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
 use contrecoup::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
@@ -134,7 +137,7 @@ fn report(request: &Request, dice: &mut Dice) -> Option<Report> {
 }
 
 /// Does what threads and disk would, as fast as a test must be: what would take long is cancelled.
-fn settle(model: &mut Model, dice: &mut Dice, effects: Vec<Effect>) {
+fn settle(app: &mut App, dice: &mut Dice, effects: Vec<Effect>) {
     let mut open = effects;
     while let Some(effect) = open.pop() {
         let message = match effect {
@@ -152,7 +155,7 @@ fn settle(model: &mut Model, dice: &mut Dice, effects: Vec<Effect>) {
             }
             _ => continue,
         };
-        open.extend(update(model, message));
+        open.extend(update(app, message));
     }
 }
 
@@ -169,9 +172,9 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
                 ..Palette::default()
             },
         };
-        let mut model = prepare(&[], look).unwrap();
-        let effects = begin(&mut model);
-        settle(&mut model, &mut dice, effects);
+        let mut app = prepare(&[], look).unwrap();
+        let effects = begin(&mut app);
+        settle(&mut app, &mut dice, effects);
         let mut now = Duration::ZERO;
         let mut size = (80, 24);
         for _ in 0..2500 {
@@ -179,40 +182,40 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
                 size = (1 + dice.below(200) as u16, 1 + dice.below(70) as u16);
             }
             let message = message(&mut dice, &mut now, size);
-            let effects = update(&mut model, message);
-            settle(&mut model, &mut dice, effects);
+            let effects = update(&mut app, message);
+            settle(&mut app, &mut dice, effects);
             let mut buffer = Buffer::empty(Rect::new(0, 0, size.0, size.1));
-            view::draw(&model, &mut buffer);
+            frame::draw(&app, &mut buffer);
             // What is worked on is always something that can be worked on.
-            model.work.scenario.check().unwrap();
-            assert!(model.screens.compare.entries.len() <= 6);
+            app.model.work.scenario.check().unwrap();
+            assert!(app.state::<Comparison>().entries.len() <= 6);
         }
         // From wherever it is, a few presses of Escape and an edit lead back to a result.
         let esc = || Message::Key(KeyEvent::from(KeyCode::Esc));
         for _ in 0..4 {
-            update(&mut model, esc());
-            if let Some(Overlay::Help(_)) = model.overlay {
-                model.overlay = None;
+            update(&mut app, esc());
+            if let Some(Overlay::Help(_)) = app.model.overlay {
+                app.model.overlay = None;
             }
         }
-        assert!(model.overlay.is_none() && model.form.typing.is_none());
-        model.work.scenario = contrecoup::scenario::Scenario::default();
-        model.work.scenario.window_ms = 2.0;
+        assert!(app.model.overlay.is_none() && app.model.form.typing.is_none());
+        app.model.work.scenario = contrecoup::scenario::Scenario::default();
+        app.model.work.scenario.window_ms = 2.0;
         let edit = contrecoup::scenario::fields::find("impact.duration_ms").unwrap();
-        model.screen = 0;
-        model.show_pane(0);
-        model.form.selected = contrecoup::tui::form::Row::Field(edit);
-        let effects = update(&mut model, Message::Key(KeyEvent::from(KeyCode::Right)));
+        app.screen = 0;
+        app.screens[app.screen].show_pane(0);
+        app.model.form.selected = contrecoup::tui::form::Row::Field(edit);
+        let effects = update(&mut app, Message::Key(KeyEvent::from(KeyCode::Right)));
         for effect in effects {
             if let Effect::Start(request) = effect
                 && let Some(Simulate(scenario)) = request.question()
             {
                 let report = Report::done::<Simulate>(request.ticket, quick(scenario));
-                update(&mut model, Message::News(report));
+                update(&mut app, Message::News(report));
             }
         }
-        assert!(model.run.job.is_none() && model.run.complaint.is_none());
-        assert_eq!(model.stale(), None);
+        assert!(app.model.run.job.is_none() && app.model.run.complaint.is_none());
+        assert_eq!(app.model.stale(), None);
     }
 }
 

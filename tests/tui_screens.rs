@@ -13,16 +13,18 @@ use contrecoup::answer::solve::Answer;
 use contrecoup::many::threshold::{Crossing, Threshold};
 use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Scenario;
-use contrecoup::tui::model::{Model, Overlay};
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::update::{Message, update};
+use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::picker::Picker;
+use contrecoup::tui::request::{Question, Report};
+use contrecoup::tui::screens::accuracy::measurement::Measurement;
 use contrecoup::tui::simulation::Simulate;
-use contrecoup::tui::task::{Question, Report};
 use contrecoup::tui::terminal::caps::Depth;
 use contrecoup::tui::threshold::FindThreshold;
-use contrecoup::tui::update::{Message, update};
 use drawn::{
-    SIZES, cells, model, model_by, open_mapped, open_measured, open_sampled, picture, press,
-    styled, ticket,
+    SIZES, app, app_by, cells, open_mapped, open_measured, open_sampled, picture, press, styled,
+    ticket,
 };
 
 #[path = "screens/accuracy.rs"]
@@ -52,16 +54,16 @@ fn compare(name: &str, picture: &str) {
 }
 
 /// Takes pictures of a screen at these sizes, after whatever `prepare` does.
-fn pictures(name: &str, sources: &[&str], sizes: &[(u16, u16)], prepare: impl Fn(&mut Model)) {
+fn pictures(name: &str, sources: &[&str], sizes: &[(u16, u16)], prepare: impl Fn(&mut App)) {
     for &(width, height) in sizes {
         let usual = (width, height) == USUAL;
         let depth = if usual { Depth::Sixteen } else { Depth::Mono };
-        let mut model = model(sources, depth);
-        prepare(&mut model);
+        let mut app = app(sources, depth);
+        prepare(&mut app);
         let drawn = if usual {
-            styled(&model)
+            styled(&app)
         } else {
-            picture(&model, (width, height))
+            picture(&app, (width, height))
         };
         compare(&format!("{name}_{width}x{height}"), &drawn);
     }
@@ -69,12 +71,12 @@ fn pictures(name: &str, sources: &[&str], sizes: &[(u16, u16)], prepare: impl Fn
 
 /// A screen at every size, after these keys.
 fn screen(name: &str, sources: &[&str], keys: &str) {
-    pictures(name, sources, &SIZES, |model| press(model, keys));
+    pictures(name, sources, &SIZES, |app| press(app, keys));
 }
 
 /// What differs from another screen by its words and styles and not by its layout: at one size.
 fn state(name: &str, sources: &[&str], keys: &str) {
-    pictures(name, sources, &[USUAL], |model| press(model, keys));
+    pictures(name, sources, &[USUAL], |app| press(app, keys));
 }
 
 #[test]
@@ -102,9 +104,9 @@ fn screens_of_256_colours_and_of_none() {
         ("compare", "\x1b4\x1b[Z"),
     ] {
         for (colours, depth) in [("many", Depth::TwoFiveSix), ("no", Depth::Mono)] {
-            let mut model = model(sources, depth);
-            press(&mut model, keys);
-            compare(&format!("{colours}_colours_{name}"), &styled(&model));
+            let mut app = app(sources, depth);
+            press(&mut app, keys);
+            compare(&format!("{colours}_colours_{name}"), &styled(&app));
         }
     }
 }
@@ -116,8 +118,8 @@ fn the_picture_of_the_readme_shows_the_main_screen() {
     let solved = |scenario: &Scenario| -> Answer {
         Simulate(scenario.clone()).answer(&mut unwatched).unwrap()
     };
-    let model = model_by(&[], Depth::TwoFiveSix, solved);
-    let drawn = svg::svg(&cells(&model, (100, 30)), "contrecoup, main screen");
+    let app = app_by(&[], Depth::TwoFiveSix, solved);
+    let drawn = svg::svg(&cells(&app, (100, 30)), "contrecoup, main screen");
     if renew::is_asked("picture") {
         std::fs::write(file, &drawn).unwrap();
     }
@@ -150,11 +152,11 @@ fn the_round_eye_is_drawn_whole_and_coloured_by_force_or_pressure() {
 fn the_round_eye_stands_beside_a_section_in_a_comparison_and_has_a_map_and_samples() {
     let file = "tests/scenarios/round-eye.ron";
     state("compare_round", &[file, "paper-300n"], "\x1b4\t");
-    pictures("doubt_round", &[file], &[USUAL], |model| {
+    pictures("doubt_round", &[file], &[USUAL], |app| {
         // The rows above the numbers are chosen from lists.
-        press(model, "\x1b[B\x1b[B\x1b[B\r +- 0.1\r");
-        assert!(!model.work.scenario.doubt.is_empty());
-        open_sampled(model);
+        press(app, "\x1b[B\x1b[B\x1b[B\r +- 0.1\r");
+        assert!(!app.model.work.scenario.doubt.is_empty());
+        open_sampled(app);
     });
     pictures("map_round", &[file], &[USUAL], open_mapped);
 }
@@ -175,43 +177,47 @@ fn comparison_screens() {
 #[test]
 fn accuracy_screens() {
     pictures("accuracy", &[], &SIZES, open_measured);
-    pictures("accuracy_measuring", &[], &[USUAL], |model| {
-        press(model, "\x1b5");
-        let report = Report::progress(ticket(&model.screens.accuracy.task), 0.43, Duration::ZERO);
-        update(model, Message::News(report));
+    pictures("accuracy_measuring", &[], &[USUAL], |app| {
+        press(app, "\x1b5");
+        let report = Report::progress(
+            ticket(&app.state::<Measurement>().task),
+            0.43,
+            Duration::ZERO,
+        );
+        update(app, Message::News(report));
     });
-    pictures("accuracy_more_exact", &[], &[USUAL], |model| {
-        open_measured(model);
-        press(model, ">");
+    pictures("accuracy_more_exact", &[], &[USUAL], |app| {
+        open_measured(app);
+        press(app, ">");
     });
 }
 
 #[test]
 fn doubt_screens() {
-    let doubtful = |model: &mut Model| {
-        press(model, "\r +- 30\r");
-        open_sampled(model);
+    let doubtful = |app: &mut App| {
+        press(app, "\r +- 30\r");
+        open_sampled(app);
     };
-    pictures("doubt", &[], &SIZES, |model| {
-        doubtful(model);
-        press(model, "jj");
+    pictures("doubt", &[], &SIZES, |app| {
+        doubtful(app);
+        press(app, "jj");
     });
-    pictures("doubt_running", &[], &[USUAL], |model| {
-        press(model, "\x1b6");
-        let report = Report::progress(ticket(&model.ensemble.task), 0.43, Duration::ZERO);
-        update(model, Message::News(report));
+    pictures("doubt_running", &[], &[USUAL], |app| {
+        press(app, "\x1b6");
+        let report = Report::progress(ticket(&app.model.ensemble.task), 0.43, Duration::ZERO);
+        update(app, Message::News(report));
     });
-    pictures("main_with_band", &[], &SIZES, |model| {
-        doubtful(model);
-        press(model, "1");
+    pictures("main_with_band", &[], &SIZES, |app| {
+        doubtful(app);
+        press(app, "1");
     });
 }
 
 #[test]
 fn map_screens() {
-    pictures("map", &[], &SIZES, |model| {
-        open_mapped(model);
-        press(model, "LLKl");
+    pictures("map", &[], &SIZES, |app| {
+        open_mapped(app);
+        press(app, "LLKl");
     });
     state("map_waiting", &["off-axis-triangle"], "\x1b7x-");
 }
@@ -222,8 +228,8 @@ fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
     screen("replay_projectile", &["golf-ball"], "\x1b2");
     state("forces_pressure", &["bb-56"], "\x1b3vvvvvvvv");
     screen("injury", &["bb-56"], "\x1b8jjjjj");
-    pictures("injury_large", &["soccer-ball"], &SIZES[..2], |model| {
-        press(model, "\x1b8");
+    pictures("injury_large", &["soccer-ball"], &SIZES[..2], |app| {
+        press(app, "\x1b8");
     });
     state("injury_none", &[], "\x1b8");
 }
@@ -237,21 +243,21 @@ fn figures_of_no_checked_source_are_marked() {
 #[test]
 fn the_list_of_what_can_be_opened() {
     screen("picker", &["bb-56"], "p");
-    pictures("first_start", &[], &SIZES, |model| {
-        let mut picker = Picker::at(&model.choices, "");
+    pictures("first_start", &[], &SIZES, |app| {
+        let mut picker = Picker::at(&app.model.choices, "");
         picker.first = true;
-        model.overlay = Some(Overlay::Picker(picker));
+        app.model.overlay = Some(Overlay::Picker(picker));
     });
 }
 
 #[test]
 fn the_question_at_which_value_a_result_is_reached() {
-    pictures("threshold", &["bb-56"], &SIZES[..2], |model| {
-        press(model, "jjjjjt");
+    pictures("threshold", &["bb-56"], &SIZES[..2], |app| {
+        press(app, "jjjjjt");
     });
-    pictures("threshold_found", &["bb-56"], &[USUAL], |model| {
-        press(model, "jjjjjt\x1b[A\x1b[A\r");
-        let Some(Overlay::Threshold(asking)) = &model.overlay else {
+    pictures("threshold_found", &["bb-56"], &[USUAL], |app| {
+        press(app, "jjjjjt\x1b[A\x1b[A\r");
+        let Some(Overlay::Threshold(asking)) = &app.model.overlay else {
             panic!("nothing is asked")
         };
         let job = asking.task.job.as_ref().unwrap();
@@ -270,7 +276,7 @@ fn the_question_at_which_value_a_result_is_reached() {
             crossings: vec![crossing],
         };
         let report = Report::done::<FindThreshold>(job.ticket, Ok(found));
-        update(model, Message::News(report));
+        update(app, Message::News(report));
     });
 }
 

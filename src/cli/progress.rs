@@ -59,7 +59,7 @@ impl Progress {
     fn put(&self, what: &str, share: f64, of: Option<usize>) {
         let elapsed = self.began.elapsed();
         let mut line = self.line();
-        line.pace.hear(share, elapsed);
+        line.pace.advance(share, elapsed);
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
         if !self.visible || elapsed <= PATIENCE || line.shown.as_ref().is_some_and(recent) {
             return;

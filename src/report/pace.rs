@@ -31,7 +31,7 @@ pub struct Pace {
 
 impl Pace {
     /// So much is done, from 0 to 1, so long after the beginning.
-    pub fn hear(&mut self, share: f64, elapsed: Duration) {
+    pub fn advance(&mut self, share: f64, elapsed: Duration) {
         let now = elapsed.as_secs_f64();
         if share < 0.5 * self.share {
             // Another part of the work has begun.
@@ -101,7 +101,7 @@ mod tests {
     fn the_time_left_counts_down_and_rises_only_where_the_work_turns_out_longer() {
         let mut pace = Pace::default();
         let mut at = |share: f64, ms: u64| {
-            pace.hear(share, Duration::from_millis(ms));
+            pace.advance(share, Duration::from_millis(ms));
             pace.words(Some(256))
         };
         assert_eq!(at(0.0, 0), "0 of 256");
@@ -118,13 +118,13 @@ mod tests {
     #[test]
     fn work_that_goes_on_tells_its_time_by_what_it_does_now() {
         let mut pace = Pace::default();
-        pace.hear(0.9, Duration::ZERO);
-        pace.hear(0.91, Duration::from_secs(10));
+        pace.advance(0.9, Duration::ZERO);
+        pace.advance(0.91, Duration::from_secs(10));
         assert_eq!(pace.words(None), "91 %, about 2 min");
         assert_eq!(pace.until(0.92).unwrap(), "about 10 s");
         assert_eq!(pace.until(0.5).unwrap(), "about 2 s", "soon");
         assert_eq!(Pace::default().until(0.5), None);
-        pace.hear(0.95, Duration::from_secs(10_000));
+        pace.advance(0.95, Duration::from_secs(10_000));
         assert_eq!(pace.words(None), "95 %, about 5 h");
     }
 }

@@ -101,6 +101,15 @@ impl Clock {
         ZOOMS[self.zoom]
     }
 
+    /// The time shown of an answer whose time ends then, in s; the beginning where there is none.
+    pub fn time_in(&self, timed: Option<(&Answer, f64)>) -> f64 {
+        match (timed, self.moment) {
+            (None, _) => 0.0,
+            (Some((_, window)), Moment::At(time)) => time.min(window),
+            (Some((answer, _)), Moment::Deepest) => self.time(answer),
+        }
+    }
+
     /// Moves on by so many seconds of the person's time. At the end it starts again.
     pub fn advance(&mut self, seconds: f64, from: f64, window: f64) {
         if self.playing {
@@ -163,8 +172,8 @@ impl Clock {
         };
     }
 
-    /// Jumps to the next peak after the time shown, or to the one before, of the results that are on show;
-    /// goes round.
+    /// Jumps to the next peak after the time shown, or to the one before, of the results that are
+    /// on show; goes round.
     pub fn jump(&mut self, answer: &Answer, forward: bool, on_show: impl Fn(Quantity) -> bool) {
         let now = self.time(answer);
         let mut peaks = peaks(answer);

@@ -14,7 +14,9 @@ use crate::scenario::load::read_text;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::ron_text;
-use crate::tui::keys::chosen::{Keys, named};
+use crate::tui::app::chosen_keys::named;
+use crate::tui::app::tables::clash;
+use crate::tui::keys::chosen::Keys;
 use crate::tui::screens::SCREENS;
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
 use crate::tui::view::heat::HeatMap;
@@ -123,7 +125,7 @@ impl Config {
         let is_known = self.start == LAST || self.first_screen().is_some();
         let start = (!is_known)
             .then(|| refused("start", &format!("{:?}", self.start), "is not known here"));
-        let clash = self.keys.clash().map(|clash| {
+        let clash = clash(&self.keys).map(|clash| {
             let (key, other) = (clash.press.name(), clash.other);
             let field = format!("keys.{}", clash.name.to_lowercase());
             let choose = "choose another key, or another one for that";
@@ -224,7 +226,7 @@ fn about_entry(list: &str, name: &str) -> String {
         let few = few.replace("\"auto\"", "none");
         return format!("{about}: {dark}, {light}, {few}");
     }
-    named(name).map_or(String::new(), |binding| binding.help.to_owned())
+    named(name).map_or(String::new(), |key| key.help.to_owned())
 }
 
 /// What is wrong with a value of the wrong kind, and what the setting may be.

@@ -1,18 +1,16 @@
-//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted, many where
-//! they are asked for. What is there so far is shown, and what was stopped goes on from there.
+//! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
+//! many where they are asked for. What is there so far is shown, and what was stopped goes on from
+//! there.
 
-use std::fmt;
 use std::sync::Arc;
 
 use crate::many::ensemble::{Ensemble, run};
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
-use crate::tui::guest::MOST_SAMPLES;
 use crate::tui::idle;
-use crate::tui::model::Model;
-use crate::tui::simulation;
-use crate::tui::task::{Question, Report, Task};
+use crate::tui::request::Question;
+use crate::tui::task::Task;
 use crate::tui::worker::overseen;
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
@@ -37,12 +35,6 @@ pub struct RunSamples {
     pub idle: bool,
 }
 
-impl fmt::Debug for RunSamples {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} samples of {:?}", self.count, self.scenario)
-    }
-}
-
 impl Question for RunSamples {
     type Answer = Ensemble;
 
@@ -58,7 +50,7 @@ impl Question for RunSamples {
             let run = || {
                 run(&scenario, (self.count, SEED), known, stop, &|so_far| {
                     let share = so_far.samples.len() as f64 / f64::from(self.count);
-                    desk.lay(share, || so_far.clone())
+                    desk.report(share, || so_far.clone())
                 })
             };
             if self.is_idle() {
@@ -85,7 +77,7 @@ pub struct Samples {
 
 impl Samples {
     /// What is known of exactly this scenario, its name left aside.
-    fn known(&self, scenario: &Scenario) -> Option<&Arc<Ensemble>> {
+    pub(super) fn known(&self, scenario: &Scenario) -> Option<&Arc<Ensemble>> {
         let (asked, ensemble) = self.done.as_ref()?;
         (*asked == key(scenario)).then_some(ensemble)
     }
@@ -115,63 +107,10 @@ pub fn is_whole(ensemble: &Ensemble) -> bool {
 }
 
 /// What of a scenario matters.
-fn key(scenario: &Scenario) -> Scenario {
+pub(super) fn key(scenario: &Scenario) -> Scenario {
     Scenario {
         // No name would be refused.
         name: "any".to_owned(),
         ..scenario.clone()
     }
-}
-
-/// Whether nothing else is wanted for what is on show.
-fn is_settled(model: &Model) -> bool {
-    let answered = |shown: &crate::tui::model::Shown| shown.scenario == model.work.scenario;
-    let computes = model.is_busy() || simulation::lacks_mesh_error(model).is_some();
-    !computes && model.shown.as_ref().is_some_and(answered)
-}
-
-/// Runs the samples that the screen on show has room for, and no others: many where they are what it is
-/// about, else a few once nothing else is wanted. What a person stopped goes on by a key alone.
-pub(super) fn attend(model: &mut Model) {
-    let most = if model.guest { MOST_SAMPLES } else { MANY };
-    let idle = model.on_show().samples <= FEW;
-    let count = model.on_show().samples.min(most);
-    let scenario = key(&model.work.scenario);
-    let samples = &model.ensemble;
-    let known = samples.known(&scenario).cloned();
-    let lacks = known.as_ref().map_or(0, |known| known.samples.len()) < count as usize;
-    let is_free = !idle || model.idle && is_settled(model);
-    let wanted = lacks && is_free && samples.complaint(&scenario).is_none();
-    if let Some(job) = &samples.task.job {
-        let asked = &job.question;
-        let right = asked.scenario == scenario && (asked.count, asked.idle) == (count, idle);
-        // What was asked to end is about to say what it has.
-        if right && (wanted || job.ending) {
-            return;
-        }
-        model.ensemble.task.stop(None, &mut model.out);
-    }
-    if wanted {
-        let question = RunSamples {
-            scenario,
-            count,
-            known,
-            idle,
-        };
-        model.ensemble.task.ask(question, &mut model.out);
-    }
-}
-
-/// Keeps what has come.
-pub(super) fn hear(model: &mut Model, report: &mut Option<Report>) {
-    let samples = &mut model.ensemble;
-    let Some((asked, Some(ensemble))) = samples.task.hear(report) else {
-        return;
-    };
-    if samples.task.job.is_none() && ensemble.stopped() {
-        let done = ensemble.samples.len();
-        let text = format!("stopped after {done} of {}", ensemble.asked);
-        samples.task.complaint = Some((asked.clone(), text));
-    }
-    samples.done = Some((asked.scenario.clone(), Arc::new(ensemble)));
 }

@@ -177,8 +177,8 @@ pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     })
 }
 
-/// The character that a key press puts into a field: a point for a decimal comma, and none where it can
-/// be no part of the value.
+/// The character that a key press puts into a field: a point for a decimal comma, and none where it
+/// can be no part of the value.
 pub fn admitted(field: &Field, c: char) -> Option<char> {
     let numeral =
         c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '/' | '_' | 'e' | 'E' | '±' | ' ');
@@ -213,7 +213,8 @@ pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scena
     Ok(changed)
 }
 
-/// The place of what is chosen in a field of choices. None of a recorded curve, which is not thrown away by a key.
+/// The place of what is chosen in a field of choices. None of a recorded curve, which is not thrown
+/// away by a key.
 pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
     let Kind::Choice(choices) = &field.kind else {
         return None;

@@ -2,12 +2,12 @@
 //!
 //! No file is read or written: presets are those of the program, and the person's own folder, a
 //! config file, curves and saving are out of reach (see `files`); the kernel refuses files too. The
-//! process has the lowest priority, one core where the system can hold it to one, and so much memory;
-//! it computes nothing that nobody asked for. Levels, windows, samples and the time of one answer are
-//! bounded, and a session without keys ends.
+//! process has the lowest priority, one core where the system can hold it to one, and so much
+//! memory; it computes nothing that nobody asked for. Levels, windows, samples and the time of one
+//! answer are bounded, and a session without keys ends.
 //!
-//! Left out: a sandbox of system calls. The program runs no other one, and the account's forced command
-//! lets nobody ask for another.
+//! Left out: a sandbox of system calls. The program runs no other one, and the account's forced
+//! command lets nobody ask for another.
 
 use std::io;
 use std::time::Duration;
@@ -46,7 +46,8 @@ pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Takes from this process what a guest does not need, for good. Threads that begin later have no more.
+/// Takes from this process what a guest does not need, for good. Threads that begin later have no
+/// more.
 ///
 /// # Errors
 /// Where the system refuses.

@@ -1,5 +1,5 @@
-//! A line of text that is typed into. What stands in it at first is selected: a character takes its place, any
-//! other key begins to change it.
+//! A line of text that is typed into. What stands in it at first is selected: a character takes its
+//! place, any other key begins to change it.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use tui_input::backend::crossterm::EventHandler;

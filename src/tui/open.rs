@@ -7,19 +7,20 @@ use std::time::Duration;
 use clap::Args;
 
 use crate::plain_text::quoted;
-use crate::scenario::library;
-use crate::scenario::library::{Origin, resolve};
+use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
+use crate::tui::app::App;
+use crate::tui::choices::{Choice, choices};
 use crate::tui::config::Config;
 use crate::tui::guest;
-use crate::tui::last;
-use crate::tui::last::Left;
-use crate::tui::model::{Choice, Look, Model, Overlay};
+use crate::tui::look::Look;
+use crate::tui::model::Model;
+use crate::tui::overlay::Overlay;
 use crate::tui::picker::Picker;
-use crate::tui::screens::SCREENS;
+use crate::tui::saved_session;
+use crate::tui::saved_session::SavedSession;
 use crate::tui::terminal;
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
-use crate::tui::update;
 use crate::tui::view::palette::Palette;
 use crate::tui::work::Work;
 
@@ -32,8 +33,8 @@ pub struct Options {
     /// Presets or files; several are marked for comparison
     #[arg(value_name = "PRESET|FILE.ron")]
     pub sources: Vec<String>,
-    /// For guests on a shared host: no file is read or written, and memory, priority, meshes and times
-    /// are bounded
+    /// For guests on a shared host: no file is read or written, and memory, priority, meshes and
+    /// times are bounded
     #[arg(long)]
     pub guest: bool,
     /// Minutes without a key after which a guest's session ends
@@ -101,7 +102,8 @@ impl OpenError {
     }
 }
 
-/// Opens the app and stays until the person leaves, or until a guest has touched no key for so long.
+/// Opens the app and stays until the person leaves, or until a guest has touched no key for so
+/// long.
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.
@@ -144,74 +146,74 @@ pub fn run(
     // Who asks for something, or wants one screen always, goes on from nowhere.
     let first = config.first_screen();
     let goes_on = guest.is_none() && first.is_none();
-    let mut model = if goes_on && sources.is_empty() {
+    let mut app = if goes_on && sources.is_empty() {
         resume(look)?
     } else {
         prepare(sources, look)?
     };
-    model.goes_on = goes_on && last::can_be_kept();
+    app.model.goes_on = goes_on && saved_session::can_be_kept();
     if guest.is_some() {
-        welcome(&mut model, sources)?;
+        welcome(&mut app.model, sources)?;
     }
-    model.mouse = flags.mouse || config.mouse;
-    model.idle = config.idle;
-    model.keys = config.keys;
+    app.model.mouse = flags.mouse || config.mouse;
+    app.model.idle = config.idle;
+    app.model.keys = config.keys;
     // Several that were given are compared.
     if let Some(screen) = first
         && sources.len() < 2
     {
-        update::show(&mut model, screen);
+        app.show(screen);
     }
     let settings = terminal::Settings {
         fps: flags.fps.unwrap_or(config.fps),
         fail_on: flags.fail_on,
         idle: guest,
     };
-    let (code, model) = terminal::run(model, &settings)?;
+    let (code, app) = terminal::run(app, &settings)?;
     // Where nothing was changed, the next start asks again: no reason to fail now.
-    if model.goes_on
-        && let Err(error) = last::write(&Left::of(&model))
-        && model.is_edited()
+    if app.model.goes_on
+        && let Err(error) = saved_session::write(&SavedSession::of(&app))
+        && app.model.is_edited()
     {
         return Err(OpenError::NotKept(error));
     }
     Ok(ExitCode::from(code))
 }
 
-/// A model that goes on where the app was left; the first time it asks what hit the eye.
-fn resume(look: Look) -> Result<Model, ScenarioError> {
-    let left = match last::read() {
-        Ok(Some(left)) => left,
+/// The app, going on where the app was left; the first time it asks what hit the eye.
+fn resume(look: Look) -> Result<App, ScenarioError> {
+    let saved = match saved_session::read() {
+        Ok(Some(saved)) => saved,
         Ok(None) => {
-            let mut model = prepare(&[], look)?;
-            let mut picker = Picker::at(&model.choices, "");
+            let mut app = prepare(&[], look)?;
+            let mut picker = Picker::at(&app.model.choices, "");
             picker.first = true;
-            model.overlay = Some(Overlay::Picker(picker));
-            return Ok(model);
+            app.model.overlay = Some(Overlay::Picker(picker));
+            return Ok(app);
         }
         Err(error) => {
-            let mut model = prepare(&[], look)?;
-            model.notice = Some(format!("where you left off cannot be read: {error}"));
-            return Ok(model);
+            let mut app = prepare(&[], look)?;
+            app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            return Ok(app);
         }
     };
-    let opened = prepare(std::slice::from_ref(&left.source), look);
+    let opened = prepare(std::slice::from_ref(&saved.source), look);
     let gone = opened.is_err();
-    let mut model = opened.or_else(|_| prepare(&[], look))?;
-    let source = quoted(&left.source);
+    let mut app = opened.or_else(|_| prepare(&[], look))?;
+    let source = quoted(&saved.source);
     if gone {
-        model.notice = Some(format!("cannot be opened any more: {source}"));
+        app.model.notice = Some(format!("cannot be opened any more: {source}"));
     }
-    if let Some(changed) = left.changed {
-        model.work.scenario = changed;
+    if let Some(changed) = saved.changed {
+        app.model.work.scenario = changed;
         if gone {
-            model.notice = Some(format!("what you made of {source} is here: s saves it"));
-            model.work.source = left.source;
-            model.work.original = None;
+            app.model.notice = Some(format!("what you made of {source} is here: s saves it"));
+            app.model.work.source = saved.source;
+            app.model.work.original = None;
         }
     }
-    update::show(&mut model, left.screen);
-    Ok(model)
+    app.show(saved.screen);
+    Ok(app)
 }
 
 /// Leaves of what can be opened what is for guests.
@@ -230,11 +232,11 @@ fn welcome(model: &mut Model, sources: &[String]) -> Result<(), ScenarioError> {
     Ok(())
 }
 
-/// A model that works on the first of the sources and compares them if there are several.
+/// The app, working on the first of the sources and comparing them if there are several.
 ///
 /// # Errors
 /// Where a source makes no sense.
-pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
+pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     let first = [FIRST.to_owned()];
     let sources = if sources.is_empty() {
         &first[..]
@@ -257,41 +259,6 @@ pub fn prepare(sources: &[String], look: Look) -> Result<Model, ScenarioError> {
         }
         works.push(Work::fresh(source, &scenario));
     }
-    let mut model = Model::new(works[0].clone(), choices, look);
-    for (place, screen) in SCREENS.iter().enumerate() {
-        (screen.given)(&mut model, place, &works);
-    }
-    Ok(model)
-}
-
-/// Presets of a person's own that the app holds, each with all that it says, and that may be saved.
-pub const MAX_OWN: usize = 1000;
-
-/// Every preset that can be opened; a broken one says why it cannot.
-pub fn choices() -> Vec<Choice> {
-    let mut presets = library::list().unwrap_or_else(|_| library::built_in());
-    let mut own = 0;
-    presets.retain(|preset| {
-        own += usize::from(matches!(preset.origin, Origin::User(_)));
-        matches!(preset.origin, Origin::BuiltIn(_)) || own <= MAX_OWN
-    });
-    let unlisted = (own > MAX_OWN).then(|| Choice {
-        name: format!("({} more)", own - MAX_OWN),
-        scenario: Err(format!(
-            "the app lists {MAX_OWN} presets of your own; `contrecoup presets` lists all"
-        )),
-        origin: "own",
-    });
-    presets
-        .into_iter()
-        .map(|preset| Choice {
-            scenario: preset.scenario().map_err(|error| error.to_string()),
-            origin: match preset.origin {
-                Origin::BuiltIn(_) => "",
-                Origin::User(_) => "own",
-            },
-            name: preset.name,
-        })
-        .chain(unlisted)
-        .collect()
+    let model = Model::new(works[0].clone(), choices, look);
+    Ok(App::new(model, &works))
 }

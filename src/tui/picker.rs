@@ -1,13 +1,14 @@
-//! The list of everything that can be opened: which of it is shown for what is typed, and in which order.
+//! The list of everything that can be opened: which of it is shown for what is typed, and in which
+//! order.
 //!
-//! A person's own presets come first, then what flies at an eye, then blows that are a force. What is typed is
-//! searched for word by word in name and title; the nearest comes first. A word that stands there as it is typed
-//! counts most, then one that resembles it.
 
 use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};
+use crate::tui::choices::Choice;
 use crate::tui::line::Line;
-use crate::tui::model::Choice;
+
+/// Rows of a page.
+pub const PAGE: i16 = 10;
 
 /// The list with what is typed to search it.
 #[derive(Default)]
@@ -20,8 +21,8 @@ pub struct Picker {
     pub shown: Vec<usize>,
     /// Whether it asks what hit the eye, which it does once.
     pub first: bool,
-    /// Whether it marks for the comparison what it finds.
-    pub marks: bool,
+    /// The names that are marked already, where it marks what it finds.
+    pub marked: Option<Vec<String>>,
 }
 
 impl Picker {
@@ -119,7 +120,7 @@ pub fn facts(scenario: &Scenario) -> [String; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::open::choices;
+    use crate::tui::choices::choices;
 
     fn found(text: &str) -> Vec<String> {
         let choices = choices();

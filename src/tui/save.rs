@@ -94,8 +94,8 @@ pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), 
     })
 }
 
-/// Gives the preset `from` of `folder` the name `to`, its title too where that was its name. Between the two
-/// steps it is there under both names, never under none.
+/// Gives the preset `from` of `folder` the name `to`, its title too where that was its name.
+/// Between the two steps it is there under both names, never under none.
 ///
 /// # Errors
 /// [`SaveError::Exists`] if there is one of that name; otherwise says what went wrong.
@@ -133,7 +133,8 @@ pub fn remove(folder: &Path, name: &str) -> Result<(), SaveError> {
         .map_err(|error| SaveError::Kept(error.to_string()))
 }
 
-/// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives the path.
+/// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives
+/// the path.
 ///
 /// # Errors
 /// Says what went wrong; then there is no such file.

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::run::watch::Watch;
 use crate::tui::idle;
-use crate::tui::task::{Report, Request, Ticket};
+use crate::tui::request::{Report, Request, Ticket};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
 const REPORT_EVERY: Duration = Duration::from_millis(150);
@@ -37,8 +37,8 @@ struct Shared {
 pub struct Worker(Arc<Shared>);
 
 impl Worker {
-    /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is stopped. One that
-    /// `is_idle` gives way to all other work of the machine.
+    /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is
+    /// stopped. One that `is_idle` gives way to all other work of the machine.
     pub fn start(
         limit: Option<Duration>,
         is_idle: bool,
@@ -116,7 +116,7 @@ fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
     }
 }
 
-/// Where work on several threads lays down how far it is and what there is so far.
+/// Where work on several threads says how far it is and what there is so far.
 pub struct Desk<T> {
     share: AtomicU64,
     wanted: AtomicBool,
@@ -125,7 +125,7 @@ pub struct Desk<T> {
 
 impl<T> Desk<T> {
     /// So much is done; `so_far` gives what there is, if anybody wants to see it now.
-    pub fn lay(&self, share: f64, so_far: impl FnOnce() -> T) -> ControlFlow<()> {
+    pub fn report(&self, share: f64, so_far: impl FnOnce() -> T) -> ControlFlow<()> {
         self.share.store(share.to_bits(), Ordering::Relaxed);
         if self.wanted.swap(false, Ordering::Relaxed) {
             *self.sheet() = Some(so_far());
@@ -138,8 +138,9 @@ impl<T> Desk<T> {
     }
 }
 
-/// Does work that may be told to stop and lays down how far it is, on another thread, under the eyes of a
-/// watch that must stay on this one and shows what there is so far. What is stopped gives what it has.
+/// Does work that may be told to stop and says how far it is, on another thread, under the eyes of
+/// a watch that must stay on this one and shows what there is so far. What is stopped gives what it
+/// has.
 pub fn overseen<T: Send, S: Send>(
     watch: Watch,
     show: &mut dyn FnMut(S),
@@ -177,8 +178,8 @@ mod tests {
     use crate::answer::solve::Answer;
     use crate::run::refusal::Refusal;
     use crate::scenario::Scenario;
+    use crate::tui::request::News;
     use crate::tui::simulation::Simulate;
-    use crate::tui::task::News;
     use std::sync::mpsc::{Receiver, channel};
 
     const PATIENCE: Duration = Duration::from_secs(30);

@@ -1,49 +1,50 @@
 //! What the screens say of samples: which scenario they are of, how many, and their numbers apart.
 
-use super::drawn::{SIZES, line_from, model, open_sampled, picture, press, ticket};
+use super::drawn::{SIZES, app, line_from, open_sampled, picture, press, ticket};
 use super::made_up;
 use std::sync::Arc;
 use std::time::Duration;
 
 use contrecoup::many::ensemble::Ensemble;
 use contrecoup::run::quantity::Quantity;
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::update::Message;
+use contrecoup::tui::app::update::update;
 use contrecoup::tui::ensemble::RunSamples;
-use contrecoup::tui::model::Model;
-use contrecoup::tui::task::Report;
+use contrecoup::tui::request::Report;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
-use contrecoup::tui::update::{Message, update};
 
 /// Opens the screen and lets made-up samples come, changed by `then`.
-fn open_changed(model: &mut Model, then: impl Fn(&mut Ensemble)) {
-    press(model, "\x1b6");
-    let job = model.ensemble.task.job.as_ref().unwrap();
+fn open_changed(app: &mut App, then: impl Fn(&mut Ensemble)) {
+    press(app, "\x1b6");
+    let job = app.model.ensemble.task.job.as_ref().unwrap();
     let ticket = job.ticket;
     let mut done = made_up::ensemble(&job.question.scenario, job.question.count);
     then(&mut done);
     let report = Report::done::<RunSamples>(ticket, Ok(done));
-    update(model, Message::News(report));
+    update(app, Message::News(report));
 }
 
 #[test]
 fn bands_of_the_scenario_before_are_not_shown() {
-    let mut model = model(&[], Depth::Mono);
-    open_sampled(&mut model);
-    assert!(picture(&model, (80, 24)).contains("as it stands"));
-    press(&mut model, "\x1b1\r\x15200\r\x1b6");
-    let report = Report::progress(ticket(&model.ensemble.task), 0.01, Duration::ZERO);
-    update(&mut model, Message::News(report));
+    let mut app = app(&[], Depth::Mono);
+    open_sampled(&mut app);
+    assert!(picture(&app, (80, 24)).contains("as it stands"));
+    press(&mut app, "\x1b1\r\x15200\r\x1b6");
+    let report = Report::progress(ticket(&app.model.ensemble.task), 0.01, Duration::ZERO);
+    update(&mut app, Message::News(report));
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         assert!(text.contains("10 of 1000"), "{text}");
         for word in ["as it stands", "◆", "median", "What drives", "Bands of"] {
             assert!(!text.contains(word), "{text}");
         }
     }
-    open_sampled(&mut model);
-    assert!(picture(&model, (80, 24)).contains("Bands of 1000"));
+    open_sampled(&mut app);
+    assert!(picture(&app, (80, 24)).contains("Bands of 1000"));
     // Undone on the screen itself: nothing is shown before it has run.
-    press(&mut model, "u");
-    let text = picture(&model, (80, 24));
+    press(&mut app, "u");
+    let text = picture(&app, (80, 24));
     assert!(
         text.contains("0 of 1000") && !text.contains("Bands of"),
         "{text}"
@@ -52,14 +53,19 @@ fn bands_of_the_scenario_before_are_not_shown() {
 
 #[test]
 fn what_the_bands_hold_is_said_beside_many_results() {
-    let mut model = model(&["bb-56"], Depth::Mono);
-    open_changed(&mut model, |_| {});
-    let results = model.ensemble.of(&model.work.scenario).unwrap().results();
+    let mut app = app(&["bb-56"], Depth::Mono);
+    open_changed(&mut app, |_| {});
+    let results = app
+        .model
+        .ensemble
+        .of(&app.model.work.scenario)
+        .unwrap()
+        .results();
     assert!(results.len() > 13);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjj"] {
-        press(&mut model, keys);
+        press(&mut app, keys);
         for size in SIZES {
-            let text = picture(&model, size);
+            let text = picture(&app, size);
             assert!(text.contains("* Bands of 1000 of 1000 samples, those that ran."));
             let words: Vec<&str> = text.split_whitespace().collect();
             assert!(words.join(" ").contains("Flags: 834 mesh folded"), "{text}");
@@ -84,14 +90,14 @@ fn what_the_bands_hold_is_said_beside_many_results() {
 #[test]
 fn a_risk_that_means_nothing_here_is_said_to_and_comes_last() {
     for (preset, void) in [("squash-ball", true), ("bb-62", false)] {
-        let mut model = model(&[preset], Depth::Mono);
-        let shown = model.shown.as_mut().unwrap();
+        let mut app = app(&[preset], Depth::Mono);
+        let shown = app.model.shown.as_mut().unwrap();
         let mut answer = (*shown.answer).clone();
         // After a mesh that folded no risk means anything.
         answer.flags.clear();
         shown.answer = Arc::new(answer);
-        open_sampled(&mut model);
-        let text = picture(&model, (80, 40));
+        open_sampled(&mut app);
+        let text = picture(&app, (80, 40));
         let row = |name: &str| text.lines().position(|line| line.contains(name)).unwrap();
         let line = line_from(&text, "rupture, energy");
         assert_eq!(line.contains("not valid here"), void, "{text}");
@@ -103,15 +109,15 @@ fn a_risk_that_means_nothing_here_is_said_to_and_comes_last() {
 
 #[test]
 fn what_is_believed_of_a_rupture_leads_and_stands_beside_the_score() {
-    let mut model = model(&["bb-62"], Depth::Mono);
-    open_sampled(&mut model);
+    let mut app = app(&["bb-62"], Depth::Mono);
+    open_sampled(&mut app);
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         assert!(text.contains("▸globe rupture"), "{text}");
     }
-    press(&mut model, "\x1b1");
+    press(&mut app, "\x1b1");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         let band = text.split("inputs").nth(1).unwrap();
         let band = band.trim_start_matches(" unknown");
         assert!(band.starts_with(": globe rupture "), "{text}");
@@ -120,8 +126,8 @@ fn what_is_believed_of_a_rupture_leads_and_stands_beside_the_score() {
 
 #[test]
 fn numbers_of_any_length_stand_apart() {
-    let mut model = model(&[], Depth::Mono);
-    open_changed(&mut model, |ensemble| {
+    let mut app = app(&[], Depth::Mono);
+    open_changed(&mut app, |ensemble| {
         for sample in &mut ensemble.samples {
             let point = sample.outcome.as_mut().unwrap();
             for (of, long) in [
@@ -135,7 +141,7 @@ fn numbers_of_any_length_stand_apart() {
         }
     });
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         for (name, value) in [
             ("damage index", "3.48e-16"),
             ("S shell growth %", "-0.00630"),
@@ -152,27 +158,27 @@ fn numbers_of_any_length_stand_apart() {
 
 #[test]
 fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
-    let mut model = model(&[], Depth::Mono);
-    open_sampled(&mut model);
+    let mut app = app(&[], Depth::Mono);
+    open_sampled(&mut app);
     // Stopped after a few: the rest was asked for and is not there.
-    let done = model.ensemble.done.take().unwrap();
+    let done = app.model.ensemble.done.take().unwrap();
     let mut stopped = (*done.1).clone();
     stopped.samples.truncate(24);
-    model.ensemble.done = Some((done.0.clone(), stopped.clone().into()));
-    let text = picture(&model, (80, 24));
+    app.model.ensemble.done = Some((done.0.clone(), stopped.clone().into()));
+    let text = picture(&app, (80, 24));
     let said = line_from(&text, "* Bands of 24 of 24 samples done (1000 asked for)");
     assert!(!said.is_empty());
-    press(&mut model, "\x1b1");
+    press(&mut app, "\x1b1");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         let line = line_from(&text, "inputs unknown: ");
         let whole = line.contains("(90 % of 24 of 1000)");
         assert!(whole || size.0 == 60 && line.contains('*'), "{line}");
     }
     stopped.asked = 24;
-    model.ensemble.done = Some((done.0, stopped.into()));
+    app.model.ensemble.done = Some((done.0, stopped.into()));
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         let line = line_from(&text, "inputs unknown: ");
         assert!(!line.contains('*'), "{line}");
     }
@@ -180,24 +186,24 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
 
 #[test]
 fn a_doubt_is_no_sum_in_ascii() {
-    let mut model = model(&[], Depth::Mono);
-    model.look.symbols = Symbols::Ascii;
-    press(&mut model, "\r ± 30");
-    assert!(picture(&model, (80, 24)).contains("300 +-30"));
-    press(&mut model, "\r");
+    let mut app = app(&[], Depth::Mono);
+    app.model.look.symbols = Symbols::Ascii;
+    press(&mut app, "\r ± 30");
+    assert!(picture(&app, (80, 24)).contains("300 +-30"));
+    press(&mut app, "\r");
     for size in SIZES {
-        assert!(picture(&model, size).contains("300 +-30 N"));
+        assert!(picture(&app, size).contains("300 +-30 N"));
     }
-    open_sampled(&mut model);
-    assert!(picture(&model, (120, 40)).contains("normal 300.0 +-30.00 N"));
+    open_sampled(&mut app);
+    assert!(picture(&app, (120, 40)).contains("normal 300.0 +-30.00 N"));
 }
 
 #[test]
 fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
-    let mut model = model(&["soccer-ball"], Depth::Mono);
-    press(&mut model, "\x1b8");
+    let mut app = app(&["soccer-ball"], Depth::Mono);
+    press(&mut app, "\x1b8");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         for mark in ["s slope assumed", "x extrapolated", "! invalid here"] {
             assert!(text.contains(mark), "{text}");
         }
@@ -213,12 +219,12 @@ fn the_marks_of_the_injury_curves_are_explained_at_any_size() {
 
 #[test]
 fn bands_of_many_results_scrolls_above_what_drives_them() {
-    let mut model = model(&["bb-56"], Depth::Mono);
-    open_sampled(&mut model);
+    let mut app = app(&["bb-56"], Depth::Mono);
+    open_sampled(&mut app);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjj"] {
-        press(&mut model, keys);
+        press(&mut app, keys);
         for size in SIZES {
-            let text = picture(&model, size);
+            let text = picture(&app, size);
             let lines: Vec<&str> = text.lines().collect();
             let at = lines.iter().position(|line| line.contains("What drives"));
             let drivers = &lines[at.unwrap() + 1..at.unwrap() + 4];

@@ -5,19 +5,22 @@ use std::time::Duration;
 use contrecoup::answer::solve::Answer;
 use contrecoup::scenario::Scenario;
 use contrecoup::scenario::fields;
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::frame;
+use contrecoup::tui::app::update::{Message, begin, update};
 use contrecoup::tui::ensemble::RunSamples;
 use contrecoup::tui::form::Row;
-use contrecoup::tui::model::{Look, Model};
+use contrecoup::tui::look::Look;
+use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::prepare;
-use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
-use contrecoup::tui::screens::compare::SimulateMarked;
-use contrecoup::tui::screens::map::state::DrawMap;
+use contrecoup::tui::request::{Report, Ticket};
+use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
+use contrecoup::tui::screens::compare::comparison::SimulateMarked;
+use contrecoup::tui::screens::map::state::{DrawMap, Map};
 use contrecoup::tui::simulation::Simulate;
-use contrecoup::tui::task::{Report, Task, Ticket};
+use contrecoup::tui::task::Task;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
 use contrecoup::tui::terminal::input::{Input, Parser};
-use contrecoup::tui::update::{Effect, Message, begin, update};
-use contrecoup::tui::view;
 use contrecoup::tui::view::heat::HeatMap;
 use contrecoup::tui::view::palette::Palette;
 use ratatui::buffer::{Buffer, Cell};
@@ -39,7 +42,7 @@ fn look(depth: Depth) -> Look {
 }
 
 /// Answers what the app's threads would, by `find`.
-fn settle(model: &mut Model, effects: Vec<Effect>, find: fn(&Scenario) -> Answer) {
+fn settle(app: &mut App, effects: Vec<Effect>, find: fn(&Scenario) -> Answer) {
     let mut open = effects;
     while let Some(effect) = open.pop() {
         let Effect::Start(request) = effect else {
@@ -53,7 +56,7 @@ fn settle(model: &mut Model, effects: Vec<Effect>, find: fn(&Scenario) -> Answer
         } else {
             continue;
         };
-        open.extend(update(model, Message::News(report)));
+        open.extend(update(app, Message::News(report)));
     }
 }
 
@@ -63,70 +66,70 @@ pub fn ticket<Q>(task: &Task<Q>) -> Ticket {
 }
 
 /// Opened on these presets, with made-up answers.
-pub fn model(sources: &[&str], depth: Depth) -> Model {
-    model_by(sources, depth, made_up::answer)
+pub fn app(sources: &[&str], depth: Depth) -> App {
+    app_by(sources, depth, made_up::answer)
 }
 
 /// Opened on these presets, with the answers that `find` gives.
-pub fn model_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> Model {
+pub fn app_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> App {
     let sources: Vec<String> = sources.iter().map(|s| (*s).to_owned()).collect();
-    let mut model = prepare(&sources, look(depth)).unwrap();
+    let mut app = prepare(&sources, look(depth)).unwrap();
     // A person's own presets would change the pictures.
-    model.choices.retain(|choice| choice.origin != "own");
-    let effects = begin(&mut model);
-    settle(&mut model, effects, find);
+    app.model.choices.retain(|choice| choice.origin != "own");
+    let effects = begin(&mut app);
+    settle(&mut app, effects, find);
     if let Some(force) = fields::find("impact.force_n")
-        && force.text(&model.work.scenario).is_some()
+        && force.text(&app.model.work.scenario).is_some()
     {
-        model.form.selected = Row::Field(force);
+        app.model.form.selected = Row::Field(force);
     }
-    model
+    app
 }
 
 /// Types these keys; whatever they ask for is answered at once.
-pub fn press(model: &mut Model, keys: &str) {
+pub fn press(app: &mut App, keys: &str) {
     let mut parser = Parser::default();
     let mut inputs = parser.feed(keys.as_bytes());
     inputs.extend(parser.flush());
     for input in inputs {
         if let Input::Key(event) = input {
-            let effects = update(model, Message::Key(event));
-            settle(model, effects, made_up::answer);
+            let effects = update(app, Message::Key(event));
+            settle(app, effects, made_up::answer);
         }
     }
 }
 
 /// Opens the accuracy screen and lets a made-up measurement end.
-pub fn open_measured(model: &mut Model) {
-    press(model, "\x1b5");
-    let ticket = ticket(&model.screens.accuracy.task);
+pub fn open_measured(app: &mut App) {
+    press(app, "\x1b5");
+    let ticket = ticket(&app.state::<Measurement>().task);
     let report = Report::done::<MeasureAccuracy>(ticket, Ok(made_up_accuracy::made_up()));
-    update(model, Message::News(report));
+    update(app, Message::News(report));
 }
 
 /// Opens the doubt screen and lets made-up samples come.
-pub fn open_sampled(model: &mut Model) {
-    press(model, "\x1b6");
-    let job = model.ensemble.task.job.as_ref().unwrap();
+pub fn open_sampled(app: &mut App) {
+    press(app, "\x1b6");
+    let job = app.model.ensemble.task.job.as_ref().unwrap();
     let all = made_up::ensemble(&job.question.scenario, job.question.count);
     let report = Report::done::<RunSamples>(job.ticket, Ok(all));
-    update(model, Message::News(report));
+    update(app, Message::News(report));
 }
 
 /// Opens the map and lets the first points of a made-up grid come; the rest is on its way.
-pub fn open_mapped(model: &mut Model) {
-    press(model, "\x1b7");
-    let ticket = ticket(&model.screens.map.task);
+pub fn open_mapped(app: &mut App) {
+    press(app, "\x1b7");
+    let ticket = ticket(&app.state::<Map>().task);
     let report = Report::so_far::<DrawMap>(ticket, made_up::grid(81));
-    update(model, Message::News(report));
+    update(app, Message::News(report));
     let report = Report::progress(ticket, 81.0 / 1089.0, Duration::ZERO);
-    update(model, Message::News(report));
+    update(app, Message::News(report));
 }
 
 /// The cells of a screen.
-pub fn cells(model: &Model, (width, height): (u16, u16)) -> Buffer {
+pub fn cells(app: &App, (width, height): (u16, u16)) -> Buffer {
     let mut buffer = Buffer::empty(Rect::new(0, 0, width, height));
-    view::draw(model, &mut buffer);
+    frame::draw(app, &mut buffer);
     buffer
 }
 
@@ -140,8 +143,8 @@ fn lines(buffer: &Buffer, of: impl FnMut(&Cell) -> String) -> String {
 }
 
 /// The text of a screen.
-pub fn picture(model: &Model, size: (u16, u16)) -> String {
-    lines(&cells(model, size), |cell| cell.symbol().to_owned())
+pub fn picture(app: &App, size: (u16, u16)) -> String {
+    lines(&cells(app, size), |cell| cell.symbol().to_owned())
 }
 
 /// A style in few words.
@@ -161,8 +164,8 @@ fn words(style: Style) -> String {
 
 /// The text of a screen of 80 x 24; below it, where it is styled, a letter for each cell's style;
 /// and what the letters mean. Cells without a letter are plain.
-pub fn styled(model: &Model) -> String {
-    let buffer = cells(model, (80, 24));
+pub fn styled(app: &App) -> String {
+    let buffer = cells(app, (80, 24));
     let mut styles: Vec<String> = Vec::new();
     let letters = lines(&buffer, |cell| {
         let style = words(cell.style());
@@ -182,7 +185,7 @@ pub fn styled(model: &Model) -> String {
         .zip('a'..)
         .map(|(style, letter)| format!("{letter} {style}\n"));
     let names: String = names.collect();
-    let text = picture(model, (80, 24));
+    let text = picture(app, (80, 24));
     format!("{text}\n{letters}\n{names}")
 }
 

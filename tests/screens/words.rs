@@ -3,26 +3,25 @@
 use std::sync::Arc;
 
 use super::drawn::{
-    SIZES, cells, line_from, model, open_mapped, open_measured, open_sampled, picture, press,
-    ticket,
+    SIZES, app, cells, line_from, open_mapped, open_measured, open_sampled, picture, press, ticket,
 };
 use contrecoup::injury::{ENERGY, MERIDIAN, SHELL};
 use contrecoup::run::quantity::Quantity;
 use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::fields;
+use contrecoup::tui::app::App;
+use contrecoup::tui::app::update::{Message, update};
 use contrecoup::tui::form::Row;
-use contrecoup::tui::model::Model;
+use contrecoup::tui::request::Report;
 use contrecoup::tui::simulation::Simulate;
-use contrecoup::tui::task::Report;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
-use contrecoup::tui::update::{Message, update};
 
 #[test]
 fn a_small_terminal_still_asks_what_it_waits_for() {
-    let mut model = model(&[], Depth::Mono);
-    press(&mut model, "lq");
+    let mut app = app(&[], Depth::Mono);
+    press(&mut app, "lq");
     for size in [(60, 5), (20, 5), (59, 19)] {
-        let text = picture(&model, size).replace('\n', " ");
+        let text = picture(&app, size).replace('\n', " ");
         let words: Vec<&str> = text.split_whitespace().collect();
         assert!(
             words
@@ -35,38 +34,41 @@ fn a_small_terminal_still_asks_what_it_waits_for() {
 
 #[test]
 fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
-    let mut model = model(&[], Depth::Mono);
-    press(&mut model, "l");
-    let good = Arc::clone(&model.shown.as_ref().unwrap().answer);
-    let question = Simulate(model.work.scenario.clone());
-    model.run.ask(question, &mut model.out);
+    let mut app = app(&[], Depth::Mono);
+    press(&mut app, "l");
+    let good = Arc::clone(&app.model.shown.as_ref().unwrap().answer);
+    let question = Simulate(app.model.work.scenario.clone());
+    app.model.run.ask(question, &mut app.model.out);
     let refusal = Refusal::StepAboveLimit {
         step_us: 900.0,
         integrator: "velocity-verlet",
         limit_us: 7.0,
     };
-    let report = Report::done::<Simulate>(ticket(&model.run), Err(refusal));
-    update(&mut model, Message::News(report));
-    assert!(Arc::ptr_eq(&good, &model.shown.as_ref().unwrap().answer));
-    let text = picture(&model, (80, 24));
+    let report = Report::done::<Simulate>(ticket(&app.model.run), Err(refusal));
+    update(&mut app, Message::News(report));
+    assert!(Arc::ptr_eq(
+        &good,
+        &app.model.shown.as_ref().unwrap().answer
+    ));
+    let text = picture(&app, (80, 24));
     assert!(text.contains("last good result") && text.contains("above the"));
 }
 
 #[test]
 fn no_size_and_no_screen_makes_the_drawing_fail() {
-    let mut model = model(&["paper-300n", "wide-area"], Depth::Sixteen);
-    open_measured(&mut model);
-    open_sampled(&mut model);
-    open_mapped(&mut model);
+    let mut app = app(&["paper-300n", "wide-area"], Depth::Sixteen);
+    open_measured(&mut app);
+    open_sampled(&mut app);
+    open_mapped(&mut app);
     for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
-        model.look.symbols = symbols;
+        app.model.look.symbols = symbols;
         for keys in [
             "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "6", "7", "8", "1?", "?p", "\x1bs",
         ] {
-            press(&mut model, keys);
+            press(&mut app, keys);
             for width in [1, 20, 59, 60, 61, 79, 100, 300] {
                 for height in [1, 5, 19, 20, 21, 50, 100] {
-                    let buffer = cells(&model, (width, height));
+                    let buffer = cells(&app, (width, height));
                     if symbols == Symbols::Ascii {
                         assert!(buffer.content.iter().all(|c| c.symbol().is_ascii()));
                     }
@@ -78,21 +80,21 @@ fn no_size_and_no_screen_makes_the_drawing_fail() {
 
 #[test]
 fn what_a_name_holds_never_reaches_the_terminal_as_a_command() {
-    let mut model = model(&[], Depth::Mono);
-    model.work.source = "\u{1b}[2J\u{202e}evil".to_owned();
+    let mut app = app(&[], Depth::Mono);
+    app.model.work.source = "\u{1b}[2J\u{202e}evil".to_owned();
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         assert!(!text.contains(['\u{1b}', '\u{202e}']));
     }
 }
 
 #[test]
 fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
-    let mut model = model(&["golf-ball"], Depth::Mono);
+    let mut app = app(&["golf-ball"], Depth::Mono);
     let speed = fields::find("impact.speed_m_s").unwrap();
     for size in SIZES {
-        model.form.selected = Row::Preset;
-        let text = picture(&model, size);
+        app.model.form.selected = Row::Preset;
+        let text = picture(&app, size);
         assert!(line_from(&text, " Speed").starts_with(" Speed "));
         assert!(line_from(&text, " Speed").contains(" ? "));
         assert!(
@@ -102,18 +104,18 @@ fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
                 .unwrap()
                 .contains('?')
         );
-        model.form.selected = Row::Field(speed);
-        assert!(picture(&model, size).contains("? unverified figure"));
+        app.model.form.selected = Row::Field(speed);
+        assert!(picture(&app, size).contains("? unverified figure"));
     }
-    press(&mut model, "50\r");
-    assert!(!picture(&model, (80, 24)).contains("? unverified"));
+    press(&mut app, "50\r");
+    assert!(!picture(&app, (80, 24)).contains("? unverified"));
 }
 
 #[test]
 fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
-    let mut model = model(&["paper-600n"], Depth::Mono);
-    press(&mut model, "\r\x1520000\r");
-    let shown = model.shown.as_mut().unwrap();
+    let mut app = app(&["paper-600n"], Depth::Mono);
+    press(&mut app, "\r\x1520000\r");
+    let shown = app.model.shown.as_mut().unwrap();
     let mut answer = (*shown.answer).clone();
     // A folded mesh has no parts on show.
     answer.flags.clear();
@@ -126,7 +128,7 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     ];
     assert!(parts[2].1 > 200.0);
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         for (name, times) in parts {
             let line = line_from(&text, name);
             let before = line.split(" x ").next().unwrap();
@@ -140,12 +142,12 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
 
 #[test]
 fn an_index_that_means_nothing_has_no_bar_but_the_next_step_to_take() {
-    let mut model = model(&["paper-600n"], Depth::Mono);
-    press(&mut model, &"L".repeat(30));
+    let mut app = app(&["paper-600n"], Depth::Mono);
+    press(&mut app, &"L".repeat(30));
     for keys in ["\x1b1", "\x1b8"] {
-        press(&mut model, keys);
+        press(&mut app, keys);
         for size in SIZES {
-            let text = picture(&model, size);
+            let text = picture(&app, size);
             let words: Vec<&str> = text.split_whitespace().filter(|w| *w != "│").collect();
             let words = words.join(" ");
             for part in ["index not usable", "mesh folded at", "Physiological"] {
@@ -158,10 +160,10 @@ fn an_index_that_means_nothing_has_no_bar_but_the_next_step_to_take() {
 
 #[test]
 fn the_legend_of_the_energies_is_whole() {
-    let mut model = model(&[], Depth::Mono);
-    press(&mut model, "\x1b3vvvvvv");
+    let mut app = app(&[], Depth::Mono);
+    press(&mut app, "\x1b3vvvvvv");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         for name in ["1 kinetic", "2 elastic", "3 dissipated", "4 work in"] {
             let rest = &line_from(&text, name)[name.len()..];
             let words: Vec<&str> = rest.split_whitespace().collect();
@@ -172,23 +174,23 @@ fn the_legend_of_the_energies_is_whole() {
 
 #[test]
 fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
-    let mut model = model(&["bb-56"], Depth::Mono);
-    press(&mut model, "\x1b2");
-    let text = picture(&model, (80, 24));
+    let mut app = app(&["bb-56"], Depth::Mono);
+    press(&mut app, "\x1b2");
+    let text = picture(&app, (80, 24));
     assert!(text.contains(" contact ") && !text.contains(" load "));
     assert!(text.contains('⣿'), "the bar of time has the force in it");
-    press(&mut model, "\x1b3vvvvv");
-    assert!(picture(&model, (80, 24)).contains("contact, N"));
+    press(&mut app, "\x1b3vvvvv");
+    assert!(picture(&app, (80, 24)).contains("contact, N"));
     for (sources, label) in [
         (["paper-300n", "wide-area"], "load, N"),
         (["paper-300n", "bb-56"], "load or contact, N"),
         (["golf-ball", "bb-56"], "contact, N"),
     ] {
-        let mut model = super::drawn::model(&sources, Depth::Mono);
-        press(&mut model, "\x1b4");
+        let mut app = super::drawn::app(&sources, Depth::Mono);
+        press(&mut app, "\x1b4");
         let drawn = (0..30).any(|_| {
-            press(&mut model, "v");
-            picture(&model, (80, 24)).contains(&format!(" {label}"))
+            press(&mut app, "v");
+            picture(&app, (80, 24)).contains(&format!(" {label}"))
         });
         assert!(drawn, "{label}");
     }
@@ -196,11 +198,11 @@ fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
 
 #[test]
 fn curves_that_no_answer_has_are_not_offered() {
-    let mut model = model(&["paper-300n", "wide-area"], Depth::Mono);
-    press(&mut model, "\x1b4");
+    let mut app = app(&["paper-300n", "wide-area"], Depth::Mono);
+    press(&mut app, "\x1b4");
     for _ in 0..20 {
-        press(&mut model, "v");
-        assert!(!picture(&model, (80, 24)).contains("pressure, MPa"));
+        press(&mut app, "v");
+        assert!(!picture(&app, (80, 24)).contains("pressure, MPa"));
     }
 }
 
@@ -214,10 +216,10 @@ fn six_marked_presets_leave_room_for_their_curves() {
         "bb-56",
         "golf-ball",
     ];
-    let mut model = model(&six, Depth::Mono);
-    press(&mut model, "\x1b4");
+    let mut app = app(&six, Depth::Mono);
+    press(&mut app, "\x1b4");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         assert!(text.contains("pressure, MPa") && text.contains("v curves"));
         assert!(
             six.iter()
@@ -228,24 +230,24 @@ fn six_marked_presets_leave_room_for_their_curves() {
 
 #[test]
 fn what_a_folded_mesh_makes_of_a_risk_is_said_beside_it() {
-    let mut model = model(&["bb-56"], Depth::Mono);
-    press(&mut model, "\x1b8");
+    let mut app = app(&["bb-56"], Depth::Mono);
+    press(&mut app, "\x1b8");
     for size in SIZES {
-        assert!(picture(&model, size).contains("FLAGS mesh folded"));
+        assert!(picture(&app, size).contains("FLAGS mesh folded"));
     }
 }
 
 #[test]
 fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
-    let model = model(&["bb-56"], Depth::Mono);
+    let app = app(&["bb-56"], Depth::Mono);
     for size in [(80, 24), (60, 20)] {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         for name in ["centre", "front", "right", "top ", "press", "contact"] {
             let line = line_from(&text, name);
             assert!(line.contains('±'), "{line}");
         }
     }
-    let text = picture(&model, (80, 24));
+    let text = picture(&app, (80, 24));
     let times = without_form(&text, 80)
         .lines()
         .filter(|line| line.ends_with(" ms"))
@@ -256,18 +258,18 @@ fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
 /// States whose pictures are taken at 80 x 24 only: what they must say, they say at every size.
 #[test]
 fn what_a_state_must_say_is_said_at_every_size() {
-    let said = |model: &Model, words: &[&str]| {
+    let said = |app: &App, words: &[&str]| {
         for size in SIZES {
-            let text = picture(model, size);
+            let text = picture(app, size);
             for word in words {
                 assert!(text.contains(word), "{word} at {size:?}\n{text}");
             }
         }
     };
     let after = |sources: &[&str], keys: &str| {
-        let mut model = model(sources, Depth::Mono);
-        press(&mut model, keys);
-        model
+        let mut app = app(sources, Depth::Mono);
+        press(&mut app, keys);
+        app
     };
     said(
         &after(&[], "ajjjjjjjj\r-"),
@@ -302,11 +304,11 @@ fn what_a_state_must_say_is_said_at_every_size() {
         &after(&["bb-56"], "\x1b3vvvvvvvv"),
         &["pressure, MPa", "scleral stress, MPa"],
     );
-    let mut model = model(&[], Depth::Mono);
-    open_measured(&mut model);
-    press(&mut model, "Ll");
+    let mut app = app(&[], Depth::Mono);
+    open_measured(&mut app);
+    press(&mut app, "Ll");
     said(
-        &model,
+        &app,
         &[
             "▸ ",
             " of 24",
@@ -314,8 +316,8 @@ fn what_a_state_must_say_is_said_at_every_size() {
             "Error of the damage",
         ],
     );
-    press(&mut model, ">");
-    said(&model, &["Error of the damage index: ", "Enter or y: yes"]);
+    press(&mut app, ">");
+    said(&app, &["Error of the damage index: ", "Enter or y: yes"]);
 }
 
 /// What stands right of the form on the main screen, and all of any other.
@@ -342,17 +344,17 @@ fn nothing_is_cut_where_a_terminal_is_small() {
     ];
     for preset in presets {
         for keys in ["", &"L".repeat(30)] {
-            let mut model = model(&[preset], Depth::Mono);
-            press(&mut model, keys);
+            let mut app = app(&[preset], Depth::Mono);
+            press(&mut app, keys);
             for screen in ["1", "2", "3", "4", "4\x1b[Z", "4\t", "5", "6", "7", "8"] {
                 match screen {
-                    "5" => open_measured(&mut model),
-                    "6" => open_sampled(&mut model),
-                    "7" => open_mapped(&mut model),
-                    _ => press(&mut model, &format!("\x1b{screen}")),
+                    "5" => open_measured(&mut app),
+                    "6" => open_sampled(&mut app),
+                    "7" => open_mapped(&mut app),
+                    _ => press(&mut app, &format!("\x1b{screen}")),
                 }
                 for (width, height) in [(60, 20), (80, 24), (100, 30), (160, 50)] {
-                    let text = picture(&model, (width, height));
+                    let text = picture(&app, (width, height));
                     assert!(
                         !text.contains('…'),
                         "{preset} {screen} {width}x{height}\n{text}"
@@ -366,12 +368,12 @@ fn nothing_is_cut_where_a_terminal_is_small() {
 #[test]
 fn what_stands_behind_a_curve_ends_with_a_whole_sentence_however_small_the_terminal() {
     for preset in ["squash-ball", "bb-62", "soccer-ball", "golf-ball"] {
-        let mut model = model(&[preset], Depth::Mono);
-        press(&mut model, "\x1b8");
-        let curves = model.shown.as_ref().unwrap().answer.risks().len();
+        let mut app = app(&[preset], Depth::Mono);
+        press(&mut app, "\x1b8");
+        let curves = app.model.shown.as_ref().unwrap().answer.risks().len();
         for _ in 0..curves {
             for size in [(60, 20), (80, 24), (100, 30), (160, 50)] {
-                let text = picture(&model, size);
+                let text = picture(&app, size);
                 let after = text.split("────").last().unwrap();
                 let said = after.split(" ± step").next().unwrap().trim_end();
                 assert!(said.ends_with(['.', ')']), "{preset} {size:?}\n{text}");
@@ -383,7 +385,7 @@ fn what_stands_behind_a_curve_ends_with_a_whole_sentence_however_small_the_termi
                     assert!(words.contains("J Trauma") || words.contains(';'), "{text}");
                 }
             }
-            press(&mut model, "j");
+            press(&mut app, "j");
         }
     }
 }
@@ -391,7 +393,7 @@ fn what_stands_behind_a_curve_ends_with_a_whole_sentence_however_small_the_termi
 #[test]
 fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
     for preset in ["squash-ball", "bb-62", "paintball", "soccer-ball"] {
-        let text = picture(&model(&[preset], Depth::Mono), (80, 24));
+        let text = picture(&app(&[preset], Depth::Mono), (80, 24));
         for word in ["globe rupture: ", "retina", "lens", "hyphema", "abrasion"] {
             assert!(text.contains(word), "{word}\n{text}");
         }
@@ -401,10 +403,10 @@ fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
 #[test]
 fn every_node_has_one_name_and_its_peak_is_visited() {
     for screen in ["1\t", "2", "3"] {
-        let mut model = model(&["bb-62"], Depth::Mono);
-        press(&mut model, &format!("\x1b{screen}"));
+        let mut app = app(&["bb-62"], Depth::Mono);
+        press(&mut app, &format!("\x1b{screen}"));
         let mut visited = std::collections::BTreeSet::new();
-        let shown = model.shown.as_ref().unwrap();
+        let shown = app.model.shown.as_ref().unwrap();
         let peaks = [
             Quantity::ForceCentre,
             Quantity::ForceFront,
@@ -413,12 +415,12 @@ fn every_node_has_one_name_and_its_peak_is_visited() {
         ];
         let peaks = peaks.map(|of| shown.answer.peak(of).unwrap().time);
         for _ in 0..30 {
-            press(&mut model, "g");
-            visited.insert(model.time().to_bits());
+            press(&mut app, "g");
+            visited.insert(app.time().to_bits());
         }
         for (time, name) in peaks.into_iter().zip(["centre", "front", "right", "top"]) {
             assert!(visited.contains(&time.to_bits()), "{screen} {name}");
-            let text = picture(&model, (120, 40));
+            let text = picture(&app, (120, 40));
             assert!(text.contains(&format!("{name} ")) || text.contains(&format!("{name}, N ")));
         }
     }
@@ -427,7 +429,7 @@ fn every_node_has_one_name_and_its_peak_is_visited() {
 #[test]
 fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
     let file = "tests/scenarios/round-eye.ron";
-    let text = picture(&model(&[file], Depth::Mono), (160, 50));
+    let text = picture(&app(&[file], Depth::Mono), (160, 50));
     for words in [
         "published curves",
         "globe rupture",
@@ -437,7 +439,7 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
     ] {
         assert!(text.contains(words), "{words}\n{text}");
     }
-    let text = picture(&model(&[], Depth::Mono), (160, 50));
+    let text = picture(&app(&[], Depth::Mono), (160, 50));
     assert!(
         text.contains("load, N") && text.contains("What to believe"),
         "{text}"
@@ -446,10 +448,10 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
 
 #[test]
 fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
-    let mut model = model(&[], Depth::Mono);
-    press(&mut model, "\x1b8?");
+    let mut app = app(&[], Depth::Mono);
+    press(&mut app, "\x1b8?");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         assert!(
             text.contains("8 Injury: What would experiments say?"),
             "{text}"
@@ -461,8 +463,8 @@ fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
     }
     let mut seen = String::new();
     for _ in 0..60 {
-        seen += &picture(&model, (80, 24));
-        press(&mut model, "\x1b[6~");
+        seen += &picture(&app, (80, 24));
+        press(&mut app, "\x1b[6~");
     }
     for word in ["Rank correlation", "Opening", "not diagnosis"] {
         assert!(seen.contains(word), "{word}");
@@ -471,10 +473,10 @@ fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
 
 #[test]
 fn front_back_and_up_are_named_on_the_eye_and_its_monitored_nodes_marked() {
-    let mut model = model(&[], Depth::Mono);
-    press(&mut model, "\x1b2");
+    let mut app = app(&[], Depth::Mono);
+    press(&mut app, "\x1b2");
     for size in SIZES {
-        let text = picture(&model, size);
+        let text = picture(&app, size);
         let eye: Vec<&str> = text.lines().skip(1).collect();
         for word in ["front", "back", "up"] {
             assert!(eye.iter().any(|line| line.contains(word)), "{word}\n{text}");

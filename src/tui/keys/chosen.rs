@@ -5,105 +5,14 @@
 //!
 //! Left out: the keys of single panes, of popups and of typing, which stay as they are.
 
-use std::fmt;
-use std::sync::LazyLock;
-
 use crossterm::event::{KeyCode, KeyModifiers};
-use ron::Value;
-use serde::de::{Error, MapAccess, Unexpected, Visitor};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::tui::keys::{Act, Binding, KeyTable, Press, shared};
-use crate::tui::screens::SCREENS;
+use crate::tui::keys::press::Press;
+use crate::tui::keys::{Key, KeyList};
 
 /// What was chosen, by the names of the bindings.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Keys(Vec<(&'static str, Vec<Press>)>);
-
-/// The tables whose named bindings may have other keys.
-const TABLES: [&KeyTable; 3] = [&shared::EVERYWHERE, &shared::SHOW, &shared::TIME];
-
-/// Everything that may have other keys.
-pub fn open_to_choice() -> impl Iterator<Item = &'static Binding> {
-    let all = TABLES.iter().flat_map(|table| table.bindings);
-    all.filter(|binding| !binding.name.is_empty())
-}
-
-/// What a config file calls them, in the same order.
-static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-    let names = open_to_choice().map(|binding| binding.name.to_lowercase());
-    names.map(|name| &*name.leak()).collect()
-});
-
-/// What a config file calls so.
-pub fn named(name: &str) -> Option<&'static Binding> {
-    open_to_choice().nth(NAMES.iter().position(|known| *known == name)?)
-}
-
-impl Serialize for Keys {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let keys = |binding| self.of(binding).iter().map(|press| press.name());
-        let all = NAMES.iter().zip(open_to_choice());
-        serializer.collect_map(all.map(|(name, binding)| (name, keys(binding).collect::<Vec<_>>())))
-    }
-}
-
-impl<'de> Deserialize<'de> for Keys {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_struct("Keys", &NAMES, ByName)
-    }
-}
-
-/// Reads keys by the names of what they do.
-struct ByName;
-
-impl<'de> Visitor<'de> for ByName {
-    type Value = Keys;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("names and keys in brackets")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Keys, A::Error> {
-        let mut keys = Keys::default();
-        while let Some(name) = map.next_key::<String>()? {
-            let binding = named(&name).ok_or_else(|| A::Error::unknown_field(&name, &NAMES))?;
-            if keys.0.iter().any(|(known, _)| *known == binding.name) {
-                return Err(A::Error::custom(format!("{name} is given twice")));
-            }
-            let Presses(presses) = map.next_value()?;
-            keys.choose(binding, presses);
-        }
-        Ok(keys)
-    }
-}
-
-/// A key, or a list of keys.
-struct Presses(Vec<Press>);
-
-impl<'de> Deserialize<'de> for Presses {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let list = match Value::deserialize(deserializer)? {
-            Value::Seq(list) => list,
-            one => vec![one],
-        };
-        let read = |key: Value| match key {
-            Value::String(key) => Press::read(&key).map_err(|why| {
-                D::Error::custom(format!(
-                    "{key:?} {why}: allowed a key or a list of keys, as in \"Ctrl-X\""
-                ))
-            }),
-            _ => Err(D::Error::invalid_value(
-                Unexpected::Other("value"),
-                &"a key",
-            )),
-        };
-        list.into_iter()
-            .map(read)
-            .collect::<Result<_, _>>()
-            .map(Self)
-    }
-}
 
 /// A key that two things would share.
 #[derive(Debug, PartialEq, Eq)]
@@ -117,27 +26,37 @@ pub struct Clash {
 }
 
 impl Keys {
-    /// The keys of a binding.
-    pub fn of<'a>(&'a self, binding: &'a Binding) -> &'a [Press] {
-        let own = self.0.iter().find(|(name, _)| *name == binding.name);
-        own.map_or(binding.presses, |(_, presses)| presses)
+    /// The presses of a key.
+    pub fn of<'a>(&'a self, key: &'a Key) -> &'a [Press] {
+        let own = self.0.iter().find(|(name, _)| *name == key.name);
+        own.map_or(key.presses, |(_, presses)| presses)
     }
 
-    /// Chooses the keys of a binding that has a name.
-    pub fn choose(&mut self, binding: &Binding, presses: Vec<Press>) {
-        self.0.retain(|(name, _)| *name != binding.name);
-        if presses != binding.presses {
-            self.0.push((binding.name, presses));
+    /// Whether presses were chosen for a key.
+    pub fn has(&self, key: &Key) -> bool {
+        self.0.iter().any(|(name, _)| *name == key.name)
+    }
+
+    /// Chooses the presses of a key that has a name.
+    pub fn choose(&mut self, key: &Key, presses: Vec<Press>) {
+        self.0.retain(|(name, _)| *name != key.name);
+        if presses != key.presses {
+            self.0.push((key.name, presses));
         }
     }
 
-    /// The first key that two things would share. A usual key may: the nearer thing has it.
-    pub fn clash(&self) -> Option<Clash> {
+    /// The first press that two things would share, of the keys that count on every screen and of those
+    /// of single panes. A usual one may: the nearer thing has it.
+    pub fn clash(&self, everywhere: &[KeyList], panes: &[KeyList]) -> Option<Clash> {
         self.0.iter().find_map(|(name, presses)| {
-            let usual = open_to_choice().find(|binding| binding.name == *name)?;
+            let mut keys = everywhere.iter().flat_map(|list| &list.keys);
+            let usual = keys.find(|key| key.name == *name)?;
             let mut new = presses.iter().filter(|p| !usual.presses.contains(p));
             new.find_map(|press| {
-                let other = self.holder(name, *press)?;
+                // A digit is typed where a number is wanted; there Alt and F keys do its work.
+                let typed = |list: &&KeyList| list.keys.iter().any(|key| key.begins_value);
+                let own = panes.iter().filter(|list| !typed(list));
+                let other = self.holder(name, *press, everywhere.iter().chain(own))?;
                 Some(Clash {
                     name,
                     press: *press,
@@ -147,21 +66,18 @@ impl Keys {
         })
     }
 
-    /// What else has a key, in the words of the help.
-    fn holder(&self, name: &str, press: Press) -> Option<String> {
-        let panes = SCREENS.iter().flat_map(|screen| screen.panes);
-        let tables = TABLES
-            .into_iter()
-            .chain(panes.flat_map(|pane| pane.keys).filter(|table| {
-                // A digit is typed where a number is wanted; there Alt and F keys do its work.
-                !table.bindings.iter().any(|b| matches!(b.act, Act::Type))
-            }));
-        let mut all = tables.flat_map(|table| table.bindings.iter().map(move |b| (table, b)));
-        let (table, binding) =
-            all.find(|(_, binding)| binding.name != name && self.of(binding).contains(&press))?;
-        Some(match binding.name {
-            "" => format!("\"{}\" ({})", binding.help, table.title),
-            other => format!("`{}` ({})", other.to_lowercase(), binding.help),
+    /// What else has a press, in the words of the help.
+    fn holder<'a>(
+        &self,
+        name: &str,
+        press: Press,
+        lists: impl Iterator<Item = &'a KeyList>,
+    ) -> Option<String> {
+        let mut all = lists.flat_map(|list| list.keys.iter().map(move |key| (list, key)));
+        let (list, key) = all.find(|(_, key)| key.name != name && self.of(key).contains(&press))?;
+        Some(match key.name {
+            "" => format!("\"{}\" ({})", key.help, list.title),
+            other => format!("`{}` ({})", other.to_lowercase(), key.help),
         })
     }
 }
@@ -239,91 +155,4 @@ fn code(word: &str) -> Option<KeyCode> {
         (1..=12).contains(&number).then_some(KeyCode::F(number))
     };
     named.map(|(_, code)| *code).or_else(function)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tui::keys::{live, tables};
-    use crate::tui::update::driven::{letter, opened};
-    use crate::tui::update::{Message, update};
-    use crossterm::event::KeyEvent;
-
-    fn binding(name: &str) -> &'static Binding {
-        open_to_choice().find(|b| b.name == name).unwrap()
-    }
-
-    fn chosen(name: &str, key: &str) -> Option<String> {
-        let mut keys = Keys::default();
-        keys.choose(binding(name), vec![Press::read(key).unwrap()]);
-        keys.clash().map(|clash| clash.other)
-    }
-
-    #[test]
-    fn every_key_reads_back_from_how_it_is_written() {
-        let named = |press: &Press| {
-            let name = press.name();
-            assert_eq!(Press::read(&name), Ok(*press), "{name}");
-        };
-        for table in tables() {
-            table
-                .bindings
-                .iter()
-                .flat_map(|b| b.presses)
-                .for_each(named);
-        }
-        for wrong in [
-            "", "Ctrl-", "Hyper-x", "F13", "F0", "xy", "Ctrl-i", "Shift-a",
-        ] {
-            assert!(Press::read(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn names_differ() {
-        let names: Vec<_> = open_to_choice().map(|b| b.name.to_lowercase()).collect();
-        for (i, name) in names.iter().enumerate() {
-            assert!(!names[..i].contains(name), "{name}");
-        }
-        assert!(names.len() > 20);
-    }
-
-    #[test]
-    fn a_key_that_is_taken_is_refused_by_the_name_of_what_has_it() {
-        assert_eq!(chosen("undo", "Ctrl-X"), None);
-        assert_eq!(chosen("undo", "u"), None);
-        assert_eq!(
-            chosen("undo", "s").unwrap(),
-            "`save` (save as a preset of your own)"
-        );
-        assert!(chosen("undo", "Ctrl-C").unwrap().contains("leave at once"));
-        assert!(
-            chosen("undo", "a")
-                .unwrap()
-                .contains("advanced fields\" (Form)")
-        );
-        assert!(chosen("undo", "3").unwrap().starts_with("`forces`"));
-    }
-
-    #[test]
-    fn a_chosen_key_does_it_and_is_shown_and_the_usual_one_no_longer() {
-        let mut model = opened();
-        model
-            .keys
-            .choose(binding("help"), vec![Press::read("Ctrl-X").unwrap()]);
-        letter(&mut model, '?');
-        assert!(model.overlay.is_none());
-        assert!(live(&model).contains(&("Ctrl-X".to_owned(), "keys")));
-        let press = KeyEvent::new(KeyCode::Char('x'), KeyModifiers::CONTROL);
-        update(&mut model, Message::Key(press));
-        assert!(model.overlay.is_some());
-    }
-
-    #[test]
-    fn what_gave_its_key_away_may_be_followed() {
-        let mut keys = Keys::default();
-        keys.choose(binding("save"), vec![Press::read("W").unwrap()]);
-        keys.choose(binding("undo"), vec![Press::read("s").unwrap()]);
-        assert_eq!(keys.clash(), None);
-    }
 }

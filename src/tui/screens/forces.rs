@@ -8,13 +8,13 @@ use crate::run::course::{COURSES, Course};
 use crate::run::kept::Traces;
 use crate::run::trace::Group;
 use crate::tui::clock::peak_said;
-use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
-use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Shown};
-use crate::tui::screens::{Pane, Screen};
+use crate::tui::keys::TimeKeys;
+use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
+use crate::tui::model::Model;
+use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::shown::Shown;
 use crate::tui::step::Step;
-use crate::tui::update::time;
-use crate::tui::view::chart::{Chart, Curve, active, value_at};
+use crate::tui::view::chart::{Chart, Curve, active, mark, value_at};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
@@ -109,57 +109,61 @@ fn views(traces: &Traces) -> Vec<View> {
     views
 }
 
-pub(crate) const SCREEN: Screen = Screen {
-    courses: |model| view(model).into_iter().flatten().collect(),
-    ..Screen::new(
-        ("Forces", "When and how hard?"),
-        "the force profiles",
-        &[Pane {
-            name: "forces",
-            keys: &[KEYS],
-            time: TimeKeys::Early,
-        }],
-        draw,
-    )
+pub(super) const ABOUT: About = About {
+    title: "Forces",
+    question: "When and how hard?",
+    purpose: "the force profiles",
+    new: || Box::new(Forces::default()),
 };
 
-/// The charts on show.
-fn view(model: &Model) -> View {
-    let traces = model
-        .shown
-        .as_ref()
-        .and_then(|s| s.answer.run.traces.as_ref());
-    let mut views = traces.map(views).unwrap_or_default();
-    if views.is_empty() {
-        return View::new();
-    }
-    let count = views.len();
-    views.swap_remove(model.screens.forces.view % count)
+impl Panes for Forces {
+    const PANES: &'static [Pane<Self>] = &[Pane::new("forces", TimeKeys::Early, &[KEYS])];
 }
 
 #[rustfmt::skip]
-const KEYS: KeyTable = KeyTable::new("Forces", &[
-    bind(&[LEFT, c('h')], |m| time::step(m, Step::LESS), "cursor", "the cursor to the left"),
-    bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the cursor to the right"),
-    bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "the cursor far to the left"),
-    bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "the cursor far to the right"),
-    bind(&[c('i')], |m| m.screens.forces.zoom = m.screens.forces.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
-    bind(&[c('o')], |m| m.screens.forces.zoom = m.screens.forces.zoom.farther(), "&", "twice of the time shown, up to the whole"),
-    bind(&[c('v')], next_view, "view", "all four forces, one of them, growth, energies"),
+const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
+    bind(&[LEFT, c('h')], |s, m| s.step_time(m, Step::LESS), "cursor", "the cursor to the left"),
+    bind(&[RIGHT, c('l')], |s, m| s.step_time(m, Step::MORE), "&", "the cursor to the right"),
+    bind(&[SHIFT_LEFT, c('H')], |s, m| s.step_time(m, Step::MUCH_LESS), "", "the cursor far to the left"),
+    bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "the cursor far to the right"),
+    bind(&[c('i')], |s, _| s.zoom = s.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
+    bind(&[c('o')], |s, _| s.zoom = s.zoom.farther(), "&", "twice of the time shown, up to the whole"),
+    bind(&[c('v')], |s, m| s.next_view(m), "view", "all four forces, one of them, growth, energies"),
 ]);
 
-/// The next set of curves.
-fn next_view(model: &mut Model) {
+impl Screen for Forces {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        draw(*self, model, area, buffer);
+    }
+
+    fn courses(&self, model: &Model) -> Vec<Course> {
+        let mut views = all_views(model);
+        if views.is_empty() {
+            return Vec::new();
+        }
+        let place = self.view % views.len();
+        views.swap_remove(place).into_iter().flatten().collect()
+    }
+}
+
+impl Forces {
+    /// The next set of curves.
+    fn next_view(&mut self, model: &Model) {
+        let count = all_views(model).len().max(1);
+        self.view = (self.view % count + 1) % count;
+    }
+}
+
+/// What the screen can show of the answer to the form.
+fn all_views(model: &Model) -> Vec<View> {
     let traces = model
         .shown
         .as_ref()
         .and_then(|s| s.answer.run.traces.as_ref());
-    let count = traces.map_or(1, |t| views(t).len().max(1));
-    let view = &mut model.screens.forces.view;
-    *view = (*view % count + 1) % count;
+    traces.map(views).unwrap_or_default()
 }
 
-fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn draw(forces: Forces, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -185,7 +189,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let views = views(traces);
-    let Some(view) = views.get(model.screens.forces.view % views.len().max(1)) else {
+    let Some(view) = views.get(forces.view % views.len().max(1)) else {
         return;
     };
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
@@ -203,12 +207,13 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
             wide - 1,
             high,
         );
-        chart(model, (shown, traces), curves, place, buffer);
+        chart(model, forces.zoom, (shown, traces), curves, place, buffer);
     }
 }
 
 fn chart(
     model: &Model,
+    zoom: Zoom,
     (shown, traces): (&Shown, &Traces),
     courses: &[Course],
     area: Rect,
@@ -271,7 +276,7 @@ fn chart(
         title: &title,
         reading: &now,
         curves,
-        span: model.screens.forces.zoom.span(active, window, time),
+        span: zoom.span(active, window, time),
         cursor: time,
         look: model.look,
     }
@@ -291,11 +296,6 @@ fn chart(
 
 /// Where the legend of several curves begins.
 const LEGEND: u16 = 8;
-
-/// Tells curves apart in ASCII and in legends without colour.
-pub fn mark(index: usize) -> char {
-    ['1', '2', '3', '4', '5', '6'][index % 6]
-}
 
 #[cfg(test)]
 mod tests {

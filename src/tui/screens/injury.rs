@@ -1,4 +1,5 @@
-//! The published injury curves beside the paper's index: one line a curve, the chosen one explained.
+//! The published injury curves beside the paper's index: one line a curve, the chosen one
+//! explained.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -7,10 +8,18 @@ use crate::injury::{Caution, Injury, MARKS, Part, Risk, Verdict, lines, span};
 use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::report::verdict::{VOID, part_of};
 use crate::run::quantity::Quantity;
-use crate::tui::keys::shared::{DOWN, UP};
-use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Shown};
-use crate::tui::screens::{Pane, Screen};
+use crate::tui::keys::TimeKeys;
+use crate::tui::keys::press::DOWN;
+use crate::tui::keys::press::UP;
+use crate::tui::keys::press::c;
+use crate::tui::model::Model;
+use crate::tui::screens::screen::About;
+use crate::tui::screens::screen::Pane;
+use crate::tui::screens::screen::PaneKeys;
+use crate::tui::screens::screen::Panes;
+use crate::tui::screens::screen::Screen;
+use crate::tui::screens::screen::bind;
+use crate::tui::shown::Shown;
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
 use crate::tui::view::theme::Theme;
 
@@ -24,30 +33,46 @@ const FEW_FIGURES: u16 = 16;
 /// Columns that the screen takes at most.
 const WIDEST: u16 = 120;
 
-pub(crate) const SCREEN: Screen = Screen::new(
-    ("Injury", "What would experiments say?"),
-    "what published injury curves say",
-    &[Pane {
-        name: "curves",
-        keys: &[KEYS],
-        time: TimeKeys::Absent,
-    }],
-    draw,
-);
+pub(super) const ABOUT: About = About {
+    title: "Injury",
+    question: "What would experiments say?",
+    purpose: "what published injury curves say",
+    new: || Box::new(InjuryCurves::default()),
+};
 
-#[rustfmt::skip]
-const KEYS: KeyTable = KeyTable::new("Injury", &[
-    bind(&[UP, c('k')], |m| go(m, -1), "curve", "the curve above"),
-    bind(&[DOWN, c('j')], |m| go(m, 1), "&", "the curve below"),
-]);
-
-fn go(model: &mut Model, by: isize) {
-    let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
-    let row = model.screens.injury.saturating_add_signed(by);
-    model.screens.injury = row.min(count.saturating_sub(1));
+/// The place of the injury curve that is explained.
+#[derive(Default)]
+pub struct InjuryCurves {
+    row: usize,
 }
 
-fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+impl Panes for InjuryCurves {
+    const PANES: &'static [Pane<Self>] = &[Pane::new("curves", TimeKeys::Absent, &[KEYS])];
+}
+
+#[rustfmt::skip]
+const KEYS: PaneKeys<InjuryCurves> = PaneKeys::new("Injury", &[
+    bind(&[UP, c('k')], |s, m| s.go(m, -1), "curve", "the curve above"),
+    bind(&[DOWN, c('j')], |s, m| s.go(m, 1), "&", "the curve below"),
+]);
+
+impl InjuryCurves {
+    fn go(&mut self, model: &Model, by: isize) {
+        let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
+        self.row = self
+            .row
+            .saturating_add_signed(by)
+            .min(count.saturating_sub(1));
+    }
+}
+
+impl Screen for InjuryCurves {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        draw(self.row, model, area, buffer);
+    }
+}
+
+fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // Bars that are longer are no easier to read.
     let area = Rect {
@@ -74,7 +99,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (SCREEN.question, theme.heading()),
+        None => (ABOUT.question, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, last), right, style);
@@ -114,7 +139,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         height: last,
         ..area
     };
-    let chosen = model.screens.injury % risks.len();
+    let chosen = row % risks.len();
     let part = part_of(&verdicts, risks[chosen].curve);
     let all = u16::try_from(risks.len()).unwrap_or(u16::MAX);
     let most = area.height.saturating_sub(ABOVE + all.min(LISTED) + 1);
@@ -148,7 +173,8 @@ pub fn void(room: u16) -> &'static str {
     texts.find(|text| width(text) <= room).unwrap_or("")
 }
 
-/// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if one is.
+/// What each curve says, a line for each below a scale, as many as fit; round the chosen one, if
+/// one is.
 pub fn curves(
     (risks, verdicts): (&[Risk], &[Verdict]),
     chosen: Option<usize>,
@@ -198,8 +224,8 @@ pub fn curves(
     }
 }
 
-/// The verdicts, a line for each injury or, if all words are wanted, as many as they take; returns the rows taken.
-/// The words of a single one are wrapped.
+/// The verdicts, a line for each injury or, if all words are wanted, as many as they take; returns
+/// the rows taken. The words of a single one are wrapped.
 pub fn answers(
     verdicts: &[Verdict],
     whole: bool,
@@ -296,8 +322,8 @@ fn line(
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
-/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences as so many
-/// rows hold, the most needed first.
+/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences
+/// as so many rows hold, the most needed first.
 fn explained(risk: &Risk, part: Option<&Part>, room: usize, rows: usize) -> Vec<String> {
     let curve = risk.curve;
     let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);

@@ -1,5 +1,7 @@
 //! The replay in full size: the eye, its legend, the readings, and time with the pulse in it.
 
+use std::marker::PhantomData;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -11,13 +13,13 @@ use crate::run::quantity::Quantity;
 use crate::run::trace::Group;
 use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
-use crate::tui::keys::shared::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
-use crate::tui::keys::{Binding, KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Shown};
-use crate::tui::screens::{Pane, Screen};
+use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
+use crate::tui::keys::{Binding, TimeKeys};
+use crate::tui::model::Model;
+use crate::tui::screens::screen::{About, Act, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::shown::Shown;
 use crate::tui::step::Step;
 use crate::tui::terminal::caps::Symbols;
-use crate::tui::update::time;
 use crate::tui::view::chart::{Curve, value_at};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::heat::{heat_glyph, thresholds};
@@ -28,28 +30,44 @@ use crate::tui::view::theme::Theme;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
-pub(crate) const SCREEN: Screen = Screen::new(
-    ("Replay", "What moved?"),
-    "the replay in full size",
-    &[Pane {
-        name: "replay",
-        keys: &[KEYS],
-        time: TimeKeys::Early,
-    }],
-    draw,
-);
+pub(super) const ABOUT: About = About {
+    title: "Replay",
+    question: "What moved?",
+    purpose: "the replay in full size",
+    new: || Box::new(Replay),
+};
 
-const KEYS: KeyTable = KeyTable::new("Replay", FRAME_KEYS);
+/// The screen keeps nothing to itself.
+pub struct Replay;
 
-/// From frame to frame, wherever the eye is replayed.
+impl Panes for Replay {
+    const PANES: &'static [Pane<Self>] = &[Pane::new(
+        "replay",
+        TimeKeys::Early,
+        &[PaneKeys::new("Replay", FrameKeys::ALL)],
+    )];
+}
+
+/// The keys of a screen that go from frame to frame, wherever the eye is replayed.
+pub struct FrameKeys<S>(PhantomData<S>);
+
 #[rustfmt::skip]
-pub const FRAME_KEYS: &[Binding] = &[
-    bind(&[LEFT, c('h')], |m| time::step(m, Step::LESS), "frame", "the frame before"),
-    bind(&[RIGHT, c('l')], |m| time::step(m, Step::MORE), "&", "the next frame"),
-    bind(&[SHIFT_LEFT, c('H')], |m| time::step(m, Step::MUCH_LESS), "", "ten frames back"),
-    bind(&[SHIFT_RIGHT, c('L')], |m| time::step(m, Step::MUCH_MORE), "", "ten frames on"),
-    bind(&[c('c')], |m| m.clock.change_colouring(), "", "coloured by force, or by pressure where cells have one"),
-];
+impl<S: Screen> FrameKeys<S> {
+    /// The keys.
+    pub const ALL: &'static [Binding<Act<S>>] = &[
+        bind(&[LEFT, c('h')], |s, m| s.step_time(m, Step::LESS), "frame", "the frame before"),
+        bind(&[RIGHT, c('l')], |s, m| s.step_time(m, Step::MORE), "&", "the next frame"),
+        bind(&[SHIFT_LEFT, c('H')], |s, m| s.step_time(m, Step::MUCH_LESS), "", "ten frames back"),
+        bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "ten frames on"),
+        bind(&[c('c')], |_, m| m.clock.change_colouring(), "", "coloured by force, or by pressure where cells have one"),
+    ];
+}
+
+impl Screen for Replay {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        draw(model, area, buffer);
+    }
+}
 
 /// The largest pressure of the scale, in Pa, where an eye is to be coloured by that.
 pub fn pressures(model: &Model, shown: &Shown) -> Option<f64> {

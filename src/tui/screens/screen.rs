@@ -1,26 +1,36 @@
-//! What a screen is made of. Whatever it leaves out does nothing.
+//! What a screen is made of: its own state, its keys, what it asks for, and its picture. Whatever
+//! it leaves out does nothing.
 
+use std::any::Any;
+
+use crossterm::event::KeyEvent;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::solve::Answer;
 use crate::run::course::Course;
-use crate::tui::keys::{KeyTable, TimeKeys};
-use crate::tui::model::{Model, Shown};
+use crate::tui::keys::Binding;
+use crate::tui::keys::Key;
+use crate::tui::keys::KeyList;
+use crate::tui::keys::KeyTable;
+use crate::tui::keys::TimeKeys;
+use crate::tui::keys::press::Press;
+use crate::tui::model::Model;
+use crate::tui::model::Timed;
+use crate::tui::request::Report;
+use crate::tui::shown::Shown;
 use crate::tui::step::Step;
-use crate::tui::task::Report;
-use crate::tui::update::time;
 use crate::tui::work::Work;
 
-/// A part of a screen that can have the focus.
-#[derive(Clone, Copy)]
-pub struct Pane {
-    /// What it is called on the screen.
-    pub name: &'static str,
-    /// Its keys; the first table that counts and knows a key wins.
-    pub keys: &'static [KeyTable],
-    /// Whether the keys of time count too.
-    pub time: TimeKeys,
+/// What there is to know of a screen before it is opened.
+pub struct About {
+    /// Its name in the title bar.
+    pub title: &'static str,
+    /// The question that it answers.
+    pub question: &'static str,
+    /// What it is for, in the words of the help.
+    pub purpose: &'static str,
+    /// Makes one that holds nothing yet.
+    pub new: fn() -> Box<dyn Screen>,
 }
 
 /// What the mouse does on a screen.
@@ -34,85 +44,211 @@ pub enum Mouse {
     Wheel((u16, u16), Step),
 }
 
-/// A screen.
-#[derive(Clone, Copy)]
-pub struct Screen {
-    /// Its name in the title bar.
-    pub title: &'static str,
-    /// The question that it answers.
-    pub question: &'static str,
-    /// What it is for, in the words of the help.
-    pub purpose: &'static str,
-    /// What Tab moves between, at least one.
-    pub panes: &'static [Pane],
+/// A screen: a component with its own state.
+pub trait Screen: Keyed + Any {
     /// Draws it into the space between title and footer.
-    pub draw: fn(&Model, Rect, &mut Buffer),
-    /// The app was opened on these; the place of the screen in the list.
-    pub given: fn(&mut Model, usize, &[Work]),
-    /// How many samples over what is not known of the inputs it has room for; a few at most are run though
-    /// nobody asked.
-    pub samples: u32,
-    /// It was asked for by its key.
-    pub opened: fn(&mut Model),
-    /// Something has happened: asks for what it now wants and stops what it no longer does. Whether
-    /// it is on show.
-    pub attend: fn(&mut Model, bool),
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer);
+
+    /// The place of the pane with the focus.
+    fn pane(&self) -> usize {
+        0
+    }
+
+    /// Gives the pane of this place the focus.
+    fn show_pane(&mut self, _pane: usize) {}
+
+    /// The app was opened on these.
+    fn opened_on(&mut self, _model: &mut Model, _works: &[Work]) {}
+
+    /// How many samples over what is not known of the inputs it has room for; a few at most are run
+    /// though nobody asked.
+    fn samples(&self) -> u32 {
+        0
+    }
+
+    /// Something has happened: asks for what it now wants and stops what it no longer does.
+    fn refresh_requests(&mut self, _model: &mut Model, _on_show: bool) {}
+
     /// Takes the report of a worker if the screen asked for it.
-    pub hear: fn(&mut Model, &mut Option<Report>),
+    fn take_report(&mut self, _model: &mut Model, _report: &mut Option<Report>) {}
+
+    /// Whether something is computed that it asked for.
+    fn is_busy(&self) -> bool {
+        false
+    }
+
     /// Gives up what is under way for this screen; whether anything was.
-    pub cancel: fn(&mut Model) -> bool,
+    fn cancel(&mut self, _model: &mut Model) -> bool {
+        false
+    }
+
+    /// Takes the choice of this place in the list that it opened to mark some.
+    fn mark_choice(&mut self, _model: &mut Model, _place: usize) {}
+
+    /// Proposes what is more exact than the answer on show, or faster, or shall be shown to find
+    /// that out first; whether this is its business, and whether it is to be shown.
+    fn propose(&mut self, _model: &mut Model, _exact: bool) -> Option<bool> {
+        None
+    }
+
     /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be told
     /// of drags from there.
-    pub mouse: fn(&mut Model, Mouse, Rect) -> bool,
-    /// The answer through whose time its clock goes, and the end of that time in s.
-    pub timed: fn(&Model) -> Option<(&Answer, f64)>,
-    /// The courses on show, whose peaks are visited; none where all are.
-    pub courses: fn(&Model) -> Vec<Course>,
-    /// The answers on show, each by its name: what is taken away from here.
-    pub answers: fn(&Model) -> Vec<(String, &Shown)>,
-}
-
-impl Screen {
-    /// A screen that only shows the answer: the wheel goes through its time.
-    pub const fn new(
-        (title, question): (&'static str, &'static str),
-        purpose: &'static str,
-        panes: &'static [Pane],
-        draw: fn(&Model, Rect, &mut Buffer),
-    ) -> Self {
-        Self {
-            title,
-            question,
-            purpose,
-            panes,
-            draw,
-            given: |_, _, _| {},
-            samples: 0,
-            opened: |_| {},
-            attend: |_, _| {},
-            hear: |_, _| {},
-            cancel: |_| false,
-            mouse: |model, mouse, _| {
-                if let Mouse::Wheel(_, step) = mouse {
-                    time::step(model, step.reversed());
-                }
-                false
-            },
-            timed: own_time,
-            courses: |_| Vec::new(),
-            answers: own_answer,
+    fn mouse(&mut self, model: &mut Model, mouse: Mouse, _area: Rect) -> bool {
+        if let Mouse::Wheel(_, step) = mouse {
+            self.step_time(model, step.reversed());
         }
+        false
+    }
+
+    /// The answer through whose time its clock goes, and the end of that time in s.
+    fn timed<'a>(&'a self, model: &'a Model) -> Option<Timed<'a>> {
+        model.timed()
+    }
+
+    /// Goes through that time by a step from frame to frame.
+    fn step_time(&self, model: &mut Model, step: Step) {
+        let mut clock = model.clock;
+        if let Some((answer, window)) = self.timed(model) {
+            let time = clock.time_in(Some((answer, window)));
+            clock.step(step, time, &answer.run.frames, window);
+        }
+        model.clock = clock;
+    }
+
+    /// The courses on show, whose peaks are visited; none where all are.
+    fn courses(&self, _model: &Model) -> Vec<Course> {
+        Vec::new()
+    }
+
+    /// The answers on show, each by its name: what is taken away from here.
+    fn answers<'a>(&'a self, model: &'a Model) -> Vec<(String, &'a Shown)> {
+        model.answer()
     }
 }
 
-/// That of the form.
-pub(super) fn own_answer(model: &Model) -> Vec<(String, &Shown)> {
-    let named = |shown| (model.work.name().to_owned(), shown);
-    model.shown.iter().map(named).collect()
+/// What a key of a screen does to it and to what the screens share.
+pub type Act<S> = fn(&mut S, &mut Model);
+
+/// A key of a screen.
+pub const fn bind<S>(
+    presses: &'static [Press],
+    act: Act<S>,
+    short: &'static str,
+    help: &'static str,
+) -> Binding<Act<S>> {
+    let key = Key::new(presses, short, help);
+    Binding { key, act }
 }
 
-/// That of the form.
-pub(super) fn own_time(model: &Model) -> Option<(&Answer, f64)> {
-    let answer = model.shown.as_ref()?.answer.as_ref();
-    Some((answer, answer.window()))
+/// Keys of a pane, and when they count there.
+#[derive(Clone, Copy)]
+pub struct PaneKeys<S: 'static> {
+    /// The keys.
+    pub table: KeyTable<Act<S>>,
+    /// Whether they count now.
+    pub counts: fn(&S, &Model) -> bool,
+}
+
+impl<S> PaneKeys<S> {
+    /// Keys that always count where their pane has the focus.
+    pub const fn new(title: &'static str, bindings: &'static [Binding<Act<S>>]) -> Self {
+        Self::when(|_, _| true, title, bindings)
+    }
+
+    /// Keys that count there at times.
+    pub const fn when(
+        counts: fn(&S, &Model) -> bool,
+        title: &'static str,
+        bindings: &'static [Binding<Act<S>>],
+    ) -> Self {
+        let table = KeyTable::new(title, bindings);
+        Self { table, counts }
+    }
+}
+
+/// A part of a screen that can have the focus.
+pub struct Pane<S: 'static> {
+    /// What it is called on the screen.
+    pub name: &'static str,
+    /// Its keys; the first table that counts and knows a key wins.
+    pub keys: &'static [PaneKeys<S>],
+    /// Whether the keys of time count too.
+    pub time: TimeKeys,
+}
+
+impl<S> Pane<S> {
+    /// A pane of this name.
+    pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
+        Self { name, keys, time }
+    }
+}
+
+/// A screen that says what its panes are.
+pub trait Panes: Sized + 'static {
+    /// What Tab moves between, at least one.
+    const PANES: &'static [Pane<Self>];
+}
+
+/// What is known of a pane whatever its screen.
+pub struct PaneFacts {
+    /// What it is called on the screen.
+    pub name: &'static str,
+    /// All its keys.
+    pub keys: Vec<KeyList>,
+    /// Whether the keys of time count too.
+    pub time: TimeKeys,
+}
+
+/// What became of a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pressed {
+    /// The screen has none like it.
+    Unknown,
+    /// It was done.
+    Done,
+    /// A value is typed that begins with it.
+    BeginsValue,
+}
+
+/// A screen by its keys. Every screen is one by its [`Panes`].
+pub trait Keyed {
+    /// Its panes.
+    fn panes(&self) -> Vec<PaneFacts>;
+
+    /// The keys that count now.
+    fn keys_now(&self, model: &Model) -> Vec<KeyList>;
+
+    /// Does what a key stands for.
+    fn press(&mut self, model: &mut Model, event: KeyEvent) -> Pressed;
+}
+
+impl<S: Screen + Panes> Keyed for S {
+    fn panes(&self) -> Vec<PaneFacts> {
+        let facts = |pane: &Pane<S>| PaneFacts {
+            name: pane.name,
+            keys: pane.keys.iter().map(|keys| keys.table.list()).collect(),
+            time: pane.time,
+        };
+        S::PANES.iter().map(facts).collect()
+    }
+
+    fn keys_now(&self, model: &Model) -> Vec<KeyList> {
+        let own = S::PANES[self.pane()].keys.iter();
+        let now = own.filter(|keys| (keys.counts)(self, model));
+        now.map(|keys| keys.table.list()).collect()
+    }
+
+    fn press(&mut self, model: &mut Model, event: KeyEvent) -> Pressed {
+        let own = S::PANES[self.pane()].keys.iter();
+        let mut now = own.filter(|keys| (keys.counts)(self, model));
+        let Some(binding) = now.find_map(|keys| keys.table.find(&model.keys, event)) else {
+            return Pressed::Unknown;
+        };
+        if binding.key.begins_value {
+            return Pressed::BeginsValue;
+        }
+        model.form.complaint = None;
+        (binding.act)(self, model);
+        Pressed::Done
+    }
 }

@@ -12,9 +12,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::scenario::library;
+use crate::tui::app::App;
+use crate::tui::app::frame;
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::choices::choices;
 use crate::tui::guest::LONGEST_ANSWER;
-use crate::tui::model::Model;
-use crate::tui::open::choices;
+use crate::tui::outbox::Effect;
 use crate::tui::save::{SaveError, page, remove, rename, save};
 use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
 use crate::tui::terminal::event::Event;
@@ -24,8 +27,6 @@ use crate::tui::terminal::pacer::{Cause, Pacer};
 use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
 use crate::tui::terminal::session::Session;
 use crate::tui::terminal::system;
-use crate::tui::update::{Effect, Message, begin, update};
-use crate::tui::view;
 
 /// How the app runs.
 pub struct Settings {
@@ -44,14 +45,14 @@ const LARGEST: (u16, u16) = (500, 200);
 ///
 /// # Errors
 /// Where the terminal fails.
-pub fn run(model: Model, settings: &Settings) -> io::Result<(u8, Model)> {
+pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     let (send, events) = channel();
     let signals = system::signals()?;
     let session = Session::enter()?;
     system::listen(&send, signals);
-    let mut app = App {
+    let mut event_loop = EventLoop {
         jobs: Jobs::new(send, settings.idle.map(|_| LONGEST_ANSWER)),
-        model,
+        app,
         session,
         events,
         pacer: system::pacer(),
@@ -67,9 +68,9 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<(u8, Model)> {
         idle: settings.idle,
         last_key: Instant::now(),
     };
-    let code = app.run()?;
-    let is_asleep = app.is_asleep();
-    let model = app.end();
+    let code = event_loop.run()?;
+    let is_asleep = event_loop.is_asleep();
+    let app = event_loop.end();
     if is_asleep {
         // Whoever is gone hears nothing.
         let _ = writeln!(
@@ -77,7 +78,7 @@ pub fn run(model: Model, settings: &Settings) -> io::Result<(u8, Model)> {
             "The session ended: no key was pressed for a while."
         );
     }
-    Ok((code, model))
+    Ok((code, app))
 }
 
 /// What the terminal shows, and the pen that drew it.
@@ -95,8 +96,8 @@ fn in_folder(act: impl FnOnce(&Path) -> Result<(), SaveError>) -> Result<(), Sav
     }
 }
 
-struct App {
-    model: Model,
+struct EventLoop {
+    app: App,
     session: Session,
     events: Receiver<Event>,
     jobs: Jobs,
@@ -114,19 +115,19 @@ struct App {
     last_key: Instant,
 }
 
-impl App {
+impl EventLoop {
     /// Leaves the terminal and stops all work.
-    fn end(self) -> Model {
-        self.model
+    fn end(self) -> App {
+        self.app
     }
 
     fn run(&mut self) -> io::Result<u8> {
-        self.session.listen_to_mouse(self.model.mouse)?;
-        let effects = begin(&mut self.model);
+        self.session.listen_to_mouse(self.app.model.mouse)?;
+        let effects = begin(&mut self.app);
         self.perform(effects)?;
         loop {
             if let Some(code) = self.exit {
-                let _ = self.hear_out();
+                let _ = self.wait_for_replies();
                 return Ok(code);
             }
             self.draw_if_due()?;
@@ -164,7 +165,7 @@ impl App {
             .escape_since
             .map(|since| since + self.parser.patience()));
         at(self.idle.map(|idle| self.last_key + idle));
-        let wants_frame = self.dirty || self.model.clock.playing;
+        let wants_frame = self.dirty || self.app.model.clock.playing;
         if wants_frame {
             let due = self.last_frame.map(|last| last + self.frame_time);
             match self.pacer.wake_at() {
@@ -180,7 +181,7 @@ impl App {
 
     fn draw_if_due(&mut self) -> io::Result<()> {
         let now = Instant::now();
-        let animated = self.model.clock.playing
+        let animated = self.app.model.clock.playing
             && self
                 .last_frame
                 .is_none_or(|last| now.saturating_duration_since(last) >= self.frame_time);
@@ -197,7 +198,7 @@ impl App {
             return probe.map_or(Ok(()), |column| self.session.write(&question(column)));
         }
         self.tick();
-        self.model.slow_link = self.pacer.is_slow();
+        self.app.model.slow_link = self.pacer.is_slow();
         self.dirty = false;
         self.last_frame = Some(now);
         self.draw(now)
@@ -207,26 +208,26 @@ impl App {
         let (width, height) = crossterm::terminal::size().unwrap_or((80, 24));
         let area = Rect::new(0, 0, width.clamp(1, LARGEST.0), height.clamp(1, LARGEST.1));
         let mut next = Buffer::empty(area);
-        view::draw(&self.model, &mut next);
-        let mut frame = BEGIN.to_vec();
+        frame::draw(&self.app, &mut next);
+        let mut bytes = BEGIN.to_vec();
         if self.screen.shown.area != area {
             self.screen = Screen {
                 shown: Buffer::empty(area),
                 pen: Pen::default(),
             };
-            frame.extend_from_slice(b"\x1b[0m\x1b[2J");
+            bytes.extend_from_slice(b"\x1b[0m\x1b[2J");
         }
-        let empty = frame.len();
-        self.screen.pen.draw(&self.screen.shown, &next, &mut frame);
+        let empty = bytes.len();
+        self.screen.pen.draw(&self.screen.shown, &next, &mut bytes);
         self.screen.shown = next;
-        if frame.len() == empty && empty == BEGIN.len() {
+        if bytes.len() == empty && empty == BEGIN.len() {
             return Ok(());
         }
-        frame.extend_from_slice(END);
-        if let Some(column) = self.pacer.sent(now, frame.len()) {
-            frame.extend(question(column));
+        bytes.extend_from_slice(END);
+        if let Some(column) = self.pacer.sent(now, bytes.len()) {
+            bytes.extend(question(column));
         }
-        self.session.write(&frame)
+        self.session.write(&bytes)
     }
 
     fn take(&mut self, event: Event) -> io::Result<()> {
@@ -284,7 +285,7 @@ impl App {
                 self.tell(Message::Key(event))
             }
             Input::Paste(text) => self.tell(Message::Paste(text)),
-            Input::Mouse(event) if self.model.mouse => {
+            Input::Mouse(event) if self.app.model.mouse => {
                 let area = self.screen.shown.area;
                 self.tell(Message::Mouse(event, (area.width, area.height)))
             }
@@ -301,20 +302,20 @@ impl App {
     /// Tells the model what time it is. It must know before a key starts the replay, or the replay
     /// would begin with all the time that passed since the last frame.
     fn tick(&mut self) {
-        let effects = update(&mut self.model, Message::Tick(self.started.elapsed()));
+        let effects = update(&mut self.app, Message::Tick(self.started.elapsed()));
         debug_assert!(effects.is_empty(), "time alone asks for nothing");
     }
 
     fn tell(&mut self, message: Message) -> io::Result<()> {
         self.dirty = true;
         self.tick();
-        let effects = update(&mut self.model, message);
+        let effects = update(&mut self.app, message);
         self.perform(effects)
     }
 
     /// Waits for the replies that are still under way: whoever reads the terminal next would take
     /// them for typed text. Everything else that comes meanwhile is returned.
-    fn hear_out(&mut self) -> Vec<Event> {
+    fn wait_for_replies(&mut self) -> Vec<Event> {
         let mut news = Vec::new();
         let until = Instant::now() + self.pacer.farewell();
         while self.pacer.awaits() {
@@ -397,8 +398,8 @@ impl App {
         Ok(())
     }
 
-    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as well, since
-    /// tmux may pass on one or the other.
+    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as
+    /// well, since tmux may pass on one or the other.
     fn copy(&mut self, text: &str) -> io::Result<()> {
         let said = match clipboard(|name| std::env::var(name).ok()) {
             Clipboard::None => "this terminal has no clipboard",
@@ -413,7 +414,7 @@ impl App {
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
     /// and the app stays. Keys typed before the shell has the terminal wait until then.
     fn suspend(&mut self) -> io::Result<()> {
-        let mut news = self.hear_out();
+        let mut news = self.wait_for_replies();
         // Who asks twice wants to stop once.
         news.retain(|event| !event.is_suspend());
         if !news.iter().any(Event::is_end) {

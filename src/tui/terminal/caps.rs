@@ -78,9 +78,9 @@ fn by_environment(no_color: bool, rich: bool, term: &str) -> Depth {
     }
 }
 
-/// The symbols to use. The consoles of Linux and of real terminals have no braille, and a locale that
-/// is not in UTF-8 has nothing beyond ASCII. Where no locale is set nobody knows; most terminals have
-/// all of it.
+/// The symbols to use. The consoles of Linux and of real terminals have no braille, and a locale
+/// that is not in UTF-8 has nothing beyond ASCII. Where no locale is set nobody knows; most
+/// terminals have all of it.
 pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> Symbols {
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()

@@ -1,7 +1,8 @@
-//! The clipboard of whoever sits at the terminal, by OSC 52: it works over ssh, since the terminal has it.
+//! The clipboard of whoever sits at the terminal, by OSC 52: it works over ssh, since the terminal
+//! has it.
 //!
-//! Left out: asking whether the terminal takes it. Most that do not pass over it in silence, and those known to
-//! print it get none.
+//! Left out: asking whether the terminal takes it. Most that do not pass over it in silence, and
+//! those known to print it get none.
 
 use crossterm::Command;
 use crossterm::clipboard::CopyToClipboard;

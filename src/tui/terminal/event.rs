@@ -1,8 +1,8 @@
 //! What comes from outside.
 
-use crate::tui::keys::shared::SUSPEND;
+use crate::tui::app::update::Message;
+use crate::tui::keys::press::SUSPEND;
 use crate::tui::terminal::input::Input;
-use crate::tui::update::Message;
 
 /// Something that came from outside.
 pub(super) enum Event {

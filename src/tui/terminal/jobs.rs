@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use std::sync::mpsc::Sender;
 use std::time::Duration;
 
-use crate::tui::task::{Request, Ticket};
+use crate::tui::app::update::Message;
+use crate::tui::request::{Request, Ticket};
 use crate::tui::terminal::event::Event;
-use crate::tui::update::Message;
 use crate::tui::worker::Worker;
 
 /// One thread a kind of question.
@@ -19,7 +19,8 @@ pub(super) struct Jobs {
 }
 
 impl Jobs {
-    /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is stopped.
+    /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is
+    /// stopped.
     pub(super) fn new(send: Sender<Event>, limit: Option<Duration>) -> Self {
         let workers = HashMap::new();
         Self {

@@ -6,10 +6,11 @@
 //! and 12 frames a second a replay is 23 kB/s, so that on a link of 8 kB/s the queue would grow by 15 kB
 //! every second, and a key would wait 19 s after ten; with it the slowest of three keys waited 0.30 s.
 //!
-//! Each reply names its question, so a late one frees no later frame and a lost one is not missed. A
-//! terminal that has ever answered and falls silent is stopped, or its link is: it gets no more frames,
-//! only a bare question now and then in case a reply was lost, and goes on with the first reply. A
-//! terminal that has never answered is asked twice; then a budget of bytes a second takes over.
+//! Each reply names its question, so a late one frees no later frame and a lost one is not missed.
+//! A terminal that has ever answered and falls silent is stopped, or its link is: it gets no more
+//! frames, only a bare question now and then in case a reply was lost, and goes on with the first
+//! reply. A terminal that has never answered is asked twice; then a budget of bytes a second takes
+//! over.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -73,7 +74,8 @@ pub enum Cause {
 }
 
 impl Pacer {
-    /// For a terminal that has shown a frame when the write returns: nothing is asked or waited for.
+    /// For a terminal that has shown a frame when the write returns: nothing is asked or waited
+    /// for.
     pub fn local() -> Self {
         Self {
             local: true,
@@ -123,8 +125,8 @@ impl Pacer {
         Some(last.since + (PATIENCE * 2_u32.pow(bare as u32)).min(LONGEST_SILENCE))
     }
 
-    /// A reply came, from this column. Older questions will not be answered any more. A terminal that
-    /// does not know its columns is taken to answer in turn.
+    /// A reply came, from this column. Older questions will not be answered any more. A terminal
+    /// that does not know its columns is taken to answer in turn.
     pub fn replied(&mut self, now: Instant, column: u8) {
         (self.answers, self.silences, self.free_at) = (true, 0, None);
         let place = self.open.iter().position(|q| q.column == column);

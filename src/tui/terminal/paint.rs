@@ -18,8 +18,8 @@ pub const BEGIN: &[u8] = b"\x1b[?2026h";
 /// Ends it: the terminal shows the whole frame at once.
 pub const END: &[u8] = b"\x1b[?2026l";
 
-/// Puts the cursor, which nobody sees, into a column of the first row and asks where it is: the reply
-/// says which question it answers.
+/// Puts the cursor, which nobody sees, into a column of the first row and asks where it is: the
+/// reply says which question it answers.
 pub fn question(column: u8) -> Vec<u8> {
     format!("\x1b[1;{column}H\x1b[6n").into_bytes()
 }

@@ -57,9 +57,9 @@ const LAST_WORDS: Timespec = Timespec {
     tv_nsec: 200_000_000,
 };
 
-/// Gives the terminal back when the program aborts, as it does when memory runs out: by then no thread
-/// of it runs any more, and nothing can be allocated. `is_entered` says whether there is anything to
-/// give back, and must do no more than that.
+/// Gives the terminal back when the program aborts, as it does when memory runs out: by then no
+/// thread of it runs any more, and nothing can be allocated. `is_entered` says whether there is
+/// anything to give back, and must do no more than that.
 ///
 /// # Errors
 /// Where there is no terminal or the system refuses a handler.
@@ -82,8 +82,8 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
         }
         let _ = emulate_default_handler(SIGABRT);
     };
-    // SAFETY: the handler reads an atomic, makes system calls that are allowed in one (poll, write and
-    // tcsetattr of POSIX) and neither allocates, locks nor panics.
+    // SAFETY: the handler reads an atomic, makes system calls that are allowed in one (poll, write
+    // and tcsetattr of POSIX) and neither allocates, locks nor panics.
     unsafe { signal_hook::low_level::register(SIGABRT, handler)? };
     Ok(())
 }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::text::significant;
-use crate::tui::model::Look;
+use crate::tui::look::Look;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
@@ -37,7 +37,8 @@ const ACTIVE: f64 = 0.02;
 /// Left before and after, as a share of the whole.
 const LEFT: f64 = 0.03;
 
-/// From when to when something happens in any of some values over the same times, of all up to `window`.
+/// From when to when something happens in any of some values over the same times, of all up to
+/// `window`.
 pub fn active<'a>(
     time: &[f64],
     values: impl Iterator<Item = &'a [f64]>,
@@ -83,8 +84,8 @@ fn range(curves: &[Curve], (from, to): (f64, f64)) -> (f64, f64) {
     range
 }
 
-/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots spans all values
-/// that fall into it, so no peak is lost.
+/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots
+/// spans all values that fall into it, so no peak is lost.
 fn plot(
     raster: &mut Raster,
     curves: &[Curve],
@@ -284,6 +285,11 @@ fn ticks(low: f64, high: f64, count: usize) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// Tells curves apart in ASCII and in legends without colour.
+pub fn mark(index: usize) -> char {
+    ['1', '2', '3', '4', '5', '6'][index % 6]
 }
 
 #[cfg(test)]

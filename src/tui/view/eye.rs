@@ -18,7 +18,8 @@ use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::Kind;
 use crate::tui::clock::Detail;
-use crate::tui::model::{Look, Shown};
+use crate::tui::look::Look;
+use crate::tui::shown::Shown;
 use crate::tui::terminal::caps::Symbols;
 use crate::tui::view::fill::fill;
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
@@ -357,8 +358,8 @@ impl Picture<'_> {
         digits
     }
 
-    /// The nodes whose forces are shown, by the first letter of their names; the one that has its peak now in
-    /// reverse.
+    /// The nodes whose forces are shown, by the first letter of their names; the one that has its
+    /// peak now in reverse.
     fn monitors(&self, raster: &Raster) -> Vec<((u16, u16), char, Style)> {
         let forces = [
             Quantity::ForceCentre,

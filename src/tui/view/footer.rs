@@ -3,14 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::tui::keys::live;
-use crate::tui::model::{Model, Overlay};
-use crate::tui::take_away::writing;
+use crate::tui::model::Model;
+use crate::tui::overlay::Overlay;
+use crate::tui::page::writing;
 use crate::tui::view::text::{fitted, put, width};
 use crate::tui::view::theme::Theme;
 
-/// Draws the footer.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+/// Draws the footer with the keys that work now and their words.
+pub fn draw(model: &Model, live: Vec<(String, &str)>, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     buffer.set_style(area, theme.bar());
     let mut x = 1;
@@ -25,15 +25,14 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     if let Some(Overlay::Question(question)) = &model.overlay {
         x = put(buffer, area, (x, 0), &question.brief(), theme.bar_strong()) + 2;
     }
-    if let Some(writing) = writing(model) {
+    if let Some(writing) = writing(&model.page) {
         x = put(buffer, area, (x, 0), &writing, theme.bar_strong()) + 2;
     } else if let Some(ahead) = model.ahead() {
         x = put(buffer, area, (x, 0), &format!("idle: {ahead}"), theme.bar()) + 2;
     }
     // The keys for help and for leaving are always there.
     let is_last = |word: &str| word == "keys" || word == "quit";
-    let (last, first): (Vec<_>, Vec<_>) =
-        live(model).into_iter().partition(|(_, word)| is_last(word));
+    let (last, first): (Vec<_>, Vec<_>) = live.into_iter().partition(|(_, word)| is_last(word));
     let wide = |(keys, word): &(String, &str)| width(keys) + width(word) + 3;
     let reserved: u16 = last.iter().map(wide).sum();
     let mut show = |entry: &(String, &str), x: u16| {

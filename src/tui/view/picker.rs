@@ -3,10 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::tui::model::{Choice, Model};
+use crate::tui::choices::Choice;
+use crate::tui::model::Model;
 use crate::tui::picker::{Picker, facts};
-use crate::tui::screens::forces::mark;
-use crate::tui::view::overlay::{frame, input};
+use crate::tui::view::chart::mark;
+use crate::tui::view::popup::{frame, input};
 use crate::tui::view::text::{fitted, put, put_right, seen, width};
 use crate::tui::view::theme::Theme;
 
@@ -31,7 +32,7 @@ pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let title = match picker {
         _ if picker.first => "What hit the eye?",
-        _ if picker.marks => "Mark two to six",
+        _ if picker.marked.is_some() => "Mark two to six",
         _ => "Open",
     };
     let below = if picker.first {
@@ -55,9 +56,9 @@ pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         let line = Rect::new(inside.x, inside.y + y, inside.width, 1);
         let choice = &model.choices[*at];
         row(choice, i == picker.row, theme, line, buffer);
-        let entries = model.screens.compare.entries.iter();
-        let place = entries.enumerate().find(|(_, e)| e.name == choice.name);
-        if let Some((place, _)) = place.filter(|_| picker.marks) {
+        let marked = picker.marked.iter().flatten();
+        let place = marked.enumerate().find(|(_, name)| **name == choice.name);
+        if let Some((place, _)) = place {
             let sign = format!("[{}]", mark(place));
             put(buffer, line, (MARK, 0), &sign, theme.curve(place));
         }

@@ -5,7 +5,7 @@ use ratatui::style::{Color, Modifier, Style};
 
 use crate::injury::gravity;
 use crate::run::places::Region;
-use crate::tui::model::Look;
+use crate::tui::look::Look;
 use crate::tui::terminal::caps::Depth;
 use crate::tui::view::palette::{Colour, Colours};
 

@@ -8,7 +8,7 @@ use crate::report::threshold::{brief, never};
 use crate::tui::form::typed_text;
 use crate::tui::model::Model;
 use crate::tui::threshold::Asking;
-use crate::tui::view::overlay::{frame, input};
+use crate::tui::view::popup::{frame, input};
 use crate::tui::view::text::{flag_name, put, width, wrapped};
 use crate::tui::view::theme::Theme;
 

@@ -17,8 +17,9 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{NumericsInput, Scenario};
+use crate::tui::request::{Question, Report};
 use crate::tui::step::Step;
-use crate::tui::task::{Question, Report, Task};
+use crate::tui::task::Task;
 
 /// What there is so far is shown this often at most.
 const SHOW_EVERY: Duration = Duration::from_millis(200);
@@ -90,8 +91,6 @@ pub struct Measurement {
     chosen: Option<Quantity>,
     /// Whether something more exact, or something faster, is to be proposed once it is known.
     pub wish: Option<bool>,
-    /// What is proposed.
-    pub proposal: Option<Proposal>,
 }
 
 impl Measurement {
@@ -124,8 +123,8 @@ impl Measurement {
     }
 
     /// Takes in what a worker says of it.
-    pub fn hear(&mut self, report: &mut Option<Report>) {
-        if let Some((question, Some(totals))) = self.task.hear(report) {
+    pub fn take_measured(&mut self, report: &mut Option<Report>) {
+        if let Some((question, Some(totals))) = self.task.take_report(report) {
             self.known = Some((question.scenario.clone(), Arc::new(totals)));
         }
     }
@@ -177,7 +176,7 @@ impl Measurement {
 
     /// Something more exact than the scenario is solved now, or something faster; an error says why
     /// there is none, and nothing that too little is known yet.
-    pub fn propose(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
+    pub fn proposal(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
         let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
         let shown = known.of(of);
         let present = present(scenario, &shown)?;

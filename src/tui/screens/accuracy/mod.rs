@@ -1,155 +1,128 @@
-//! Total error against time: measures mesh levels, integrators and steps while it is on show, adopts what is
-//! chosen, and proposes what is more exact or faster.
+//! Total error against time: measures mesh levels, integrators and steps while it is on show,
+//! adopts what is chosen, and proposes what is more exact or faster.
 
 mod log_axis;
 pub mod measurement;
 mod view;
 
-use crate::scenario::Scenario;
-use crate::tui::form::words;
-use crate::tui::keys::shared::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT};
-use crate::tui::keys::{KeyTable, TimeKeys, bind, c};
-use crate::tui::model::{Model, Overlay, Question};
-use crate::tui::screens::{Mouse, Pane, SCREENS, Screen};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::tui::changes::edit::adopt;
+use crate::tui::keys::TimeKeys;
+use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
+use crate::tui::model::Model;
+use crate::tui::overlay::{Overlay, Question};
+use crate::tui::request::Report;
+use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
-use crate::tui::update::{change, show};
-use measurement::adopted;
+use measurement::{Measurement, Proposal, adopted};
 
-const TITLE: &str = "Accuracy";
-
-pub(crate) const SCREEN: Screen = Screen {
-    attend,
-    hear: |model, report| model.screens.accuracy.hear(report),
-    cancel: |model| {
-        model
-            .screens
-            .accuracy
-            .task
-            .stop(Some("stopped"), &mut model.out)
-    },
-    mouse: |model, mouse, _| {
-        if let Mouse::Wheel(_, by) = mouse {
-            step(model, by.reversed());
-        }
-        false
-    },
-    ..Screen::new(
-        (TITLE, "How exact, at what cost?"),
-        "total error against time",
-        &[Pane {
-            name: "points",
-            keys: &[KEYS],
-            time: TimeKeys::Absent,
-        }],
-        view::draw,
-    )
+pub(super) const ABOUT: About = About {
+    title: "Accuracy",
+    question: "How exact, at what cost?",
+    purpose: "total error against time",
+    new: || Box::new(Measurement::default()),
 };
 
+impl Panes for Measurement {
+    const PANES: &'static [Pane<Self>] = &[Pane::new("points", TimeKeys::Absent, &[KEYS])];
+}
+
 #[rustfmt::skip]
-const KEYS: KeyTable = KeyTable::new(TITLE, &[
-    bind(&[LEFT, c('h')], |m| step(m, Step::LESS), "point", "the next faster point"),
-    bind(&[RIGHT, c('l')], |m| step(m, Step::MORE), "&", "the next slower point"),
-    bind(&[ENTER], adopt, "adopt", "give the scenario its level, integrator and step"),
-    bind(&[SHIFT_LEFT, c('H')], |m| step(m, Step::MUCH_LESS), "", "the next faster point of the front"),
-    bind(&[SHIFT_RIGHT, c('L')], |m| step(m, Step::MUCH_MORE), "", "the next slower point of the front"),
-    bind(&[c('v')], next_result, "result", "the error of the next result"),
-    bind(&[c('m')], start, "", "go on after Esc, or measure again"),
+const KEYS: PaneKeys<Measurement> = PaneKeys::new(ABOUT.title, &[
+    bind(&[LEFT, c('h')], |s, m| s.step(&m.work.scenario, Step::LESS), "point", "the next faster point"),
+    bind(&[RIGHT, c('l')], |s, m| s.step(&m.work.scenario, Step::MORE), "&", "the next slower point"),
+    bind(&[ENTER], Measurement::adopt_chosen, "adopt", "give the scenario its level, integrator and step"),
+    bind(&[SHIFT_LEFT, c('H')], |s, m| s.step(&m.work.scenario, Step::MUCH_LESS), "", "the next faster point of the front"),
+    bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step(&m.work.scenario, Step::MUCH_MORE), "", "the next slower point of the front"),
+    bind(&[c('v')], |s, m| s.next_result(&m.work.scenario), "result", "the error of the next result"),
+    bind(&[c('m')], |s, _| s.measure_again(), "", "go on after Esc, or measure again"),
 ]);
 
-fn step(model: &mut Model, step: Step) {
-    model.screens.accuracy.step(&model.work.scenario, step);
-}
+impl Screen for Measurement {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        view::draw(self, model, area, buffer);
+    }
 
-fn next_result(model: &mut Model) {
-    model.screens.accuracy.next_result(&model.work.scenario);
-}
+    /// Measures while the screen is on show what is not known yet; asks what was wished for once it
+    /// is known.
+    fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
+        let scenario = &model.work.scenario;
+        let free = on_show && self.complaint(scenario).is_none();
+        let wanted = self.lacking(scenario).filter(|_| free);
+        if self.task.job.is_some() && !(wanted.is_some() && self.measures(scenario)) {
+            self.task.stop(None, &mut model.out);
+        }
+        if let (Some(question), None) = (wanted, &self.task.job) {
+            self.task.ask(question, &mut model.out);
+        }
+        if !on_show {
+            self.wish = None;
+        } else if let Some(exact) = self.wish
+            && model.overlay.is_none()
+            && let Some(found) = self.proposal(scenario, exact)
+        {
+            self.wish = None;
+            ask(model, found);
+        }
+    }
 
-/// Goes on, or begins again where nothing is left.
-fn start(model: &mut Model) {
-    let accuracy = &mut model.screens.accuracy;
-    if accuracy.task.complaint.take().is_none() && accuracy.task.job.is_none() {
-        accuracy.known = None;
+    fn take_report(&mut self, _: &mut Model, report: &mut Option<Report>) {
+        self.take_measured(report);
+    }
+
+    fn is_busy(&self) -> bool {
+        self.task.job.is_some()
+    }
+
+    fn cancel(&mut self, model: &mut Model) -> bool {
+        self.task.stop(Some("stopped"), &mut model.out)
+    }
+
+    fn propose(&mut self, model: &mut Model, exact: bool) -> Option<bool> {
+        if let Some(found) = self.proposal(&model.work.scenario, exact) {
+            ask(model, found);
+            return Some(false);
+        }
+        self.wish = Some(exact);
+        let words = "measuring first what each level and step costs: the question follows";
+        model.notice = Some(words.to_owned());
+        Some(true)
+    }
+
+    fn mouse(&mut self, model: &mut Model, mouse: Mouse, _: Rect) -> bool {
+        if let Mouse::Wheel(_, by) = mouse {
+            self.step(&model.work.scenario, by.reversed());
+        }
+        false
     }
 }
 
-/// Measures while the screen is on show what is not known yet; asks what was wished for once it is known.
-fn attend(model: &mut Model, on_show: bool) {
-    let scenario = &model.work.scenario;
-    let accuracy = &mut model.screens.accuracy;
-    let free = on_show && accuracy.complaint(scenario).is_none();
-    let wanted = accuracy.lacking(scenario).filter(|_| free);
-    if accuracy.task.job.is_some() && !(wanted.is_some() && accuracy.measures(scenario)) {
-        accuracy.task.stop(None, &mut model.out);
+impl Measurement {
+    /// Goes on, or begins again where nothing is left.
+    fn measure_again(&mut self) {
+        if self.task.complaint.take().is_none() && self.task.job.is_none() {
+            self.known = None;
+        }
     }
-    if let (Some(question), None) = (wanted, &accuracy.task.job) {
-        accuracy.task.ask(question, &mut model.out);
-    }
-    if !on_show {
-        accuracy.wish = None;
-    } else if let Some(exact) = accuracy.wish
-        && model.overlay.is_none()
-        && let Some(found) = accuracy.propose(scenario, exact)
-    {
-        accuracy.wish = None;
-        answer(model, found);
+
+    /// Gives the scenario level, integrator and step of the point under the cursor.
+    fn adopt_chosen(&mut self, model: &mut Model) {
+        let shown = self.shown(&model.work.scenario);
+        if let Some(total) = shown.get(self.place(&shown)) {
+            adopt(model, adopted(&model.work.scenario, total));
+        }
     }
 }
 
-/// Proposes what is more exact, or faster, and says what it costs; what must be measured first is shown.
-pub(crate) fn propose(model: &mut Model, exact: bool) {
-    let found = model.screens.accuracy.propose(&model.work.scenario, exact);
-    if let Some(found) = found {
-        answer(model, found);
-        return;
-    }
-    let place = SCREENS.iter().position(|screen| screen.title == TITLE);
-    show(model, place.unwrap_or(model.screen));
-    model.screens.accuracy.wish = Some(exact);
-    let words = "measuring first what each level and step costs: the question follows";
-    model.notice = Some(words.to_owned());
-}
-
-fn answer(model: &mut Model, found: Result<measurement::Proposal, String>) {
+/// Asks whether to do what was found, or says why nothing was.
+fn ask(model: &mut Model, found: Result<Proposal, String>) {
     match found {
-        Ok(proposal) => {
-            let words = proposal.words.clone();
-            model.overlay = Some(Overlay::Question(Question::Adopt(words)));
-            model.screens.accuracy.proposal = Some(proposal);
+        Ok(Proposal { words, scenario }) => {
+            let question = Question::Adopt(words, Box::new(scenario));
+            model.overlay = Some(Overlay::Question(question));
         }
         Err(why) => model.notice = Some(why),
-    }
-}
-
-/// Does what was proposed.
-pub(crate) fn accept(model: &mut Model) {
-    if let Some(proposal) = model.screens.accuracy.proposal.take() {
-        take(model, proposal.scenario);
-    }
-}
-
-/// Gives the scenario level, integrator and step of the point under the cursor.
-fn adopt(model: &mut Model) {
-    let shown = model.screens.accuracy.shown(&model.work.scenario);
-    if let Some(total) = shown.get(model.screens.accuracy.place(&shown)) {
-        let scenario = adopted(&model.work.scenario, total);
-        take(model, scenario);
-    }
-}
-
-fn take(model: &mut Model, scenario: Scenario) {
-    if let Err(error) = scenario.check() {
-        model.notice = Some(words(&error));
-        return;
-    }
-    let (level, numerics) = (scenario.eye.level, &scenario.numerics);
-    let how = match (numerics.integrator, numerics.step_us) {
-        (Some(integrator), Some(step)) => format!("{}, step {step} µs", integrator.name()),
-        _ => "automatic integrator and step".to_owned(),
-    };
-    let notice = format!("adopted level {level}, {how}; u takes it back");
-    let work = model.work.with(scenario);
-    change(model, work, "");
-    if model.notice.is_none() {
-        model.notice = Some(notice);
     }
 }

@@ -16,8 +16,10 @@ use crate::many::accuracy::cheapest;
 use crate::report::text::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
-use crate::tui::model::{Look, Model};
+use crate::tui::look::Look;
+use crate::tui::model::Model;
 use crate::tui::screens::accuracy::log_axis::{Axis, tick_label};
+use crate::tui::screens::accuracy::measurement::Measurement;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
@@ -43,12 +45,11 @@ fn style(theme: Theme, total: &Total) -> Style {
 }
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(accuracy: &Measurement, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let accuracy = &model.screens.accuracy;
     let scenario = &model.work.scenario;
     let shown = accuracy.shown(scenario);
-    let (said, style) = status(model, theme);
+    let (said, style) = status(accuracy, model, theme);
     let of = accuracy.quantity(scenario).map_or("", Quantity::label);
     let full = format!("How exact, at what cost? Error of the {of} in % against time");
     let brief = format!("How exact? Error of the {of}, %");
@@ -63,7 +64,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         accuracy.quantity(scenario),
         shown.is_empty(),
     ) else {
-        let text = waiting(model);
+        let text = waiting(accuracy, model);
         for (row, line) in (2..).zip(wrapped(&text, usize::from(room))) {
             put(buffer, area, (1, row), &line, theme.text());
         }
@@ -94,8 +95,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 /// What stands in place of the chart before there is one.
-fn waiting(model: &Model) -> String {
-    let accuracy = &model.screens.accuracy;
+fn waiting(accuracy: &Measurement, model: &Model) -> String {
     match accuracy.of(&model.work.scenario) {
         known if accuracy.task.job.is_some() => {
             let levels = known.map_or(0, |known| known.levels.len());
@@ -114,8 +114,7 @@ fn waiting(model: &Model) -> String {
     }
 }
 
-fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let accuracy = &model.screens.accuracy;
+fn status(accuracy: &Measurement, model: &Model, theme: Theme) -> (String, Style) {
     if let Some(pace) = accuracy.task.pace(None) {
         (format!("{pace}  Esc stops"), theme.warning())
     } else if let Some(why) = accuracy.complaint(&model.work.scenario) {

@@ -7,7 +7,8 @@ use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};
 use crate::run::quantity::Quantity;
 
-/// What an answer has in a column, and how far that may be off. Whether a mesh error is still to come.
+/// What an answer has in a column, and how far that may be off. Whether a mesh error is still to
+/// come.
 pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {
     let nothing = || ("-".to_owned(), String::new());
     match column {

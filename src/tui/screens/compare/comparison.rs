@@ -5,14 +5,21 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
-use crate::many::comparison::{Column, Entry, Found, columns, order};
+use crate::many::comparison::Column;
+use crate::many::comparison::Entry;
+use crate::many::comparison::Found;
+use crate::many::comparison::columns;
+use crate::many::comparison::order;
 use crate::report;
 use crate::run::course::{Beside, Course};
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
 use crate::scenario::Scenario;
-use crate::tui::model::Shown;
-use crate::tui::screens::compare::{EstimateMarked, SimulateMarked};
+use crate::tui::request::Question;
+use crate::tui::shown::Shown;
+use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::Task;
 use crate::tui::work::brief;
 
@@ -20,6 +27,45 @@ use crate::tui::work::brief;
 pub const FORM: &str = "(the form)";
 /// As many as fit side by side.
 pub const MAX_MARKED: usize = 6;
+
+/// The places of the panes.
+pub const LIST: usize = 0;
+pub const TABLE: usize = 1;
+pub const REPLAYS: usize = 2;
+
+/// Asks for the answer to a marked scenario.
+#[derive(Debug)]
+pub struct SimulateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// What is simulated for its column.
+    pub scenario: Scenario,
+}
+
+impl Question for SimulateMarked {
+    type Answer = Answer;
+
+    fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
+        Simulate(self.scenario.clone()).answer(watch)
+    }
+}
+
+/// Asks for the mesh error of a marked scenario's answer.
+#[derive(Debug)]
+pub struct EstimateMarked {
+    /// Its name in the list.
+    pub name: String,
+    /// What is estimated.
+    pub mesh: EstimateMesh,
+}
+
+impl Question for EstimateMarked {
+    type Answer = MeshError;
+
+    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
+        self.mesh.answer(watch)
+    }
+}
 
 /// What stands at the same time in all replays and curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -77,6 +123,8 @@ pub type Marked = Entry<Box<Shown>>;
 /// The comparison.
 #[derive(Debug, Default)]
 pub struct Comparison {
+    /// The place of the pane with the focus.
+    pub pane: usize,
     /// What is marked, in the order of marking; differences are against the first.
     pub entries: Vec<Marked>,
     /// The row with the cursor in the list of presets.
@@ -189,7 +237,8 @@ impl Comparison {
         };
     }
 
-    /// The column that sorts the table: by itself the risk of the gravest injury, where there is one.
+    /// The column that sorts the table: by itself the risk of the gravest injury, where there is
+    /// one.
     pub fn sorting(&self) -> Option<(Column, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_believed());
@@ -205,8 +254,8 @@ impl Comparison {
         entries
     }
 
-    /// That a risk rests on one measure here and on another there, if so: of the column with the cursor, of the
-    /// one that sorts, or of the first of `shown`.
+    /// That a risk rests on one measure here and on another there, if so: of the column with the
+    /// cursor, of the one that sorts, or of the first of `shown`.
     pub fn mixed(&self, shown: &[Column]) -> Option<String> {
         let answers = self.entries.iter();
         let answers = answers.filter_map(|entry| Some((brief(&entry.name), entry.answer()?)));

@@ -6,17 +6,22 @@ use ratatui::layout::Rect;
 use crate::answer::solve::Answer;
 use crate::run::course::Course;
 use crate::tui::model::Model;
-use crate::tui::screens::compare::comparison::Alignment;
-use crate::tui::screens::forces::mark;
+use crate::tui::screens::compare::comparison::{Alignment, Comparison};
+use crate::tui::view::chart::mark;
 use crate::tui::view::chart::{Chart, Curve};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::theme::Theme;
 
 /// One curve of every entry in one chart.
-pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut Buffer) {
+pub(super) fn overlaid(
+    compare: &Comparison,
+    model: &Model,
+    course: Course,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
     let row = course.row();
-    let compare = &model.screens.compare;
     // Each on the time of the first.
     let shifted = |answer: &Answer| -> Option<Vec<f64>> {
         let shift = compare.shift(answer);
@@ -51,15 +56,15 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
             })
         })
         .collect();
-    let Some(window) = model.screens.compare.window() else {
+    let Some(window) = compare.window() else {
         return;
     };
     let reading = match compare.alignment {
-        Alignment::Clock => format!("{:.3} ms", model.time() * 1e3),
-        other => format!("{}, {:.3} ms", other.words(), model.time() * 1e3),
+        Alignment::Clock => format!("{:.3} ms", compare.time(model) * 1e3),
+        other => format!("{}, {:.3} ms", other.words(), compare.time(model) * 1e3),
     };
     // What drives the eye is a load for some and a contact for others.
-    let entries = model.screens.compare.entries.iter();
+    let entries = compare.entries.iter();
     let mut labels: Vec<&str> = entries
         .filter_map(|entry| Some(course.label(entry.answer()?.run.traces.as_ref()?)))
         .collect();
@@ -70,7 +75,7 @@ pub(super) fn overlaid(model: &Model, course: Course, area: Rect, buffer: &mut B
         reading: &reading,
         curves,
         span: (0.0, window),
-        cursor: model.time(),
+        cursor: compare.time(model),
         look: model.look,
     }
     .draw(area, buffer);

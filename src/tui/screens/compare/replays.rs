@@ -5,19 +5,20 @@ use ratatui::layout::Rect;
 
 use crate::many::comparison::Found;
 use crate::tui::model::Model;
+use crate::tui::screens::compare::comparison::Comparison;
 use crate::tui::screens::compare::view::heading;
-use crate::tui::screens::forces::mark;
 use crate::tui::screens::replay::pressures;
+use crate::tui::view::chart::mark;
 use crate::tui::view::eye::Scene;
 use crate::tui::view::text::{fitted, put, put_right};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
 /// Side by side, all at the same time and on the same scale of force.
-pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub(super) fn replays(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    heading(model, area, "", buffer);
-    let entries = &model.screens.compare.entries;
+    heading(compare, model, area, "", buffer);
+    let entries = &compare.entries;
     if entries.is_empty() {
         return;
     }
@@ -37,8 +38,8 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         1 => String::new(),
         times => format!("  shown {times}x larger"),
     };
-    let aligned = model.screens.compare.alignment.words();
-    let text = format!("{:.3} ms{zoom}  {aligned}", model.time() * 1e3);
+    let aligned = compare.alignment.words();
+    let text = format!("{:.3} ms{zoom}  {aligned}", compare.time(model) * 1e3);
     put_right(buffer, area, (area.width - 1, 0), &text, theme.strong());
     let count = entries.len() as u16;
     let rows = if count > 3 { 2 } else { 1 };
@@ -59,7 +60,7 @@ pub(super) fn replays(model: &Model, area: Rect, buffer: &mut Buffer) {
         match &entry.found {
             Found::Answer(shown) => Scene {
                 shown,
-                time: (model.time() + model.screens.compare.shift(&shown.answer))
+                time: (compare.time(model) + compare.shift(&shown.answer))
                     .clamp(0.0, shown.answer.window()),
                 largest,
                 highest: pressures(model, shown).and(highest),

@@ -7,32 +7,41 @@ use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::{Column, Found};
 use crate::tui::model::Model;
-use crate::tui::screens::forces::mark;
+use crate::tui::view::chart::mark;
 use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
 use crate::tui::screens::compare::cell::cell;
-use crate::tui::screens::compare::comparison::{Comparison, FORM, Marked};
+use crate::tui::screens::compare::comparison::Comparison;
+use crate::tui::screens::compare::comparison::FORM;
+use crate::tui::screens::compare::comparison::LIST;
+use crate::tui::screens::compare::comparison::Marked;
+use crate::tui::screens::compare::comparison::REPLAYS;
+use crate::tui::screens::compare::comparison::TABLE;
 use crate::tui::screens::compare::overlaid::overlaid;
 use crate::tui::screens::compare::replays::replays;
-use crate::tui::screens::compare::{LIST, REPLAYS, SCREEN, TABLE};
+
+/// What the screen answers.
+pub const QUESTION: &str = "Which is worse?";
+/// What its panes are called.
+pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
-    match model.pane() {
-        TABLE => with_table(model, area, buffer),
-        REPLAYS => replays(model, area, buffer),
-        _ => with_list(model, area, buffer),
+pub fn draw(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+    match compare.pane {
+        TABLE => with_table(compare, model, area, buffer),
+        REPLAYS => replays(compare, model, area, buffer),
+        _ => with_list(compare, model, area, buffer),
     }
 }
 
 /// Where the names of the panes begin in the first line, and how they are written.
 fn headings() -> impl Iterator<Item = (u16, String)> {
     let mut x = 1;
-    SCREEN.panes.iter().map(move |pane| {
+    PANES.iter().map(move |pane| {
         let at = x;
-        let name = format!(" {} ", pane.name);
+        let name = format!(" {pane} ");
         x += width(&name) + 1;
         (at, name)
     })
@@ -45,9 +54,14 @@ pub fn heading_at(area: Rect, (x, y): (u16, u16)) -> Option<usize> {
 }
 
 /// The row of the list of presets at a cell.
-pub fn listed_at(model: &Model, area: Rect, (x, y): (u16, u16)) -> Option<usize> {
-    let inside = model.pane() == LIST && x < list_width(area) && y > area.y;
-    let row = first_listed(model, area.height - 1) + usize::from(y.saturating_sub(area.y + 1));
+pub fn listed_at(
+    compare: &Comparison,
+    model: &Model,
+    area: Rect,
+    (x, y): (u16, u16),
+) -> Option<usize> {
+    let inside = compare.pane == LIST && x < list_width(area) && y > area.y;
+    let row = first_listed(compare, area.height - 1) + usize::from(y.saturating_sub(area.y + 1));
     (inside && row <= model.choices.len()).then_some(row)
 }
 
@@ -56,26 +70,30 @@ fn list_width(area: Rect) -> u16 {
 }
 
 /// The first row of the list of presets that there is room for.
-fn first_listed(model: &Model, room: u16) -> usize {
-    model
-        .screens
-        .compare
+fn first_listed(compare: &Comparison, room: u16) -> usize {
+    compare
         .row
         .saturating_sub(usize::from(room).saturating_sub(1))
 }
 
 /// The names of the panes, and at the right how far things are, or else `text`.
-pub(super) fn heading(model: &Model, area: Rect, text: &str, buffer: &mut Buffer) {
+pub(super) fn heading(
+    compare: &Comparison,
+    model: &Model,
+    area: Rect,
+    text: &str,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
     for (i, (x, name)) in headings().enumerate() {
-        let style = if i == model.pane() {
+        let style = if i == compare.pane {
             theme.focus()
         } else {
             theme.text()
         };
         put(buffer, area, (x, 0), &name, style);
     }
-    let said = progress(&model.screens.compare);
+    let said = progress(compare);
     let text = if said.is_empty() { text } else { &said };
     put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
 }
@@ -99,27 +117,24 @@ fn progress(compare: &Comparison) -> String {
     }
 }
 
-fn marked(model: &Model) -> String {
-    format!(
-        "{} marked, w takes a page",
-        model.screens.compare.entries.len()
-    )
+fn marked(compare: &Comparison) -> String {
+    format!("{} marked, w takes a page", compare.entries.len())
 }
 
-fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn with_list(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    heading(model, area, &marked(model), buffer);
+    heading(compare, model, area, &marked(compare), buffer);
     let wide = list_width(area);
     let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
     let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
     let room = usize::from(list.height);
-    let first = first_listed(model, list.height);
+    let first = first_listed(compare, list.height);
     for (i, name) in names.enumerate().skip(first).take(room) {
         let y = (i - first) as u16;
-        let entries = &model.screens.compare.entries;
+        let entries = &compare.entries;
         let place = entries.iter().position(|entry| entry.name == name);
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
-        let chosen = i == model.screens.compare.row;
+        let chosen = i == compare.row;
         let style = if chosen { theme.focus() } else { theme.text() };
         let text = fitted(brief(name), usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
@@ -132,7 +147,7 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
         area.width - wide,
         area.height - 1,
     );
-    if model.screens.compare.entries.is_empty() {
+    if compare.entries.is_empty() {
         let texts = [
             "Space marks the preset under the cursor,",
             "/ finds presets by letters and marks them",
@@ -143,26 +158,26 @@ fn with_list(model: &Model, area: Rect, buffer: &mut Buffer) {
             put(buffer, charts, (1, y), &line, theme.quiet());
         }
     } else {
-        overlaid(model, model.screens.compare.curve(), charts, buffer);
+        overlaid(compare, model, compare.curve(), charts, buffer);
     }
 }
 
 /// The least rows of the chart below the table.
 const CHART: u16 = 5;
 
-fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
-    heading(model, area, &marked(model), buffer);
-    let count = model.screens.compare.entries.len() as u16;
-    let numbers = columns(model, area);
+fn with_table(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+    heading(compare, model, area, &marked(compare), buffer);
+    let count = compare.entries.len() as u16;
+    let numbers = columns(compare, area);
     let shown: Vec<Column> = numbers.iter().map(|(column, _)| *column).collect();
-    let note = model.screens.compare.mixed(&shown);
+    let note = compare.mixed(&shown);
     let room = area.height.saturating_sub(1 + u16::from(note.is_some()));
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
     let table_area = Rect::new(area.x, area.y + 1, area.width, rows);
-    table(model, each, &numbers, table_area, buffer);
+    table(compare, model, each, &numbers, table_area, buffer);
     let mut next = 1 + rows;
     if let Some(note) = note {
         let theme = Theme::of(model.look);
@@ -173,7 +188,7 @@ fn with_table(model: &Model, area: Rect, buffer: &mut Buffer) {
     let below = room - rows;
     if below >= CHART {
         let place = Rect::new(area.x, area.y + next, area.width, below);
-        overlaid(model, model.screens.compare.curve(), place, buffer);
+        overlaid(compare, model, compare.curve(), place, buffer);
     }
 }
 
@@ -184,14 +199,14 @@ fn title(column: Column) -> (&'static str, &'static str) {
     }
 }
 
-/// Columns from the end of a number to that of the next: room for the longest name and the mark of sorting.
+/// Columns from the end of a number to that of the next: room for the longest name and the mark of
+/// sorting.
 const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 20;
 
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
-fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
-    let compare = &model.screens.compare;
+fn columns(compare: &Comparison, area: Rect) -> Vec<(Column, u16)> {
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);
     let first = compare.column.clamp(count, columns.len() - 1) + 1 - count;
@@ -200,10 +215,16 @@ fn columns(model: &Model, area: Rect) -> Vec<(Column, u16)> {
     shown.map(|(i, column)| (column, right(i))).collect()
 }
 
-fn table(model: &Model, each: u16, numbers: &[(Column, u16)], area: Rect, buffer: &mut Buffer) {
+fn table(
+    compare: &Comparison,
+    model: &Model,
+    each: u16,
+    numbers: &[(Column, u16)],
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
-    let compare = &model.screens.compare;
-    let focused = model.has_focus(TABLE);
+    let focused = compare.pane == TABLE && model.overlay.is_none();
     for &(column, right) in std::iter::once(&(Column::Name, 0)).chain(numbers) {
         let (name, unit) = title(column);
         let sign = match compare.sorting() {

@@ -7,15 +7,17 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+use crate::answer::derived::Derived;
+use crate::injury::Verdict;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
 use crate::report::text::{digits, percent};
+use crate::report::verdict::is_void;
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::Model;
-use crate::tui::screens::doubt::{is_void, listed};
 use crate::tui::screens::injury::void;
 use crate::tui::task::Job;
 use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
@@ -32,7 +34,7 @@ const NOTES: u16 = 3;
 const MARGIN: f64 = 0.06;
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let (said, style) = status(model, theme);
     let titles = [
@@ -65,7 +67,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         .as_ref()
         .map_or_else(Vec::new, |s| s.answer.verdicts());
     let results = listed(ensemble, &verdicts);
-    let chosen = model.screens.doubt.min(results.len().saturating_sub(1));
+    let chosen = row.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
     let notes = Notes::of(ensemble, usize::from(area.width - 2));
     let least = notes
@@ -97,6 +99,15 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     for (i, line) in notes.iter().enumerate() {
         put(buffer, area, (1, first + i as u16), line, theme.quiet());
     }
+}
+
+/// The results that have bands: first the risks that are believed, the gravest first, which are the
+/// answer, then other risks, and last what means nothing here.
+fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
+    let mut results = ensemble.results();
+    let believed = |of: Quantity| matches!(of.derived(), Some(Derived::Believed(_)));
+    results.sort_by_key(|of| (is_void(verdicts, *of), !believed(*of), !of.is_risk()));
+    results
 }
 
 /// What is computed before the first bands, and when those come.

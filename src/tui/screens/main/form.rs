@@ -7,26 +7,30 @@ use crate::report::text::digits;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
-use crate::tui::model::{Model, Overlay};
-use crate::tui::screens::main::{DIAL, FORM};
+use crate::tui::model::Model;
+use crate::tui::overlay::Overlay;
+use crate::tui::screens::main::pulse;
 use crate::tui::view::PURPOSE;
 use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
+/// The places of the panes.
+pub const FORM: usize = 0;
+pub const DIAL: usize = 1;
 /// Lines that are said about a field at most.
 const MAX_NOTE_LINES: usize = 7;
 
 /// Draws the form.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // A name to save under stands in front without taking the form away.
     let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
-    let focused = model.pane() == FORM && in_front;
+    let focused = pane == FORM && in_front;
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
     let bottom = area.height - foot(model, area);
-    let note = note(model);
+    let note = note(model, pane);
     let said = wrapped(&note.0, usize::from(area.width - 2));
-    let shown = visible(model, area);
+    let shown = visible(model, pane, area);
     for (y, row) in shown.iter().enumerate() {
         let chosen = *row == model.form.selected;
         let line = Rect::new(area.x, area.y + y as u16, area.width, 1);
@@ -64,8 +68,8 @@ fn foot(model: &Model, area: Rect) -> u16 {
 }
 
 /// The rows that there is room for, from the top; the one with the cursor is among them.
-pub fn visible(model: &Model, area: Rect) -> Vec<Row> {
-    let said = wrapped(&note(model).0, usize::from(area.width - 2));
+pub fn visible(model: &Model, pane: usize, area: Rect) -> Vec<Row> {
+    let said = wrapped(&note(model, pane).0, usize::from(area.width - 2));
     let taken = usize::from(foot(model, area)) + said.len().min(MAX_NOTE_LINES) + 1;
     let room = usize::from(area.height).saturating_sub(taken);
     let rows = rows(&model.work.scenario, model.form.advanced);
@@ -81,7 +85,7 @@ enum Tone {
 }
 
 /// What there is to say about the newest edit, or about the chosen field.
-fn note(model: &Model) -> (String, Tone) {
+fn note(model: &Model, pane: usize) -> (String, Tone) {
     if let Some(Typing {
         error: Some(why), ..
     }) = &model.form.typing
@@ -96,7 +100,7 @@ fn note(model: &Model) -> (String, Tone) {
     }
     match simulating(model) {
         Some(text) => (text + ", Esc cancels", Tone::Warning),
-        None => (help(model), Tone::Quiet),
+        None => (help(model, pane), Tone::Quiet),
     }
 }
 
@@ -117,8 +121,8 @@ pub fn simulating(model: &Model) -> Option<String> {
     Some(format!("simulating {:.0} %", share * 100.0))
 }
 
-fn help(model: &Model) -> String {
-    if model.has_focus(DIAL) {
+fn help(model: &Model, pane: usize) -> String {
+    if pane == DIAL && model.overlay.is_none() {
         return "Turn the blow, or widen the arc it acts on".to_owned();
     }
     let typing = model.form.typing.as_ref();
@@ -137,7 +141,7 @@ fn described(model: &Model) -> String {
         Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
         Row::Fold => "mesh, materials, numerics".to_owned(),
         Row::Field(field) => {
-            let pulse = crate::tui::screens::main::pulse::said(&model.work.scenario, field.path);
+            let pulse = pulse::said(&model.work.scenario, field.path);
             let accepted = match pulse {
                 Some(pulse) => format!("{pulse}; {}", allowed(field)),
                 None => allowed(field),
@@ -178,7 +182,7 @@ fn draw_row(
                 buffer,
                 area,
                 (1, 0),
-                beside("Preset", &name, area.width),
+                label_within("Preset", &name, area.width),
                 style,
             );
             value(model, &name, chosen && focused, area, buffer);
@@ -211,7 +215,7 @@ fn draw_row(
                     buffer,
                     area,
                     (1, 0),
-                    beside(field.label, &text, room),
+                    label_within(field.label, &text, room),
                     style,
                 );
                 if doubtful {
@@ -225,7 +229,7 @@ fn draw_row(
 }
 
 /// As many words of a label as there is room for beside a value.
-fn beside<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
+fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
     let ends = label.match_indices(' ').map(|(at, _)| &label[..at]);
     let mut shorter: Vec<&str> = ends.chain([label]).collect();
     shorter.reverse();
@@ -286,7 +290,7 @@ fn typed(model: &Model, typing: &Typing, area: Rect, buffer: &mut Buffer) {
     } else {
         theme.strong()
     };
-    crate::tui::view::overlay::input(&typing.input, style, theme.focus(), field, buffer);
+    crate::tui::view::popup::input(&typing.input, style, theme.focus(), field, buffer);
 }
 
 #[cfg(test)]

@@ -5,55 +5,55 @@ mod pulse;
 mod score;
 mod view;
 
-use std::mem::discriminant;
-
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use std::mem::discriminant;
 
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::Field;
+use crate::tui::changes::edit::change;
+use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::ensemble::FEW;
 use crate::tui::form::{Row, allowed, chosen, nudged, with_text};
-use crate::tui::keys::shared::{
-    DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP,
+use crate::tui::keys::press::{
+    DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::keys::{Act, Binding, KeyTable, Press, TimeKeys, bind, c};
+use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::Model;
-use crate::tui::screens::{Mouse, Pane, Screen};
+use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
-use crate::tui::threshold;
-use crate::tui::update::{change, presets, time, typing};
 use crate::tui::view::eye;
+use form::{DIAL, FORM};
 
-/// The places of the panes.
-const FORM: usize = 0;
-const DIAL: usize = 1;
 /// Small steps in place of a large one, at most.
 const MAX_SMALL_STEPS: usize = 20;
 const ANGLE: &str = "impact.angle_deg";
 const HALF_WIDTH: &str = "impact.half_width_deg";
 
-pub(crate) const SCREEN: Screen = Screen {
-    mouse,
-    samples: FEW,
-    ..Screen::new(
-        ("Main", "How bad?"),
-        "form, eye, traces, score",
-        &[
-            Pane {
-                name: "form",
-                keys: &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
-                time: TimeKeys::Late,
-            },
-            Pane {
-                name: "dial",
-                keys: &[DIAL_KEYS],
-                time: TimeKeys::Late,
-            },
-        ],
-        view::draw,
-    )
+pub(super) const ABOUT: About = About {
+    title: "Main",
+    question: score::QUESTION,
+    purpose: "form, eye, traces, score",
+    new: || Box::new(Main::default()),
 };
+
+/// The place of the pane with the focus.
+#[derive(Default)]
+pub struct Main {
+    pane: usize,
+}
+
+impl Panes for Main {
+    const PANES: &'static [Pane<Self>] = &[
+        Pane::new(
+            "form",
+            TimeKeys::Late,
+            &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
+        ),
+        Pane::new("dial", TimeKeys::Late, &[DIAL_KEYS]),
+    ];
+}
 
 /// What a number may begin with.
 #[rustfmt::skip]
@@ -61,54 +61,57 @@ const NUMERALS: &[Press] = &[
     c('0'), c('1'), c('2'), c('3'), c('4'), c('5'), c('6'), c('7'), c('8'), c('9'), c('-'), c('.'),
 ];
 
-const NUMBER_KEYS: KeyTable = KeyTable {
-    title: "Form: a number",
-    bindings: &[Binding {
-        presses: NUMERALS,
-        act: Act::Type,
-        short: "type",
-        help: "begin to type a value",
-        name: "",
-    }],
-    counts: |model| model.form.takes_numbers(),
-};
+/// Digits where each begins a value, or would.
+const fn typed(
+    presses: &'static [Press],
+    short: &'static str,
+    help: &'static str,
+) -> Binding<Act<Main>> {
+    let mut binding = bind(presses, |_, _| {}, short, help);
+    binding.key.begins_value = true;
+    binding
+}
+
+const NUMBER_KEYS: PaneKeys<Main> = PaneKeys::when(
+    |_, model| model.form.takes_numbers(),
+    "Form: a number",
+    &[typed(NUMERALS, "type", "begin to type a value")],
+);
 
 /// A digit never leaves the form: whoever types one means a value.
-const OTHER_KEYS: KeyTable = KeyTable {
-    title: "Form: another row",
-    bindings: &[Binding {
-        presses: NUMERALS.first_chunk::<10>().unwrap().as_slice(),
-        act: Act::Type,
-        short: "",
-        help: "nothing: F2 or Alt-2 shows a screen",
-        name: "",
-    }],
-    counts: |model| !model.form.takes_numbers(),
-};
+const OTHER_KEYS: PaneKeys<Main> = PaneKeys::when(
+    |_, model| !model.form.takes_numbers(),
+    "Form: another row",
+    &[typed(
+        NUMERALS.first_chunk::<10>().unwrap().as_slice(),
+        "",
+        "nothing: F2 or Alt-2 shows a screen",
+    )],
+);
 
 #[rustfmt::skip]
-const FORM_KEYS: KeyTable = KeyTable::new("Form", &[
-    bind(&[UP, c('k')], |m| m.form.go(&m.work.scenario, -1), "field", "the field above"),
-    bind(&[DOWN, c('j')], |m| m.form.go(&m.work.scenario, 1), "&", "the field below"),
-    bind(&[LEFT, c('h')], |m| step(m, Step::LESS), "value", "a small step down"),
-    bind(&[RIGHT, c('l')], |m| step(m, Step::MORE), "&", "a small step up"),
-    bind(&[SHIFT_LEFT, c('H')], |m| step(m, Step::MUCH_LESS), "", "a large step down"),
-    bind(&[SHIFT_RIGHT, c('L')], |m| step(m, Step::MUCH_MORE), "", "a large step up"),
-    bind(&[ENTER], enter, "edit", "edit the value, take the next choice, open the list, unfold"),
-    bind(&[c('t')], threshold::ask, "threshold", "at which value of it a result reaches what you ask"),
-    bind(&[c('a')], |m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
+const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
+    bind(&[UP, c('k')], |_, m| m.form.go(&m.work.scenario, -1), "field", "the field above"),
+    bind(&[DOWN, c('j')], |_, m| m.form.go(&m.work.scenario, 1), "&", "the field below"),
+    bind(&[LEFT, c('h')], |_, m| step(m, Step::LESS), "value", "a small step down"),
+    bind(&[RIGHT, c('l')], |_, m| step(m, Step::MORE), "&", "a small step up"),
+    bind(&[SHIFT_LEFT, c('H')], |_, m| step(m, Step::MUCH_LESS), "", "a large step down"),
+    bind(&[SHIFT_RIGHT, c('L')], |_, m| step(m, Step::MUCH_MORE), "", "a large step up"),
+    bind(&[ENTER], |_, m| enter(m), "edit", "edit the value, take the next choice, open the list, unfold"),
+    bind(&[c('t')], |_, m| threshold::ask(m), "threshold", "at which value of it a result reaches what you ask"),
+    bind(&[c('a')], |_, m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
 ]);
 
 #[rustfmt::skip]
-const DIAL_KEYS: KeyTable = KeyTable::new("Dial", &[
-    bind(&[UP, c('k')], |m| nudge(m, ANGLE, Step::MORE), "turn", "turn the blow up"),
-    bind(&[DOWN, c('j')], |m| nudge(m, ANGLE, Step::LESS), "&", "turn the blow down"),
-    bind(&[SHIFT_UP, c('K')], |m| nudge(m, ANGLE, Step::MUCH_MORE), "", "turn it up by a large step"),
-    bind(&[SHIFT_DOWN, c('J')], |m| nudge(m, ANGLE, Step::MUCH_LESS), "", "turn it down by a large step"),
-    bind(&[LEFT, c('h')], |m| nudge(m, HALF_WIDTH, Step::LESS), "width", "narrow the loaded arc"),
-    bind(&[RIGHT, c('l')], |m| nudge(m, HALF_WIDTH, Step::MORE), "&", "widen the loaded arc"),
-    bind(&[SHIFT_RIGHT, c('L')], |m| nudge(m, HALF_WIDTH, Step::MUCH_MORE), "", "widen it by a large step"),
-    bind(&[SHIFT_LEFT, c('H')], |m| nudge(m, HALF_WIDTH, Step::MUCH_LESS), "", "narrow it by a large step"),
+const DIAL_KEYS: PaneKeys<Main> = PaneKeys::new("Dial", &[
+    bind(&[UP, c('k')], |_, m| nudge(m, ANGLE, Step::MORE), "turn", "turn the blow up"),
+    bind(&[DOWN, c('j')], |_, m| nudge(m, ANGLE, Step::LESS), "&", "turn the blow down"),
+    bind(&[SHIFT_UP, c('K')], |_, m| nudge(m, ANGLE, Step::MUCH_MORE), "", "turn it up by a large step"),
+    bind(&[SHIFT_DOWN, c('J')], |_, m| nudge(m, ANGLE, Step::MUCH_LESS), "", "turn it down by a large step"),
+    bind(&[LEFT, c('h')], |_, m| nudge(m, HALF_WIDTH, Step::LESS), "width", "narrow the loaded arc"),
+    bind(&[RIGHT, c('l')], |_, m| nudge(m, HALF_WIDTH, Step::MORE), "&", "widen the loaded arc"),
+    bind(&[SHIFT_RIGHT, c('L')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_MORE), "", "widen it by a large step"),
+    bind(&[SHIFT_LEFT, c('H')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_LESS), "", "narrow it by a large step"),
 ]);
 
 /// Changes what the row with the cursor holds.
@@ -163,7 +166,8 @@ fn take(model: &mut Model, path: &'static str, outcome: Result<Scenario, String>
     }
 }
 
-/// The scenario one step further; where a rule forbids a large step, as many small ones as it allows.
+/// The scenario one step further; where a rule forbids a large step, as many small ones as it
+/// allows.
 fn furthest(
     scenario: &Scenario,
     field: &Field,
@@ -188,53 +192,73 @@ fn furthest(
     reached.map_or(whole, Ok)
 }
 
-/// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
-fn mouse(model: &mut Model, mouse: Mouse, area: Rect) -> bool {
-    let parts = view::layout(area);
-    let row_at = |model: &Model, (x, y): (u16, u16)| {
-        let rows = form::visible(model, parts.form);
-        let inside = parts.form.contains((x, y).into());
-        inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
-    };
-    match mouse {
-        Mouse::Press(at) => {
-            if let Some(row) = row_at(model, at) {
-                press(model, row);
-            }
-            let on_dial = parts.eye.contains(at.into());
-            if on_dial {
-                model.show_pane(DIAL);
-                aim(model, at, parts.eye);
-            }
-            return on_dial;
-        }
-        Mouse::Drag(at) => aim(model, at, parts.eye),
-        // Up is more of a value, and backwards in a list and in time.
-        Mouse::Wheel(at, by) => {
-            model.form.complaint = None;
-            match row_at(model, at) {
-                // A wheel that scrolls must not change what it passes over.
-                Some(_) => {
-                    let rows = if by.up { -1 } else { 1 };
-                    model.form.go(&model.work.scenario, rows);
-                }
-                None => time::step(model, by.reversed()),
-            }
-        }
+impl Screen for Main {
+    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+        view::draw(self.pane, model, area, buffer);
     }
-    true
+
+    fn pane(&self) -> usize {
+        self.pane
+    }
+
+    fn show_pane(&mut self, pane: usize) {
+        self.pane = pane;
+    }
+
+    fn samples(&self) -> u32 {
+        FEW
+    }
+
+    /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
+    fn mouse(&mut self, model: &mut Model, mouse: Mouse, area: Rect) -> bool {
+        let parts = view::layout(area);
+        let row_at = |model: &Model, pane: usize, (x, y): (u16, u16)| {
+            let rows = form::visible(model, pane, parts.form);
+            let inside = parts.form.contains((x, y).into());
+            inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
+        };
+        match mouse {
+            Mouse::Press(at) => {
+                if let Some(row) = row_at(model, self.pane, at) {
+                    self.press_row(model, row);
+                }
+                let on_dial = parts.eye.contains(at.into());
+                if on_dial {
+                    self.pane = DIAL;
+                    aim(model, at, parts.eye);
+                }
+                return on_dial;
+            }
+            Mouse::Drag(at) => aim(model, at, parts.eye),
+            // Up is more of a value, and backwards in a list and in time.
+            Mouse::Wheel(at, by) => {
+                model.form.complaint = None;
+                match row_at(model, self.pane, at) {
+                    // A wheel that scrolls must not change what it passes over.
+                    Some(_) => {
+                        let rows = if by.up { -1 } else { 1 };
+                        model.form.go(&model.work.scenario, rows);
+                    }
+                    None => self.step_time(model, by.reversed()),
+                }
+            }
+        }
+        true
+    }
 }
 
-/// Chooses a row of the form, or opens the one that is chosen already.
-fn press(model: &mut Model, row: Option<Row>) {
-    let again = model.pane() == FORM && Some(model.form.selected) == row;
-    model.show_pane(FORM);
-    let Some(row) = row else { return };
-    model.form.complaint = None;
-    model.form.selected = row;
-    // The line that folds is a button; any other row is chosen first.
-    if again || row == Row::Fold {
-        enter(model);
+impl Main {
+    /// Chooses a row of the form, or opens the one that is chosen already.
+    fn press_row(&mut self, model: &mut Model, row: Option<Row>) {
+        let again = self.pane == FORM && Some(model.form.selected) == row;
+        self.pane = FORM;
+        let Some(row) = row else { return };
+        model.form.complaint = None;
+        model.form.selected = row;
+        // The line that folds is a button; any other row is chosen first.
+        if again || row == Row::Fold {
+            enter(model);
+        }
     }
 }
 

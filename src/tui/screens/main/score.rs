@@ -1,5 +1,6 @@
-//! What to believe of the injuries, the damage index as a gauge, its three parts against their limits, what is not
-//! known of the inputs, and flags. Every figure bears its error; the line above says what of.
+//! What to believe of the injuries, the damage index as a gauge, its three parts against their
+//! limits, what is not known of the inputs, and flags. Every figure bears its error; the line above
+//! says what of.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -10,10 +11,13 @@ use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unu
 use crate::report::limit::alone;
 use crate::run::flags::Flag;
 use crate::run::quantity::Quantity;
-use crate::tui::model::{Model, Shown};
+use crate::tui::model::Model;
+use crate::tui::shown::Shown;
 use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
+/// What the screen answers.
+pub const QUESTION: &str = "How bad?";
 /// How many rows it takes of so many; `beside` says whether all verdicts stand beside it.
 pub fn height(of: u16, beside: bool) -> u16 {
     match of {
@@ -27,7 +31,8 @@ pub fn height(of: u16, beside: bool) -> u16 {
 /// Rows without verdicts where there is room, and how many of those there are then.
 const ROOM: u16 = 10;
 const ANSWERS: u16 = Injury::ALL.len() as u16;
-/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take what is more.
+/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take
+/// what is more.
 const LEAST: u16 = 8;
 
 /// A bar of a share of its width, the threshold at its end.
@@ -55,8 +60,8 @@ const SHORTEST: u16 = 4;
 const INDEX: u16 = 1;
 const BELOW: u16 = 5;
 
-/// Draws the score below a line that says whether it is out of date; `beside` says whether all verdicts stand
-/// beside it.
+/// Draws the score below a line that says whether it is out of date; `beside` says whether all
+/// verdicts stand beside it.
 pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
@@ -95,7 +100,7 @@ fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut 
     }
     let (text, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (model.on_show().question, theme.heading()),
+        None => (QUESTION, theme.heading()),
     };
     let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
     let texts = match (&shown.answer.errors.mesh, model.idle) {
@@ -220,8 +225,9 @@ fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Bu
     }
 }
 
-/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the longest words
-/// first. Where the band holds fewer than were asked for, or folded ones, it says so, or bears a star that the screen of its own explains.
+/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the
+/// longest words first. Where the band holds fewer than were asked for, or folded ones, it says so,
+/// or bears a star that the screen of its own explains.
 fn bands(model: &Model, shown: &Shown) -> Vec<String> {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "to come" } else { "off" };
@@ -321,7 +327,8 @@ fn part(
     }
 }
 
-/// What the index tends to on finer meshes, right of the column where the line begins to be free, if there is room.
+/// What the index tends to on finer meshes, right of the column where the line begins to be free,
+/// if there is room.
 fn tends(shown: &Shown, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let Some(limit) = alone(&shown.answer, Quantity::Damage) else {
         return;

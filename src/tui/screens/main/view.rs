@@ -8,11 +8,12 @@ use crate::report::figure::Figure;
 use crate::run::course::{Beside, Course};
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
-use crate::tui::model::{Model, Shown};
+use crate::tui::model::Model;
 use crate::tui::screens::injury;
-use crate::tui::screens::main::DIAL;
+use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score};
 use crate::tui::screens::replay::pressures;
+use crate::tui::shown::Shown;
 use crate::tui::view::chart::{Chart, Curve, active, spark};
 use crate::tui::view::eye::Scene;
 use crate::tui::view::raster::Ink;
@@ -74,10 +75,10 @@ pub fn layout(area: Rect) -> Layout {
 }
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let parts = layout(area);
-    form::draw(model, parts.form, buffer);
+    form::draw(pane, model, parts.form, buffer);
     for y in 0..area.height {
         put(buffer, area, (parts.form.width, y), "│", theme.line());
     }
@@ -85,7 +86,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         waiting(model, parts.right, buffer);
         return;
     };
-    eye(model, shown, parts.eye, buffer);
+    eye(model, shown, pane == DIAL, parts.eye, buffer);
     sparklines(model, shown, parts.traces, buffer);
     score::draw(model, shown, parts.risks.is_some(), parts.score, buffer);
     if let Some(place) = parts.risks {
@@ -113,8 +114,8 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an eye without one
-/// what acts on it.
+/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an
+/// eye without one what acts on it.
 fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     put(buffer, area, (1, 0), "What to believe", theme.heading());
@@ -193,9 +194,9 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn eye(model: &Model, shown: &Shown, picture: Rect, buffer: &mut Buffer) {
+fn eye(model: &Model, shown: &Shown, on_dial: bool, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let aiming = model.has_focus(DIAL);
+    let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
     Scene {
         shown,
@@ -239,8 +240,9 @@ const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.
 const LONGEST: usize = 7;
 
-/// The name of a curve, its peak with its error and the time of that, which together fit with a space between them.
-/// Where room is short the spaces give way, then letters of the name, the time, and at last the error.
+/// The name of a curve, its peak with its error and the time of that, which together fit with a
+/// space between them. Where room is short the spaces give way, then letters of the name, the time,
+/// and at last the error.
 fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
     let name = of.row().short;
     let ms = peak.time * 1e3;

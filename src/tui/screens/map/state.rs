@@ -8,8 +8,9 @@ use crate::run::watch::Watch;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Model, Scenario, TRUSTED_ANGLE_DEG, set};
+use crate::tui::request::{Question, Report};
 use crate::tui::step::Step;
-use crate::tui::task::{Question, Report, Task};
+use crate::tui::task::Task;
 use crate::tui::worker::overseen;
 
 const ANGLE: &str = "impact.angle_deg";
@@ -62,7 +63,7 @@ impl Question for DrawMap {
                 stop,
                 &|grid| {
                     let (known, all) = grid.known();
-                    desk.lay(known as f64 / all as f64, || grid.clone())
+                    desk.report(known as f64 / all as f64, || grid.clone())
                 },
             )
         }))
@@ -148,8 +149,8 @@ fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
 }
 
 impl Map {
-    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges where what it
-    /// holds lies outside them.
+    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges
+    /// where what it holds lies outside them.
     pub fn settle(&mut self, scenario: &Scenario) {
         let holds = |span: &Span| {
             number(span.field, scenario)
@@ -249,8 +250,8 @@ impl Map {
     }
 
     /// Takes in what a worker says of a grid.
-    pub fn hear(&mut self, report: &mut Option<Report>) {
-        if let Some((question, Some(grid))) = self.task.hear(report) {
+    pub fn take_grid(&mut self, report: &mut Option<Report>) {
+        if let Some((question, Some(grid))) = self.task.take_report(report) {
             self.done = Some((question.scenario.clone(), question.spans, grid));
         }
     }
@@ -304,7 +305,8 @@ impl Map {
         Some((moved(x, self.cursor.0), moved(y, self.cursor.1)))
     }
 
-    /// The inputs that the cursor was moved over, each with its value there, and the scenario with those.
+    /// The inputs that the cursor was moved over, each with its value there, and the scenario with
+    /// those.
     pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
         let ((x, y), (across, up)) = (self.spans?, self.moved(scenario)?);
         let (a, b) = self.values()?;

@@ -1,5 +1,6 @@
 //! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half and
-//! the whole of it. The scale is that of the table of results, or else reaches to the largest value.
+//! the whole of it. The scale is that of the table of results, or else reaches to the largest
+//! value.
 //!
 //! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
 //! folded its mesh the map is hatched, as no number holds there.
@@ -20,7 +21,7 @@ use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
 use crate::tui::model::Model;
-use crate::tui::screens::map::state::rounded;
+use crate::tui::screens::map::state::{Map, rounded};
 use crate::tui::view::text::{fitted, put, put_both, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
@@ -34,20 +35,21 @@ const FOLDED: &str = "▒";
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
-/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its runs.
+/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its
+/// runs.
 const MAPPED: f64 = 10.0;
 
 /// Draws the screen.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(map: &Map, model: &Model, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
-    let Some((x, y)) = model.screens.map.spans else {
+    let Some((x, y)) = map.spans else {
         let text = "this scenario has no two inputs to draw a map over";
         put(buffer, area, (1, 1), text, theme.warning());
         return;
     };
-    let (said, style) = status(model, theme);
-    let grid = model.screens.map.grid(&model.work.scenario);
-    let quantity = grid.map_or(Quantity::Damage, |grid| model.screens.map.quantity(grid));
+    let (said, style) = status(map, model, theme);
+    let grid = map.grid(&model.work.scenario);
+    let quantity = grid.map_or(Quantity::Damage, |grid| map.quantity(grid));
     let result = quantity.row();
     let whole = whole(grid, quantity);
     let over = format!("{} across, {} up", x.field.label, y.field.label);
@@ -94,7 +96,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         }
         own(model, (x, y), field, theme, buffer);
     }
-    let (px, py) = model.screens.map.place();
+    let (px, py) = map.place();
     let at = (
         (px * f64::from(field.width - 1)).round() as u16,
         ((1.0 - py) * f64::from(field.height - 1)).round() as u16,
@@ -106,7 +108,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     place.set_style(Style::reset());
     place.set_symbol("X").set_style(cursor);
     let top = area.height - BELOW + 2;
-    let reading = reading(model, (x, y));
+    let reading = reading(map, model, (x, y));
     let room = usize::from(area.width - 2);
     for (i, line) in wrapped(&reading, room).iter().take(2).enumerate() {
         put(buffer, area, (1, top + i as u16), line, theme.strong());
@@ -137,8 +139,7 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     );
 }
 
-fn status(model: &Model, theme: Theme) -> (String, Style) {
-    let map = &model.screens.map;
+fn status(map: &Map, model: &Model, theme: Theme) -> (String, Style) {
     let grid = map.grid(&model.work.scenario);
     let all = SIDE * SIDE;
     match (map.task.pace(Some(all)), grid) {
@@ -287,29 +288,30 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
-/// Whether a result is a risk by energy where the object under the cursor is larger than what such curves hold for.
-pub(super) fn is_void_there(model: &Model, of: Quantity) -> bool {
+/// Whether a result is a risk by energy where the object under the cursor is larger than what such
+/// curves hold for.
+pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
     let Some(Derived::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy)) = of.derived()
     else {
         return false;
     };
-    let there = model.screens.map.adopted(&model.work.scenario);
+    let there = map.adopted(&model.work.scenario);
     let blow = there.and_then(|(_, scenario)| Blow::of(&scenario));
     blow.and_then(|blow| blow.caution()) == Some(Caution::LargerThanOrbit)
 }
 
 /// What is known under the cursor.
-fn reading(model: &Model, (x, y): (Span, Span)) -> String {
-    let Some((a, b)) = model.screens.map.values() else {
+fn reading(map: &Map, model: &Model, (x, y): (Span, Span)) -> String {
+    let Some((a, b)) = map.values() else {
         return String::new();
     };
     let part = |span: Span, value: f64| {
         let text = format!("{} {} {}", span.field.label, short(value), span.field.unit);
         text.trim_end().to_owned()
     };
-    let value = model.screens.map.grid(&model.work.scenario).map(|grid| {
-        let quantity = model.screens.map.quantity(grid);
-        let Some(reading) = model.screens.map.reading(grid, quantity) else {
+    let value = map.grid(&model.work.scenario).map(|grid| {
+        let quantity = map.quantity(grid);
+        let Some(reading) = map.reading(grid, quantity) else {
             return "not known yet".to_owned();
         };
         let Some(value) = reading.value else {
@@ -317,7 +319,7 @@ fn reading(model: &Model, (x, y): (Span, Span)) -> String {
         };
         let row = quantity.row();
         let about = if reading.exact { "" } else { "about " };
-        let void = if is_void_there(model, quantity) {
+        let void = if is_void_there(map, model, quantity) {
             format!(", {VOID}")
         } else {
             String::new()

@@ -1,16 +1,19 @@
-//! A model of the preset that opens first, in one colour, and keys for it: what the tests here start from.
+//! The app on the preset that opens first, in one colour, and keys for it: what the tests here
+//! start from.
 
-use crate::tui::model::{Look, Model};
+use crate::tui::app::App;
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::look::Look;
 use crate::tui::open::prepare;
-use crate::tui::task::{Question, Ticket};
+use crate::tui::outbox::Effect;
+use crate::tui::request::{Question, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
-use crate::tui::update::{Effect, Message, begin, update};
 use crate::tui::view::heat::HeatMap;
 use crate::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// Opened, without its first simulation.
-pub fn opened() -> Model {
+pub fn opened() -> App {
     let look = Look {
         depth: Depth::Mono,
         symbols: Symbols::Braille,
@@ -21,10 +24,10 @@ pub fn opened() -> Model {
 }
 
 /// Opened, and its first simulation asked for.
-pub fn begun() -> Model {
-    let mut model = opened();
-    begin(&mut model);
-    model
+pub fn begun() -> App {
+    let mut app = opened();
+    begin(&mut app);
+    app
 }
 
 /// The first question of a type that the effects ask.
@@ -36,16 +39,17 @@ pub fn asked<Q: Question>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
 }
 
 /// Presses a key.
-pub fn key(model: &mut Model, code: KeyCode) -> Vec<Effect> {
-    update(model, Message::Key(KeyEvent::from(code)))
+pub fn key(app: &mut App, code: KeyCode) -> Vec<Effect> {
+    update(app, Message::Key(KeyEvent::from(code)))
 }
 
-/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every pane.
-pub fn letter(model: &mut Model, letter: char) -> Vec<Effect> {
+/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every
+/// pane.
+pub fn letter(app: &mut App, letter: char) -> Vec<Effect> {
     let held = match letter {
         '0'..='9' => KeyModifiers::ALT,
         _ => KeyModifiers::NONE,
     };
     let event = KeyEvent::new(KeyCode::Char(letter), held);
-    update(model, Message::Key(event))
+    update(app, Message::Key(event))
 }

@@ -1,12 +1,14 @@
 //! Opening a preset, and saving, renaming and removing one of the person's own.
 
 use crate::scenario::load::to_ron;
+use crate::tui::changes::edit::change;
+use crate::tui::choices::{Choice, MAX_OWN};
 use crate::tui::line::Line;
-use crate::tui::model::{Choice, Model, Naming, Overlay, Question};
-use crate::tui::open::MAX_OWN;
+use crate::tui::model::Model;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::{Naming, Overlay, Question};
 use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
-use crate::tui::update::{Effect, change};
 use crate::tui::work::Work;
 
 pub(crate) fn next_preset(model: &mut Model, forward: bool) {

@@ -4,14 +4,14 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::Kind;
+use crate::tui::changes::edit::put;
+use crate::tui::changes::threshold;
 use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
 use crate::tui::guest::allowed;
-use crate::tui::keys::begins_value;
 use crate::tui::line::Line;
-use crate::tui::model::{Model, Overlay};
+use crate::tui::model::Model;
+use crate::tui::overlay::Overlay;
 use crate::tui::save::check_name;
-use crate::tui::threshold;
-use crate::tui::update::put;
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut Model, empty: bool) {
@@ -28,8 +28,8 @@ pub(crate) fn begin(model: &mut Model, empty: bool) {
     });
 }
 
-/// A key that is no binding. A letter that can be no part of a number is refused, as whoever presses it
-/// takes it for a key.
+/// A key that is no binding. A letter that can be no part of a number is refused, as whoever
+/// presses it takes it for a key.
 pub(crate) fn key(model: &mut Model, event: KeyEvent) {
     let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let field = match (&model.overlay, &model.form.typing) {
@@ -58,8 +58,9 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
     });
 }
 
-pub(crate) fn paste(model: &mut Model, text: &str) {
-    if begins_value(model) {
+/// Pasted text; whether it may begin a value.
+pub(crate) fn paste(model: &mut Model, text: &str, begins_value: bool) {
+    if begins_value {
         begin(model, true);
     }
     type_into(model, |line| {
@@ -69,8 +70,9 @@ pub(crate) fn paste(model: &mut Model, text: &str) {
     });
 }
 
-/// Changes the text that is being typed. A value that makes sense is simulated while it is typed; one that
-/// makes none leaves the value from before, not a part of what was typed. A value stands while its doubt is typed.
+/// Changes the text that is being typed. A value that makes sense is simulated while it is typed;
+/// one that makes none leaves the value from before, not a part of what was typed. A value stands
+/// while its doubt is typed.
 pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Line)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {

@@ -1,9 +1,9 @@
-//! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes and read when
-//! it opens with nothing asked for.
+//! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes and
+//! read when it opens with nothing asked for.
 //!
-//! It holds the screen, the preset or file, and the scenario where it was changed since. It is written whole or
-//! not at all; where it cannot be, changes are not promised to be kept. One that cannot be read is told and
-//! otherwise as good as none. A guest leaves none.
+//! It holds the screen, the preset or file, and the scenario where it was changed since. It is
+//! written whole or not at all; where it cannot be, changes are not promised to be kept. One that
+//! cannot be read is told and otherwise as good as none. A guest leaves none.
 
 use std::fs;
 use std::io;
@@ -16,13 +16,13 @@ use crate::scenario::library::home;
 use crate::scenario::load::{parse, read_text, to_ron};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::ron_text;
-use crate::tui::model::Model;
+use crate::tui::app::App;
 use crate::tui::screens::SCREENS;
 use crate::whole_file;
 
 /// Where the app was left.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Left {
+pub struct SavedSession {
     /// The place of the screen.
     pub screen: usize,
     /// The preset, or the whole path of a file.
@@ -40,23 +40,26 @@ struct Written {
     changed: Option<String>,
 }
 
-impl Left {
-    /// Where a model is.
-    pub fn of(model: &Model) -> Self {
-        let source = &model.work.source;
+impl SavedSession {
+    /// Where the app is.
+    pub fn of(app: &App) -> Self {
+        let source = &app.model.work.source;
         // A file may be asked for from another folder next time.
         let is_file = Path::new(source).is_file();
         let whole = is_file.then(|| std::path::absolute(source).ok()).flatten();
         let whole = whole.and_then(|path| path.into_os_string().into_string().ok());
         Self {
-            screen: model.screen,
+            screen: app.screen,
             source: whole.unwrap_or_else(|| source.clone()),
-            changed: model.is_edited().then(|| model.work.scenario.clone()),
+            changed: app
+                .model
+                .is_edited()
+                .then(|| app.model.work.scenario.clone()),
         }
     }
 
     /// Reads the text of a file.
-    fn read(text: &str) -> Result<Self, ScenarioError> {
+    pub(super) fn read(text: &str) -> Result<Self, ScenarioError> {
         let written: Written = ron_text::read(text, "")?;
         let title = |at: &usize| SCREENS[*at].title.eq_ignore_ascii_case(&written.screen);
         let changed = written.changed.map(|text| parse(&text, "changed"));
@@ -67,7 +70,7 @@ impl Left {
         })
     }
 
-    fn text(&self) -> Result<String, ron::Error> {
+    pub(super) fn text(&self) -> Result<String, ron::Error> {
         let written = Written {
             screen: SCREENS[self.screen].title.to_lowercase(),
             source: self.source.clone(),
@@ -85,9 +88,9 @@ fn path() -> Option<PathBuf> {
 ///
 /// # Errors
 /// Says why the file cannot be read.
-pub fn read() -> Result<Option<Left>, ScenarioError> {
+pub fn read() -> Result<Option<SavedSession>, ScenarioError> {
     match path().filter(|path| path.symlink_metadata().is_ok()) {
-        Some(path) => Left::read(&read_text(&path)?).map(Some),
+        Some(path) => SavedSession::read(&read_text(&path)?).map(Some),
         None => Ok(None),
     }
 }
@@ -110,42 +113,7 @@ pub fn can_be_kept() -> bool {
 ///
 /// # Errors
 /// What the system says.
-pub fn write(left: &Left) -> io::Result<()> {
-    let text = left.text().map_err(io::Error::other)?;
+pub fn write(session: &SavedSession) -> io::Result<()> {
+    let text = session.text().map_err(io::Error::other)?;
     whole_file::write(&place()?, |file| file.write_all(text.as_bytes()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scenario::library::find;
-    use crate::tui::update::driven::opened;
-
-    #[test]
-    fn what_is_written_reads_back_with_its_changes() {
-        let mut model = opened();
-        assert_eq!(Left::of(&model).changed, None);
-        model.work.scenario = find("squash-ball").unwrap().scenario().unwrap();
-        model.screen = 2;
-        let left = Left::of(&model);
-        assert_eq!((left.screen, left.source.as_str()), (2, "paper-300n"));
-        assert_eq!(left.changed.as_ref(), Some(&model.work.scenario));
-        assert_eq!(Left::read(&left.text().unwrap()), Ok(left));
-    }
-
-    #[test]
-    fn a_damaged_file_is_explained() {
-        let whole = Left::of(&opened()).text().unwrap();
-        for damaged in [
-            "",
-            "(",
-            &whole[..whole.len() / 2],
-            &whole.replace("None", "Some(\"(name: 1)\")"),
-        ] {
-            assert!(Left::read(damaged).is_err(), "{damaged}");
-        }
-        // A screen that is no more is no reason to lose the work.
-        let other = whole.replace("main", "mean");
-        assert_eq!(Left::read(&other).unwrap().screen, 0);
-    }
 }

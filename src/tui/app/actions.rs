@@ -1,0 +1,209 @@
+//! What the keys do that belong to no single screen.
+
+use crate::run::course::Course;
+use crate::tui::app::App;
+use crate::tui::changes::{edit, presets, take_away, threshold, typing};
+use crate::tui::clock::Moment;
+use crate::tui::line::Line;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::{Naming, Overlay, Question};
+
+/// Has something done outside.
+pub(crate) fn push(app: &mut App, effect: Effect) {
+    app.model.out.effects.push(effect);
+}
+
+/// Listens to the mouse, or no longer.
+pub(crate) fn toggle_mouse(app: &mut App) {
+    let model = &mut app.model;
+    model.mouse = !model.mouse;
+    app.dragging = false;
+    let word = if model.mouse { "on" } else { "off" };
+    model.notice = Some(format!("mouse {word}"));
+    model.out.effects.push(Effect::Mouse(model.mouse));
+}
+
+/// Computes ahead while nothing else is wanted, or no longer.
+pub(crate) fn toggle_idle(app: &mut App) {
+    let model = &mut app.model;
+    model.idle = !model.idle;
+    let words = if model.idle {
+        "idle work on: mesh error and bands are computed ahead"
+    } else {
+        "idle work off: nothing is computed ahead"
+    };
+    model.notice = Some(words.to_owned());
+}
+
+/// Leaves, after a question if work would be lost.
+pub(crate) fn quit(app: &mut App) {
+    let model = &mut app.model;
+    if model.is_edited() {
+        model.overlay = Some(Overlay::Question(Question::Quit {
+            kept: model.goes_on,
+        }));
+    } else {
+        model.out.effects.push(Effect::Quit(0));
+    }
+}
+
+/// Shows or hides the keys.
+pub(crate) fn help(app: &mut App) {
+    let model = &mut app.model;
+    model.overlay = match model.overlay {
+        Some(Overlay::Help(_)) => None,
+        _ => Some(Overlay::Help(0)),
+    };
+}
+
+/// Moves by so many rows through the list in front of the screen.
+pub(crate) fn scroll(app: &mut App, by: i16) {
+    let model = &mut app.model;
+    if let Some(Overlay::Help(line)) = &mut model.overlay {
+        *line = line.saturating_add_signed(by);
+    }
+    if let Some(Overlay::Picker(picker)) = &mut model.overlay {
+        picker.go(isize::from(by));
+    }
+}
+
+/// Accepts what is chosen in front of the screen, or what is typed.
+pub(crate) fn accept(app: &mut App) {
+    let model = &mut app.model;
+    match &model.overlay {
+        Some(Overlay::Picker(picker)) => {
+            let at = picker.shown.get(picker.row).copied();
+            match at {
+                Some(at) if picker.marked.is_some() => {
+                    app.screens[app.screen].mark_choice(model, at);
+                }
+                Some(at) => {
+                    model.overlay = None;
+                    presets::open(model, at);
+                }
+                None => {}
+            }
+        }
+        Some(Overlay::Name(naming, input, _)) => {
+            let (naming, name) = (naming.clone(), input.value().trim().to_owned());
+            match naming {
+                Naming::Save => presets::save(model, name, false),
+                Naming::Rename(from) => presets::rename(model, from, name),
+            }
+        }
+        Some(Overlay::Threshold(_)) => threshold::accept(model),
+        Some(_) => {}
+        None => typing::accept(model),
+    }
+}
+
+/// Gives up what is nearest: what stands in front, what is typed, or what is being computed.
+pub(crate) fn cancel(app: &mut App) {
+    let model = &mut app.model;
+    if threshold::stop(model) {
+        return;
+    }
+    match model.overlay.take() {
+        // Back to the list that it came from.
+        Some(Overlay::Name(Naming::Rename(from), ..)) => {
+            presets::open_picker_at(model, &from);
+            return;
+        }
+        Some(_) => return,
+        None => {}
+    }
+    if let Some(typing) = model.form.typing.take() {
+        let work = model.work.with(typing.before);
+        edit::put(model, work);
+    } else if model.page.stop(None, &mut model.out) {
+        model.notice = Some("no page is written".to_owned());
+    } else if !app.screens[app.screen].cancel(model) {
+        // Its worker says that it was cancelled.
+        model.run.end(&mut model.out);
+    }
+}
+
+/// Answers yes or no to what is asked.
+pub(crate) fn reply(app: &mut App, yes: bool) {
+    let model = &mut app.model;
+    match model.overlay.take() {
+        Some(Overlay::Question(Question::Adopt(_, scenario))) if yes => {
+            edit::adopt(model, *scenario);
+        }
+        Some(Overlay::Question(Question::Quit { .. })) if yes => {
+            model.out.effects.push(Effect::Quit(0));
+        }
+        Some(Overlay::Question(Question::Replace(name) | Question::Hide(name))) => {
+            if yes {
+                presets::save(model, name, true);
+            } else {
+                model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), None));
+            }
+        }
+        Some(Overlay::Question(Question::Remove(name))) => {
+            if yes {
+                model.out.effects.push(Effect::Remove(name));
+            } else {
+                presets::open_picker_at(model, &name);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Has a page written of what is on show.
+pub(crate) fn write_page(app: &mut App) {
+    let answers = app.screens[app.screen].answers(&app.model);
+    match take_away::page(&app.model, &answers) {
+        Ok(page) => app.model.page.ask(page, &mut app.model.out),
+        Err(why) => app.model.notice = Some(why.to_owned()),
+    }
+}
+
+/// Copies a summary of what is on show.
+pub(crate) fn copy_summary(app: &mut App) {
+    let answers = app.screens[app.screen].answers(&app.model);
+    match take_away::summary(&app.model, &answers) {
+        Ok(text) => push(app, Effect::Copy(text)),
+        Err(why) => app.model.notice = Some(why.to_owned()),
+    }
+}
+
+/// Proposes what is more exact, or faster; shows the screen that must find that out first.
+pub(crate) fn propose(app: &mut App, exact: bool) {
+    for place in 0..app.screens.len() {
+        match app.screens[place].propose(&mut app.model, exact) {
+            Some(true) => return app.show(place),
+            Some(false) => return,
+            None => {}
+        }
+    }
+}
+
+/// Stops the clock at a time in s.
+pub(crate) fn stay_at(app: &mut App, time: f64) {
+    app.model.clock.moment = Moment::At(time);
+    app.model.clock.playing = false;
+}
+
+/// Goes to the time of the next peak of what is on show, or to that of the one before.
+pub(crate) fn jump_to_peak(app: &mut App, forward: bool) {
+    let mut clock = app.model.clock;
+    if let Some((answer, _)) = app.timed() {
+        let courses = app.on_show().courses(&app.model);
+        let on_show = |of| courses.is_empty() || courses.contains(&Course::Of(of));
+        clock.jump(answer, forward, on_show);
+    }
+    app.model.clock = clock;
+}
+
+/// Plays or pauses.
+pub(crate) fn play(app: &mut App) {
+    // Nobody has chosen a moment yet: begin at the beginning.
+    let time = match app.model.clock.moment {
+        Moment::Deepest => 0.0,
+        Moment::At(_) => app.time(),
+    };
+    app.model.clock.moment = Moment::At(time);
+    app.model.clock.playing = !app.model.clock.playing;
+}

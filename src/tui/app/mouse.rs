@@ -1,0 +1,54 @@
+//! What the mouse does, where it is listened to: it points at screens and at what they show.
+
+use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use ratatui::layout::Rect;
+
+use crate::tui::app::App;
+use crate::tui::app::actions::scroll;
+use crate::tui::app::frame::{body, tab_at};
+use crate::tui::overlay::Overlay;
+use crate::tui::screens::screen::Mouse;
+use crate::tui::step::Step;
+use crate::tui::view::SMALLEST;
+
+/// Takes in what the mouse did on a screen of `size`.
+pub(super) fn take(app: &mut App, event: MouseEvent, size: (u16, u16)) {
+    let at = (event.column, event.row);
+    // What is typed or asked wants an answer by key first.
+    let busy = app.model.overlay.is_some() || app.model.form.typing.is_some();
+    match event.kind {
+        MouseEventKind::Up(_) => app.dragging = false,
+        MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => {
+            let up = event.kind == MouseEventKind::ScrollUp;
+            let coarse = event.modifiers.contains(KeyModifiers::SHIFT);
+            match &app.model.overlay {
+                Some(Overlay::Help(_) | Overlay::Picker(_)) => {
+                    scroll(app, if up { -1 } else { 1 });
+                }
+                _ if busy => {}
+                _ => {
+                    app.model.notice = None;
+                    tell(app, Mouse::Wheel(at, Step { up, coarse }), size);
+                }
+            }
+        }
+        MouseEventKind::Drag(MouseButton::Left) if app.dragging => {
+            tell(app, Mouse::Drag(at), size);
+        }
+        MouseEventKind::Down(MouseButton::Left) if !busy => {
+            app.model.notice = None;
+            match tab_at(app, size, at) {
+                Some(place) => app.show(place),
+                None => app.dragging = tell(app, Mouse::Press(at), size),
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Tells the screen, where there is room to draw it; whether it wants to be told of drags.
+fn tell(app: &mut App, mouse: Mouse, (width, height): (u16, u16)) -> bool {
+    let drawn = width >= SMALLEST.0 && height >= SMALLEST.1;
+    let body = body(Rect::new(0, 0, width, height));
+    drawn && app.screens[app.screen].mouse(&mut app.model, mouse, body)
+}

@@ -1,0 +1,284 @@
+//! The keys that belong to no pane: those of every screen, those of time, and those of what stands
+//! in front of a screen; and all tables together.
+
+use crossterm::event::KeyCode;
+
+use crate::tui::app::App;
+use crate::tui::app::actions;
+use crate::tui::changes::{edit, presets, threshold};
+use crate::tui::keys;
+use crate::tui::keys::chosen::{Clash, Keys};
+use crate::tui::keys::press::{
+    BACK_TAB, DOWN, END, ENTER, ESC, HOME, PAGE_DOWN, PAGE_UP, Press, SUSPEND, TAB, UP, alt, c,
+    ctrl, plain,
+};
+use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
+use crate::tui::model::Model;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::Overlay;
+use crate::tui::picker::PAGE;
+use crate::tui::screens::SCREENS;
+use crate::tui::screens::screen::Screen;
+
+/// What a key does to the app.
+pub type AppAct = fn(&mut App);
+
+const fn bind(
+    presses: &'static [Press],
+    act: AppAct,
+    short: &'static str,
+    help: &'static str,
+) -> Binding<AppAct> {
+    let key = Key::new(presses, short, help);
+    Binding { key, act }
+}
+
+const fn named(name: &'static str, binding: Binding<AppAct>) -> Binding<AppAct> {
+    binding.named(name)
+}
+
+#[cfg(unix)]
+const STOP: Binding<AppAct> = bind(
+    &[SUSPEND],
+    |app| actions::push(app, Effect::Suspend),
+    "",
+    "stop; fg in the shell goes on",
+);
+const LEAVE: Binding<AppAct> = bind(
+    &[ctrl('c')],
+    |app| actions::push(app, Effect::Quit(130)),
+    "",
+    "leave at once",
+);
+
+/// On every screen, unless something is typed or asked.
+#[rustfmt::skip]
+pub(crate) static EVERYWHERE: KeyTable<AppAct> = KeyTable::new("Everywhere", &[
+    named("next_pane", bind(&[TAB], |a| a.change_pane(true), "pane", "the next pane")),
+    named("pane_before", bind(&[BACK_TAB], |a| a.change_pane(false), "", "the pane before")),
+    named("help", bind(&[c('?')], actions::help, "keys", "show or hide the keys")),
+    named("quit", bind(&[c('q')], actions::quit, "quit", "quit; asks if work would be lost")),
+    named("save", bind(&[c('s')], |a| presets::ask_for_name(&mut a.model), "save", "save as a preset of your own")),
+    named("undo", bind(&[c('u')], |a| edit::travel(&mut a.model, true), "undo", "undo")),
+    named("redo", bind(&[c('r'), ctrl('r')], |a| edit::travel(&mut a.model, false), "", "redo")),
+    named("presets", bind(&[c('p')], |a| presets::open_picker(&mut a.model), "presets", "open a preset")),
+    named("page", bind(&[c('w')], actions::write_page, "page", "write a page of this for a browser, as a new file")),
+    named("more_exact", bind(&[c('>')], |a| actions::propose(a, true), "exact", "more exact: says what it costs, and asks")),
+    named("quicker", bind(&[c('<')], |a| actions::propose(a, false), "&", "faster: says what it costs, and asks")),
+    named("copy", bind(&[c('y')], actions::copy_summary, "", "copy a summary and its command")),
+    named("cancel", bind(&[ESC], actions::cancel, "", "cancel a long run")),
+    named("idle", bind(&[c('I')], actions::toggle_idle, "", "compute ahead while you do nothing, or no longer")),
+    named("mouse", bind(&[c('M')], actions::toggle_mouse, "", "listen to the mouse, or no longer")),
+    named("redraw", bind(&[ctrl('l')], |a| actions::push(a, Effect::Repaint), "", "draw everything afresh")),
+    #[cfg(unix)]
+    STOP,
+    LEAVE,
+]);
+
+/// The keys of each screen: its number alone, with Alt, and as a function key.
+const SHOW_PRESSES: [[Press; 3]; SCREENS.len()] = {
+    let mut presses = [[ESC; 3]; SCREENS.len()];
+    let mut i = 0;
+    while i < presses.len() {
+        let digit = (b'1' + i as u8) as char;
+        presses[i] = [c(digit), alt(digit), plain(KeyCode::F(1 + i as u8))];
+        i += 1;
+    }
+    presses
+};
+
+static SHOW_PRESSES_KEPT: [[Press; 3]; SCREENS.len()] = SHOW_PRESSES;
+
+static SHOW_BINDINGS: [Binding<usize>; SCREENS.len()] = {
+    let nothing = Key::new(&[], "", "");
+    let mut bindings = [Binding {
+        key: nothing,
+        act: 0,
+    }; SCREENS.len()];
+    let mut i = 0;
+    while i < bindings.len() {
+        let key = Key::new(&SHOW_PRESSES_KEPT[i], "", SCREENS[i].purpose);
+        bindings[i] = Binding { key, act: i }.named(SCREENS[i].title);
+        i += 1;
+    }
+    bindings
+};
+
+/// One key a screen, in the order of their list, each with the place of its screen.
+pub(crate) static SHOW: KeyTable<usize> = KeyTable::new("Screens", &SHOW_BINDINGS);
+
+/// Wherever time can be moved, unless the pane has the key for itself.
+#[rustfmt::skip]
+pub(crate) static TIME: KeyTable<AppAct> = KeyTable::new("Time", &[
+    named("play", bind(&[c(' ')], actions::play, "play", "play or pause")),
+    named("next_peak", bind(&[c('g')], |a| actions::jump_to_peak(a, true), "peak", "to the time of the next peak")),
+    named("peak_before", bind(&[c('G')], |a| actions::jump_to_peak(a, false), "", "to the time of the peak before")),
+    named("first_frame", bind(&[HOME], |a| actions::stay_at(a, 0.0), "", "to the first frame")),
+    named("last_frame", bind(&[END], |a| actions::stay_at(a, a.timed().map_or(0.0, |timed| timed.1)), "", "to the last frame")),
+    named("faster", bind(&[c('+'), c('=')], |a| a.model.clock.change_speed(true), "speed", "twice as fast")),
+    named("slower", bind(&[c('-'), c('_')], |a| a.model.clock.change_speed(false), "&", "half as fast")),
+    named("exaggerate", bind(&[c('z')], |a| a.model.clock.change_zoom(), "larger", "show motion larger: x 1, 2, 5, 10")),
+    named("heat", bind(&[c('C')], |a| a.model.look.heat = a.model.look.heat.other(), "", "colours of force: the paper's, or even ones")),
+    named("detail", bind(&[c('e')], |a| a.model.clock.change_detail(), "detail", "edges, nodes or outline")),
+]);
+
+/// While a value or a name is typed.
+#[rustfmt::skip]
+static TYPING: KeyTable<AppAct> = KeyTable::new("Typing", &[
+    bind(&[ENTER], actions::accept, "accept", "accept"),
+    bind(&[ESC], actions::cancel, "cancel", "leave it as it was"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// In the list of presets to open.
+#[rustfmt::skip]
+static PICKER: KeyTable<AppAct> = KeyTable::new("List of presets", &[
+    bind(&[UP], |a| actions::scroll(a, -1), "preset", "the preset above"),
+    bind(&[DOWN], |a| actions::scroll(a, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |a| actions::scroll(a, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten presets down"),
+    bind(&[HOME], |a| actions::scroll(a, -i16::MAX), "", "the first preset"),
+    bind(&[END], |a| actions::scroll(a, i16::MAX), "", "the last preset"),
+    bind(&[ENTER], actions::accept, "open", "open it"),
+    bind(&[plain(KeyCode::F(2))], |a| presets::ask_to_rename(&mut a.model), "rename", "rename a preset of your own"),
+    bind(&[plain(KeyCode::Delete)], |a| presets::ask_to_remove(&mut a.model), "remove", "remove a preset of your own"),
+    bind(&[ESC], actions::cancel, "close", "close the list; letters are searched for"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// In the list of presets to mark for a comparison.
+#[rustfmt::skip]
+static MARKER: KeyTable<AppAct> = KeyTable::new("Compare: find", &[
+    bind(&[UP], |a| actions::scroll(a, -1), "preset", "the preset above"),
+    bind(&[DOWN], |a| actions::scroll(a, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |a| actions::scroll(a, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten presets down"),
+    bind(&[ENTER], actions::accept, "mark", "mark or unmark it, and find the next"),
+    bind(&[ESC], actions::cancel, "close", "close the list; letters are searched for"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// While it is asked at which value a result reaches another one.
+#[rustfmt::skip]
+static THRESHOLD: KeyTable<AppAct> = KeyTable::new("At which value", &[
+    bind(&[UP], |a| threshold::next_result(&mut a.model, false), "result", "the result before"),
+    bind(&[DOWN], |a| threshold::next_result(&mut a.model, true), "&", "the next result"),
+    bind(&[ENTER], actions::accept, "find, take", "look for the value; then take it into the form"),
+    bind(&[TAB], |a| threshold::next_crossing(&mut a.model), "next", "the next value, where there are several"),
+    bind(&[ESC], actions::cancel, "stop", "stop looking; then close"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// While yes or no is asked.
+#[rustfmt::skip]
+static QUESTION: KeyTable<AppAct> = KeyTable::new("Question", &[
+    bind(&[c('y'), ENTER], |a| actions::reply(a, true), "yes", "yes"),
+    bind(&[c('n'), ESC], |a| actions::reply(a, false), "no", "no"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// While the keys are shown.
+#[rustfmt::skip]
+static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
+    bind(&[UP, c('k')], |a| actions::scroll(a, -1), "scroll", "up"),
+    bind(&[DOWN, c('j'), c(' ')], |a| actions::scroll(a, 1), "&", "down"),
+    bind(&[PAGE_UP], |a| actions::scroll(a, -PAGE), "", "ten lines up"),
+    bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten lines down"),
+    bind(&[c('?'), ESC, c('q')], actions::help, "close", "close the help"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// The tables of what can stand in front of a screen.
+static IN_FRONT: [&KeyTable<AppAct>; 6] = [&TYPING, &PICKER, &MARKER, &THRESHOLD, &QUESTION, &HELP];
+
+/// The keys of what stands in front of the screen now. Nothing behind it gets any.
+pub(crate) fn in_front(model: &Model) -> Option<&'static KeyTable<AppAct>> {
+    match &model.overlay {
+        Some(Overlay::Help(_)) => Some(&HELP),
+        Some(Overlay::Picker(picker)) if picker.marked.is_some() => Some(&MARKER),
+        Some(Overlay::Picker(_)) => Some(&PICKER),
+        Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
+        Some(Overlay::Name(..)) => Some(&TYPING),
+        Some(Overlay::Question(_)) => Some(&QUESTION),
+        None => model.form.typing.is_some().then_some(&TYPING),
+    }
+}
+
+/// The tables of every screen that count behind the pane with the focus: those of time, if it has
+/// them, and those that count everywhere.
+pub(crate) fn shared(app: &App) -> Vec<&'static KeyTable<AppAct>> {
+    match app.focus().time {
+        TimeKeys::Absent => vec![&EVERYWHERE],
+        TimeKeys::Early | TimeKeys::Late => vec![&TIME, &EVERYWHERE],
+    }
+}
+
+/// The lists in which a key is looked up now, the first that knows it wins.
+pub(crate) fn stack(app: &App) -> Vec<KeyList> {
+    if let Some(table) = in_front(&app.model) {
+        return vec![table.list()];
+    }
+    let mut stack = app.on_show().keys_now(&app.model);
+    stack.extend(shared(app).into_iter().map(KeyTable::list));
+    stack.push(SHOW.list());
+    stack
+}
+
+/// What the footer may show now: keys and their word, the most needed first.
+pub(crate) fn live(app: &App) -> Vec<(String, &'static str)> {
+    let late = (app.focus().time == TimeKeys::Late).then_some(TIME.title);
+    let mut live = keys::live(&stack(app), &app.model.keys, late, SCREENS.len());
+    // Where there is one pane there is no next one.
+    let several = app.on_show().panes().len() > 1;
+    live.retain(|(_, word)| *word != "pane" || several);
+    live
+}
+
+/// What counts on every screen, whose keys with a name a person may choose.
+fn everywhere() -> [KeyList; 3] {
+    [EVERYWHERE.list(), SHOW.list(), TIME.list()]
+}
+
+/// The keys of all panes.
+pub(crate) fn of_panes(screen: &dyn Screen) -> Vec<KeyList> {
+    let panes = screen.panes().into_iter();
+    panes.flat_map(|pane| pane.keys).collect()
+}
+
+fn of_screens() -> Vec<KeyList> {
+    let screens = SCREENS.iter().map(|about| (about.new)());
+    screens
+        .flat_map(|screen| of_panes(screen.as_ref()))
+        .collect()
+}
+
+/// Every list, in the order of the help.
+pub fn all() -> Vec<KeyList> {
+    let mut lists = everywhere().to_vec();
+    lists.extend(of_screens());
+    lists.extend(IN_FRONT.into_iter().map(KeyTable::list));
+    lists
+}
+
+/// Everything that may have other keys.
+pub fn open_to_choice() -> impl Iterator<Item = &'static Key> {
+    let keys = everywhere().into_iter().flat_map(|list| list.keys);
+    keys.filter(|key| !key.name.is_empty())
+}
+
+/// The first of the chosen keys that two things would share.
+pub fn clash(keys: &Keys) -> Option<Clash> {
+    keys.clash(&everywhere(), &of_screens())
+}

@@ -1,0 +1,548 @@
+//! What keys and answers do to the app, without a terminal and without threads.
+
+use crate::answer::solve::solve as simulate;
+use crate::run::kept::Keep;
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::scenario::Impact;
+use crate::scenario::fields;
+use crate::tui::app::App;
+use crate::tui::app::driven::{asked, begun};
+use crate::tui::app::update::{Message, update};
+use crate::tui::changes::edit::change;
+use crate::tui::form::Row;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::prepare;
+use crate::tui::request::{Report, Ticket};
+use crate::tui::save::SaveError;
+use crate::tui::screens::SCREENS;
+use crate::tui::screens::accuracy::measurement::Measurement;
+use crate::tui::screens::compare::comparison::{Comparison, EstimateMarked, SimulateMarked};
+use crate::tui::screens::map::state::Map;
+use crate::tui::simulation::Simulate;
+use crate::tui::terminal::input::{Input as Typed, Parser};
+use std::time::Duration;
+
+mod chosen;
+mod doubt;
+mod keys;
+mod map;
+mod mouse;
+mod saved_session;
+mod take_away;
+mod threshold;
+mod typing;
+
+fn app() -> App {
+    let mut app = begun();
+    app.model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
+    app
+}
+
+fn press(app: &mut App, keys: &str) -> Vec<Effect> {
+    let mut parser = Parser::default();
+    let mut inputs = parser.feed(keys.as_bytes());
+    inputs.extend(parser.flush());
+    let mut effects = Vec::new();
+    for input in inputs {
+        match input {
+            Typed::Key(event) => effects.extend(update(app, Message::Key(event))),
+            Typed::Paste(text) => effects.extend(update(app, Message::Paste(text))),
+            Typed::Mouse(_) | Typed::CursorReport(_) => {}
+        }
+    }
+    effects
+}
+
+fn force(app: &App) -> f64 {
+    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
+        panic!()
+    };
+    pulse.force_n
+}
+
+/// The name that is offered to save under.
+fn offered(app: &App) -> String {
+    match &app.model.overlay {
+        Some(Overlay::Name(Naming::Save, input, _)) => input.value().to_owned(),
+        _ => String::new(),
+    }
+}
+
+/// The ticket of the simulation under way.
+fn running(app: &App) -> Ticket {
+    app.model.run.job.as_ref().unwrap().ticket
+}
+
+fn answer(app: &mut App, ticket: Ticket) {
+    let answer = simulate(
+        &app.model.work.scenario.check().unwrap(),
+        Keep::default(),
+        &mut unwatched,
+    );
+    let report = Report::done::<Simulate>(ticket, answer);
+    update(app, Message::News(report));
+}
+
+fn refuse(app: &mut App, ticket: Ticket, refusal: Refusal) {
+    let report = Report::done::<Simulate>(ticket, Err(refusal));
+    update(app, Message::News(report));
+}
+
+#[test]
+fn every_edit_asks_for_its_own_simulation() {
+    let mut app = app();
+    let effects = press(&mut app, "lll");
+    let tickets: Vec<Ticket> = effects
+        .iter()
+        .filter_map(|effect| Some(asked::<Simulate>(std::slice::from_ref(effect))?.0))
+        .collect();
+    assert_eq!(force(&app), 330.0);
+    assert!(tickets.is_sorted() && tickets.len() == 3);
+    assert_eq!(running(&app), tickets[2]);
+}
+
+#[test]
+fn a_late_answer_changes_nothing() {
+    let mut app = app();
+    press(&mut app, "l");
+    answer(&mut app, 1);
+    assert!(
+        app.model.shown.is_none(),
+        "that was the answer before the edit"
+    );
+    answer(&mut app, 2);
+    assert!(app.model.shown.is_some() && app.model.run.job.is_none());
+}
+
+#[test]
+fn a_refusal_keeps_the_last_good_result_and_says_why() {
+    let mut app = app();
+    answer(&mut app, 1);
+    press(&mut app, "l");
+    let ticket = running(&app);
+    refuse(&mut app, ticket, Refusal::Cancelled);
+    let (_, why) = app.model.run.complaint.as_ref().unwrap();
+    assert!(why.contains("the next edit"));
+    assert_eq!(app.model.stale(), Some("last good result"));
+    // The next edit that works clears it.
+    press(&mut app, "u");
+    let ticket = running(&app);
+    answer(&mut app, ticket);
+    assert_eq!(app.model.stale(), None);
+}
+
+#[test]
+fn escape_cancels_a_run_and_an_edit_supersedes_it() {
+    let mut app = app();
+    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
+    assert_eq!(asked::<Simulate>(&press(&mut app, "l")).unwrap().0, 2);
+}
+
+#[test]
+fn undo_and_redo_travel_through_edits_and_presets() {
+    let mut app = app();
+    press(&mut app, "\r\x15450\r");
+    press(&mut app, "kkkk");
+    let first = app.model.work.source.clone();
+    press(&mut app, "l");
+    assert_ne!(app.model.work.source, first);
+    assert!(!app.model.is_edited());
+    press(&mut app, "u");
+    assert_eq!((app.model.work.source.clone(), force(&app)), (first, 450.0));
+    assert!(app.model.is_edited());
+    press(&mut app, "u");
+    assert_eq!(force(&app), 300.0);
+    assert!(!app.model.is_edited());
+    press(&mut app, "u");
+    assert!(
+        app.model
+            .notice
+            .as_ref()
+            .unwrap()
+            .contains("nothing to undo")
+    );
+    press(&mut app, "rr");
+    assert!(!app.model.is_edited() && app.model.notice.is_none());
+    assert_ne!(force(&app), 450.0);
+}
+
+#[test]
+fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current() {
+    let mut app = app();
+    press(&mut app, "\tKKKKKKKKKK");
+    let angle = |app: &App| match &app.model.work.scenario.impact {
+        Impact::ForcePulse(pulse) => pulse.angle_deg,
+        Impact::Projectile(_) => panic!(),
+    };
+    let limit = angle(&app);
+    let ticket = running(&app);
+    answer(&mut app, ticket);
+    press(&mut app, "k");
+    assert_eq!(angle(&app), limit);
+    assert!(
+        app.model
+            .form
+            .complaint
+            .as_ref()
+            .unwrap()
+            .contains("bone shields")
+    );
+    assert_eq!(app.model.stale(), None);
+}
+
+#[test]
+fn lists_of_presets_have_a_first_and_a_last() {
+    let mut app = app();
+    let last = app.model.choices.len() - 1;
+    let row = |app: &App| match &app.model.overlay {
+        Some(Overlay::Picker(picker)) => picker.row,
+        _ => usize::MAX,
+    };
+    press(&mut app, "p\x1b[F");
+    assert_eq!(row(&app), last);
+    press(&mut app, "\x1b[5~");
+    assert_eq!(row(&app), last - 10);
+    press(&mut app, "\x1b[H\x1b[6~");
+    assert_eq!(row(&app), 10);
+    press(&mut app, "\x1b");
+    press(&mut app, "\x1b4\x1b[F");
+    assert_eq!(app.state::<Comparison>().row, last + 1);
+    press(&mut app, "\x1b[H");
+    assert_eq!(app.state::<Comparison>().row, 0);
+}
+
+#[test]
+fn more_scenarios_than_can_be_marked_are_counted() {
+    let names = [
+        "paper-300n",
+        "paper-100n",
+        "paper-600n",
+        "wide-area",
+        "small-area",
+        "bb-56",
+        "bb-62",
+        "bb-92",
+    ]
+    .map(str::to_owned);
+    let look = app().model.look;
+    let app = prepare(&names, look).unwrap();
+    assert_eq!(app.state::<Comparison>().entries.len(), 6);
+    assert!(
+        app.model
+            .notice
+            .unwrap()
+            .contains("first 6 are marked for comparison, 2 are not")
+    );
+    assert!(prepare(&names[..6], look).unwrap().model.notice.is_none());
+}
+
+#[test]
+fn quitting_asks_only_when_work_would_be_lost() {
+    let mut app = app();
+    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
+    press(&mut app, "l");
+    assert_eq!(press(&mut app, "q"), []);
+    assert_eq!(press(&mut app, "n"), []);
+    assert_eq!(press(&mut app, "qy"), [Effect::Quit(0)]);
+    press(&mut app, "u");
+    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
+    press(&mut app, "l");
+    assert_eq!(press(&mut app, "\x03"), [Effect::Quit(130)]);
+}
+
+#[test]
+fn saving_asks_for_a_name_and_before_it_replaces() {
+    let mut app = app();
+    press(&mut app, "ls");
+    assert_eq!(offered(&app), "paper-300n-2");
+    // That of the built-in one would hide it.
+    press(&mut app, "\x15paper-300n");
+    assert_eq!(press(&mut app, "\r"), []);
+    let replace = Question::Hide("paper-300n".to_owned());
+    assert!(matches!(&app.model.overlay, Some(Overlay::Question(q)) if *q == replace));
+    press(&mut app, "n");
+    press(&mut app, "\x15a/b\r");
+    assert!(matches!(
+        &app.model.overlay,
+        Some(Overlay::Name(_, _, Some(_)))
+    ));
+    let effects = press(&mut app, "\x15mine\r");
+    let [Effect::Save(name, text, false)] = &effects[..] else {
+        panic!("{effects:?}")
+    };
+    assert!(name == "mine" && text.contains("name: \"mine\""));
+    // Nothing counts as saved before it is.
+    assert!(app.model.is_edited());
+    let full = SaveError::Failed("no space".to_owned());
+    update(&mut app, Message::Saved("mine".to_owned(), Err(full)));
+    assert!(app.model.is_edited());
+    update(&mut app, Message::Saved("mine".to_owned(), Ok(())));
+    assert!(!app.model.is_edited() && app.model.overlay.is_none());
+    assert_eq!(app.model.work.source, "mine");
+}
+
+#[test]
+fn the_dial_and_the_form_turn_the_same_angle() {
+    let mut app = app();
+    press(&mut app, "\tkkK");
+    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
+        panic!()
+    };
+    assert_eq!(pulse.angle_deg, 10.0);
+    press(&mut app, "l");
+    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
+        panic!()
+    };
+    assert_eq!(pulse.half_width_deg, 21.0);
+}
+
+#[test]
+fn marks_are_simulated_one_after_another() {
+    let mut app = app();
+    let effects = press(&mut app, "\x1b4j j ");
+    let (first, _) = asked::<SimulateMarked>(&effects).unwrap();
+    let done = |app: &mut App, ticket| {
+        let answer = simulate(
+            &app.model.work.scenario.check().unwrap(),
+            Keep::default(),
+            &mut unwatched,
+        );
+        let report = Report::done::<SimulateMarked>(ticket, answer);
+        update(app, Message::News(report))
+    };
+    let effects = done(&mut app, first);
+    let (second, _) = asked::<SimulateMarked>(&effects).unwrap();
+    // Their mesh errors follow once all are there.
+    let effects = done(&mut app, second);
+    assert!(asked::<EstimateMarked>(&effects).is_some());
+    assert!(
+        app.state::<Comparison>()
+            .entries
+            .iter()
+            .all(|e| e.answer().is_some())
+    );
+}
+
+#[test]
+fn unmarking_stops_a_simulation_nobody_waits_for() {
+    let mut app = app();
+    press(&mut app, "\x1b4j ");
+    let effects = press(&mut app, " ");
+    assert!(matches!(effects[..], [Effect::Stop(_)]));
+    assert!(app.state::<Comparison>().task.job.is_none());
+}
+
+#[test]
+fn the_form_follows_into_the_comparison() {
+    let mut app = app();
+    press(&mut app, "\x1b4 ");
+    press(&mut app, "1l");
+    let effects = press(&mut app, "\x1b4");
+    let (_, marked) = asked::<SimulateMarked>(&effects).unwrap();
+    assert_eq!(marked.scenario, app.model.work.scenario);
+}
+
+#[test]
+fn time_passes_only_while_the_replay_plays() {
+    let mut app = app();
+    answer(&mut app, 1);
+    let second = |n| Message::Tick(Duration::from_secs(n));
+    update(&mut app, second(1));
+    let still = app.time();
+    update(&mut app, second(2));
+    assert_eq!(app.time(), still);
+    press(&mut app, " ");
+    assert_eq!(app.time(), 0.0);
+    update(&mut app, second(3));
+    assert!((app.time() - 0.5e-3).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_undone_after_saving_counts_as_edited() {
+    let mut app = app();
+    press(&mut app, "l");
+    let name = app.model.work.source.clone();
+    update(&mut app, Message::Saved(name, Ok(())));
+    assert!(!app.model.is_edited());
+    press(&mut app, "u");
+    assert_eq!(force(&app), 300.0);
+    assert!(app.model.is_edited(), "the preset now holds 310 N");
+    press(&mut app, "r");
+    assert!(!app.model.is_edited() && force(&app) == 310.0);
+    // A step after saving is a change of its own, however soon it comes.
+    press(&mut app, "l");
+    let name = app.model.work.source.clone();
+    update(&mut app, Message::Saved(name, Ok(())));
+    press(&mut app, "lu");
+    assert_eq!(force(&app), 320.0);
+}
+
+#[test]
+fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
+    let mut app = app();
+    app.model.work.source = format!("/some/where/{}.ron", "x".repeat(90));
+    assert!(app.model.title().starts_with("xxx"));
+    let tabs = crate::tui::app::frame::tabs(&app, 100);
+    assert!(
+        tabs.iter().all(|(_, label)| label.len() > 3),
+        "{}",
+        tabs.len()
+    );
+    app.model.work.source = "a/b/".to_owned();
+    assert_eq!(app.model.title(), "b");
+}
+
+#[test]
+fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
+    let mut app = app();
+    app.model.guest = true;
+    app.model.form.selected = Row::Field(fields::find("window_ms").unwrap());
+    // By steps, by typing, and by whatever else brings a scenario.
+    press(&mut app, &"L".repeat(30));
+    assert_eq!(app.model.work.scenario.window_ms, 20.0);
+    assert!(
+        app.model
+            .notice
+            .as_ref()
+            .unwrap()
+            .contains("not for guests")
+    );
+    for keys in ["\r\x1521", "\r"] {
+        press(&mut app, keys);
+        assert_eq!(app.model.work.scenario.window_ms, 20.0);
+        let error = app
+            .model
+            .form
+            .typing
+            .as_ref()
+            .unwrap()
+            .error
+            .as_ref()
+            .unwrap();
+        assert!(error.contains("not for guests"), "{error}");
+    }
+    press(&mut app, "\x1b");
+    let mut fine = app.model.work.clone();
+    fine.scenario.eye.level = 4;
+    change(&mut app.model, fine, "");
+    assert_eq!(app.model.work.scenario.eye.level, 1);
+    press(&mut app, "s");
+    assert!(app.model.overlay.is_none());
+    press(&mut app, "\x1b6");
+    let asked = app.model.ensemble.task.job.as_ref().unwrap().question.count;
+    assert_eq!(asked, crate::tui::guest::MOST_SAMPLES);
+}
+
+#[test]
+fn letters_search_the_list_of_presets_and_do_nothing_behind_it() {
+    let mut app = app();
+    press(&mut app, "p");
+    let before = app.model.work.clone();
+    for typed in "qjk squash, wyr?1".chars() {
+        assert!(press(&mut app, &typed.to_string()).is_empty(), "{typed}");
+        let in_front = matches!(app.model.overlay, Some(Overlay::Picker(_)));
+        assert!(in_front && app.model.form.typing.is_none(), "{typed}");
+    }
+    // Where nothing is found, Enter opens nothing.
+    press(&mut app, "\r");
+    assert!(matches!(app.model.overlay, Some(Overlay::Picker(_))));
+    assert!(app.model.work == before && app.screen == 0);
+    press(&mut app, "\x1b");
+    assert!(app.model.overlay.is_none());
+}
+
+#[test]
+fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
+    let mut app = app();
+    press(&mut app, "l");
+    press(&mut app, "psqua ball\r");
+    assert_eq!(app.model.work.source, "squash-ball");
+    assert!(app.model.notice.as_ref().unwrap().contains("u brings back"));
+    press(&mut app, "u");
+    assert_eq!(force(&app), 310.0);
+}
+
+#[test]
+fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
+    let mut app = app();
+    let (rename, delete) = ("\x1bOQ", "\x1b[3~");
+    for key in [rename, delete] {
+        press(&mut app, "pbb 56");
+        assert!(press(&mut app, key).is_empty());
+        assert!(
+            app.model
+                .notice
+                .as_ref()
+                .unwrap()
+                .contains("stays as it is")
+        );
+        press(&mut app, "\x1b");
+    }
+    press(&mut app, "ls\x15my blow\r");
+    let name = "my blow".to_owned();
+    update(&mut app, Message::Saved(name.clone(), Ok(())));
+    let mut own = app.model.choices[0].clone();
+    own.name.clone_from(&name);
+    own.scenario = Ok(app.model.work.scenario.clone());
+    own.origin = "own";
+    app.model.choices.push(own);
+    press(&mut app, "p");
+    press(&mut app, rename);
+    assert_eq!(press(&mut app, "\x15bb-56\r"), [], "that name is taken");
+    let effects = press(&mut app, "\x15hers\r");
+    let hers = "hers".to_owned();
+    assert_eq!(effects, [Effect::Rename(name.clone(), hers.clone())]);
+    update(&mut app, Message::Renamed(name, hers.clone(), Ok(())));
+    assert_eq!(
+        (&app.model.work.source, &app.model.work.scenario.name),
+        (&hers, &hers)
+    );
+    assert!(!app.model.is_edited());
+    // No leaves it, and leads back to the list.
+    assert_eq!(press(&mut app, &format!("{delete}n")), []);
+    let effects = press(&mut app, &format!("{delete}y"));
+    assert_eq!(effects, [Effect::Remove(hers.clone())]);
+    update(&mut app, Message::Removed(hers.clone(), Ok(())));
+    assert!(app.model.choices.iter().all(|choice| choice.name != hers));
+    // What it held is still worked on under its name, and is not lost without a question.
+    assert!(app.model.is_edited() && force(&app) == 310.0);
+    assert_eq!(app.model.work.name(), "hers");
+    press(&mut app, "\x1b");
+    press(&mut app, "s");
+    assert_eq!(offered(&app), "hers");
+    press(&mut app, "\x1b");
+    press(&mut app, "q");
+    assert!(matches!(
+        app.model.overlay,
+        Some(Overlay::Question(Question::Quit { .. }))
+    ));
+}
+
+#[test]
+fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
+    let busy = |app: &App| {
+        [
+            ("Compare", app.state::<Comparison>().task.job.is_some()),
+            ("Accuracy", app.state::<Measurement>().task.job.is_some()),
+            ("Map", app.state::<Map>().task.job.is_some()),
+            ("Doubt", app.model.ensemble.task.job.is_some()),
+        ]
+        .into_iter()
+        .filter_map(|(title, busy)| busy.then_some(title))
+        .collect::<Vec<_>>()
+    };
+    let mut app = begun();
+    press(&mut app, "\x1b4 ");
+    assert_eq!(busy(&app), ["Compare"]);
+    for _ in 0..2 {
+        for place in (0..SCREENS.len()).rev() {
+            app.show(place);
+            app.refresh_requests();
+            let title = SCREENS[place].title;
+            let works = ["Compare", "Accuracy", "Map", "Doubt"].contains(&title);
+            assert_eq!(busy(&app), if works { vec![title] } else { vec![] });
+        }
+    }
+}

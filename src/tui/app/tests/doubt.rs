@@ -1,0 +1,146 @@
+//! What the screen of doubt asks for, and what it keeps.
+
+use crate::run::refusal::Refusal;
+use crate::run::watch::unwatched;
+use crate::scenario::Scenario;
+use crate::tui::app::App;
+use crate::tui::app::driven::{asked, key, letter, opened};
+use crate::tui::app::tables::live;
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::ensemble::MANY;
+use crate::tui::ensemble::{FEW, RunSamples};
+use crate::tui::outbox::Effect;
+use crate::tui::request::{Question, Report};
+use crate::tui::screens::doubt::Doubt;
+use crate::tui::simulation::{EstimateMesh, Simulate};
+use crossterm::event::KeyCode;
+use std::time::Duration;
+
+fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
+    asked::<RunSamples>(effects).map(|(ticket, question)| (ticket, question.clone()))
+}
+
+/// A model with its answer, and what it asks for when the mesh error has come.
+fn idle_model() -> (App, (u64, RunSamples)) {
+    let mut app = opened();
+    app.model.work.scenario.window_ms = 0.2;
+    let effects = begin(&mut app);
+    let (ticket, question) = asked::<Simulate>(&effects).unwrap();
+    let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
+    let effects = update(&mut app, Message::News(report));
+    let (ticket, _) = asked::<EstimateMesh>(&effects).unwrap();
+    let report = Report::done::<EstimateMesh>(ticket, Err(Refusal::Cancelled));
+    let effects = update(&mut app, Message::News(report));
+    let asked = sampled(&effects).expect("the band follows the mesh error");
+    (app, asked)
+}
+
+/// So many samples, so far or in the end.
+fn tell(
+    app: &mut App,
+    (ticket, question): &(u64, RunSamples),
+    count: u32,
+    over: bool,
+) -> Vec<Effect> {
+    let small = RunSamples {
+        count,
+        ..question.clone()
+    };
+    let mut outcome = small.answer(&mut unwatched).unwrap();
+    outcome.asked = question.count;
+    let report = if over {
+        Report::done::<RunSamples>(*ticket, Ok(outcome))
+    } else {
+        Report::so_far::<RunSamples>(*ticket, outcome)
+    };
+    update(app, Message::News(report))
+}
+
+#[test]
+fn the_band_comes_when_idle_and_an_edit_stops_it() {
+    let (mut app, asked) = idle_model();
+    assert_eq!(asked.1.count, FEW);
+    let scenario = app.model.work.scenario.clone();
+    assert!(app.model.ensemble.of(&scenario).is_none());
+    tell(&mut app, &asked, 8, false);
+    assert!(
+        app.model.ensemble.of(&scenario).is_none(),
+        "too few to be shown"
+    );
+    tell(&mut app, &asked, 16, false);
+    assert!(app.model.ensemble.of(&scenario).is_some());
+    let renamed = Scenario {
+        name: "other".to_owned(),
+        ..scenario
+    };
+    assert!(app.model.ensemble.of(&renamed).is_some());
+
+    let (mut app, asked) = idle_model();
+    let effects = letter(&mut app, 'l');
+    assert!(effects.contains(&Effect::Stop(asked.0)));
+    tell(&mut app, &asked, 16, false);
+    assert!(app.model.ensemble.done.is_none(), "late news");
+}
+
+#[test]
+fn idle_work_is_announced_and_a_key_stops_it() {
+    let (mut app, asked) = idle_model();
+    assert!(asked.1.is_idle());
+    let report = Report::progress(asked.0, 0.25, Duration::ZERO);
+    update(&mut app, Message::News(report));
+    assert_eq!(app.model.ahead().unwrap(), "64 of 256 samples");
+    assert_eq!(letter(&mut app, 'I'), [Effect::Stop(asked.0)]);
+    assert_eq!(app.model.ahead(), None);
+    let (ticket, question) = sampled(&letter(&mut app, 'I')).unwrap();
+    assert!(question.is_idle());
+    assert!(letter(&mut app, '2').contains(&Effect::Stop(ticket)));
+}
+
+#[test]
+fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
+    let (mut app, asked) = idle_model();
+    tell(&mut app, &asked, 8, false);
+    let asked = sampled(&letter(&mut app, '6')).unwrap();
+    assert_eq!(asked.1.count, MANY);
+    assert!(!asked.1.is_idle() && asked.1.known.as_ref().unwrap().samples.len() == 8);
+    let report = Report::progress(asked.0, 0.3, Duration::ZERO);
+    update(&mut app, Message::News(report));
+    assert_eq!(app.model.ensemble.pace().unwrap(), "300 of 1000");
+    let offered = |app: &App| live(app).iter().any(|(_, word)| *word == "go on");
+    assert!(!offered(&app), "it runs");
+    assert_eq!(key(&mut app, KeyCode::Esc), [Effect::Stop(asked.0)]);
+    tell(&mut app, &asked, 32, true);
+    assert!(offered(&app));
+    let kept = app.model.ensemble.of(&app.model.work.scenario).unwrap();
+    assert!(kept.stopped() && kept.samples.len() == 32 && kept.asked == MANY);
+    assert!(app.model.ensemble.task.complaint.is_some());
+    assert!(letter(&mut app, '6').is_empty(), "only a key goes on");
+    let (_, again) = sampled(&letter(&mut app, 'm')).unwrap();
+    assert_eq!(again.known.unwrap().samples.len(), 32);
+    assert!(letter(&mut app, 'm').is_empty(), "one at a time");
+}
+
+#[test]
+fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
+    let (mut app, _) = idle_model();
+    let asked = sampled(&letter(&mut app, '6')).unwrap();
+    assert_eq!(letter(&mut app, '2'), [Effect::Stop(asked.0)]);
+    let asked = sampled(&letter(&mut app, '6')).unwrap();
+    tell(&mut app, &asked, 16, false);
+    for _ in 0..20 {
+        letter(&mut app, 'j');
+    }
+    let ensemble = app.model.ensemble.of(&app.model.work.scenario).unwrap();
+    let last = ensemble.results().len() - 1;
+    assert!(last >= 8, "all that a force pulse has");
+    assert_eq!(app.state::<Doubt>().row, last);
+    letter(&mut app, 'k');
+    assert_eq!(app.state::<Doubt>().row, last - 1);
+    app.model.work.scenario.window_ms = 0.3;
+    letter(&mut app, 'k');
+    assert_eq!(
+        app.state::<Doubt>().row,
+        last - 1,
+        "nothing to walk through"
+    );
+}

@@ -1,0 +1,122 @@
+//! What the mouse does.
+
+use crate::scenario::{Impact, fields};
+use crate::tui::app::App;
+use crate::tui::app::driven::{asked, begun};
+use crate::tui::app::update::{Message, update};
+use crate::tui::form::Row;
+use crate::tui::outbox::Effect;
+use crate::tui::screens::compare::comparison::Comparison;
+use crate::tui::simulation::Simulate;
+use MouseButton::Left;
+use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
+use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+
+const SIZE: (u16, u16) = (80, 24);
+
+fn app() -> App {
+    let mut app = begun();
+    app.model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
+    app
+}
+
+fn does(app: &mut App, kind: MouseEventKind, at: (u16, u16)) -> Vec<Effect> {
+    let event = MouseEvent {
+        kind,
+        column: at.0,
+        row: at.1,
+        modifiers: KeyModifiers::NONE,
+    };
+    update(app, Message::Mouse(event, SIZE))
+}
+
+fn blow(app: &App) -> (f64, f64) {
+    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
+        panic!("no pulse")
+    };
+    (pulse.force_n, pulse.angle_deg)
+}
+
+/// The middle of the eye at 80 by 24 is near here; the front is to its left.
+const MIDDLE: (u16, u16) = (41, 7);
+
+#[test]
+fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
+    let mut app = app();
+    assert_eq!(
+        does(&mut app, Drag(Left), MIDDLE),
+        [],
+        "no button went down there"
+    );
+    does(&mut app, Down(Left), (MIDDLE.0 - 8, MIDDLE.1));
+    assert_eq!(app.focus().name, "dial");
+    assert!(blow(&app).1.abs() < 8.0, "{}", blow(&app).1);
+    let effects = does(&mut app, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1 - 2));
+    assert!(asked::<Simulate>(&effects).is_some());
+    let angle = blow(&app).1;
+    assert!(
+        (15.0..45.0).contains(&angle) && angle == angle.round(),
+        "{angle}"
+    );
+    // Bone is in the way: that is explained, and the last angle stays.
+    does(&mut app, Drag(Left), (MIDDLE.0 + 8, MIDDLE.1));
+    assert_eq!(blow(&app).1, angle);
+    assert!(app.model.form.complaint.is_some());
+    does(&mut app, Up(Left), MIDDLE);
+    assert_eq!(does(&mut app, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1)), []);
+    assert_eq!(app.model.history.depth().0, 1, "one drag is one change");
+}
+
+#[test]
+fn a_click_chooses_a_row_and_another_one_opens_it() {
+    let mut app = app();
+    does(&mut app, Down(Left), (5, 5));
+    let Row::Field(field) = app.model.form.selected else {
+        panic!()
+    };
+    assert_eq!(field.path, "impact.duration_ms");
+    does(&mut app, Down(Left), (5, 5));
+    assert!(app.model.form.typing.is_some());
+    // A click elsewhere waits for the answer.
+    does(&mut app, Down(Left), (5, 1));
+    assert!(app.model.form.typing.is_some());
+}
+
+#[test]
+fn the_wheel_goes_through_the_rows_of_the_form_and_changes_none() {
+    let mut app = app();
+    let before = app.model.work.clone();
+    for _ in 0..30 {
+        does(&mut app, ScrollDown, (5, 4));
+    }
+    assert!(app.model.form.selected == Row::Fold);
+    for _ in 0..30 {
+        does(&mut app, ScrollUp, (5, 4));
+    }
+    assert!(app.model.form.selected == Row::Preset && app.model.work == before);
+}
+
+#[test]
+fn a_click_on_its_name_shows_a_screen_or_a_pane() {
+    let mut app = app();
+    let title = crate::tui::app::frame::tabs(&app, SIZE.0);
+    for (place, (at, label)) in title.into_iter().enumerate() {
+        does(&mut app, Down(Left), (at + 1, 0));
+        assert_eq!(app.screen, place);
+        if label.contains("Compare") {
+            break;
+        }
+        app.screen = 0;
+    }
+    does(&mut app, Down(Left), (12, 1));
+    assert_eq!(app.on_show().pane(), 1);
+    does(&mut app, Down(Left), (2, 1));
+    does(&mut app, Down(Left), (8, 4));
+    assert_eq!(
+        (app.on_show().pane(), app.state::<Comparison>().row),
+        (0, 2)
+    );
+    assert!(app.state::<Comparison>().entries.is_empty());
+    does(&mut app, Down(Left), (8, 4));
+    assert_eq!(app.state::<Comparison>().entries.len(), 1);
+}

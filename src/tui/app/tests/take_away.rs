@@ -1,0 +1,53 @@
+//! What is taken out of the app.
+
+use crate::run::watch::unwatched;
+use crate::tui::app::App;
+use crate::tui::app::driven::{asked, letter, opened};
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::outbox::Effect;
+use crate::tui::page::{WritePage, writing};
+use crate::tui::request::{Question, Report};
+use crate::tui::simulation::Simulate;
+
+/// Opened, and its answer there.
+fn answered() -> App {
+    let mut app = opened();
+    let effects = begin(&mut app);
+    let (ticket, question) = asked::<Simulate>(&effects).unwrap();
+    let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
+    update(&mut app, Message::News(report));
+    app
+}
+
+#[test]
+fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
+    let mut app = answered();
+    let effects = letter(&mut app, 'w');
+    let (ticket, question) = asked::<WritePage>(&effects).unwrap();
+    assert_eq!(writing(&app.model.page).unwrap(), "writing a page");
+    let report = Report::done::<WritePage>(ticket, question.answer(&mut unwatched));
+    let effects = update(&mut app, Message::News(report));
+    assert_eq!(writing(&app.model.page), None);
+    let Some(Effect::Page(stem, text)) = effects.first() else {
+        panic!("{effects:?}")
+    };
+    let text = String::from_utf8(text.clone()).unwrap();
+    assert_eq!(stem, "paper-300n");
+    assert!(text.contains("contrecoup report paper-300n -o paper-300n.html"));
+    let effects = letter(&mut app, 'y');
+    let [Effect::Copy(text)] = &effects[..] else {
+        panic!("{effects:?}")
+    };
+    assert!(text.ends_with("contrecoup run paper-300n\n"), "{text}");
+}
+
+#[test]
+fn nothing_is_taken_before_there_is_an_answer_and_no_file_by_a_guest() {
+    let mut app = opened();
+    assert!(letter(&mut app, 'w').is_empty());
+    assert!(app.model.notice.as_ref().unwrap().contains("no answer yet"));
+    let mut app = answered();
+    app.model.guest = true;
+    assert!(letter(&mut app, 'w').is_empty());
+    assert!(app.model.notice.as_ref().unwrap().contains("guest"));
+}

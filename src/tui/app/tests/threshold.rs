@@ -1,0 +1,111 @@
+//! Asking at which value a result reaches another one.
+
+use crate::answer::derived::Derived;
+use crate::answer::solve::solve;
+use crate::injury::Injury;
+use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
+use crate::run::watch::unwatched;
+use crate::scenario::fields;
+use crate::scenario::library::find;
+use crate::tui::app::App;
+use crate::tui::app::driven::{asked, key, letter, opened};
+use crate::tui::app::update::{Message, update};
+use crate::tui::form::Row;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::Overlay;
+use crate::tui::request::Question as _;
+use crate::tui::request::Report;
+use crate::tui::shown::Shown;
+use crate::tui::threshold::{Asking, FindThreshold};
+use crossterm::event::KeyCode;
+
+/// At the speed of a BB whose answer is on show.
+fn bb() -> App {
+    let mut app = opened();
+    let scenario = find("bb-56").unwrap().scenario().unwrap();
+    app.model.work.scenario = scenario.clone();
+    let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+    app.model.shown = Some(Shown::new(scenario, answer));
+    app.model.form.selected = Row::Field(fields::find("impact.speed_m_s").unwrap());
+    app
+}
+
+fn asking(app: &App) -> &Asking {
+    match &app.model.overlay {
+        Some(Overlay::Threshold(asking)) => asking,
+        _ => panic!("nothing is asked"),
+    }
+}
+
+fn risk_by_energy(app: &mut App) {
+    letter(app, 't');
+    while asking(app).quantity != Quantity::RuptureByEnergy {
+        key(app, KeyCode::Down);
+    }
+}
+
+#[test]
+fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
+    let mut app = bb();
+    letter(&mut app, 't');
+    assert!(matches!(
+        asking(&app).quantity.derived(),
+        Some(Derived::Risk(Injury::GlobeRupture, _))
+    ));
+    key(&mut app, KeyCode::Esc);
+    risk_by_energy(&mut app);
+    assert_eq!(asking(&app).input.value(), "50");
+    let effects = key(&mut app, KeyCode::Enter);
+    let (ticket, question) = asked::<FindThreshold>(&effects).unwrap();
+    let found = question.answer(&mut unwatched);
+    let report = Report::done::<FindThreshold>(ticket, found);
+    update(&mut app, Message::News(report));
+    let speed: f64 = asking(&app).taken().unwrap().parse().unwrap();
+    assert!((40.0..80.0).contains(&speed), "{speed}");
+    key(&mut app, KeyCode::Enter);
+    let speed_now = fields::find("impact.speed_m_s")
+        .unwrap()
+        .text(&app.model.work.scenario);
+    assert_eq!(speed_now.unwrap().parse(), Ok(speed));
+    letter(&mut app, 'u');
+    assert_eq!(
+        app.model.work.scenario,
+        find("bb-56").unwrap().scenario().unwrap()
+    );
+}
+
+#[test]
+fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
+    let mut app = bb();
+    let before = app.model.work.clone();
+    risk_by_energy(&mut app);
+    let effects = key(&mut app, KeyCode::Enter);
+    let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
+    // What is asked stays as it is meanwhile.
+    key(&mut app, KeyCode::Char('7'));
+    key(&mut app, KeyCode::Down);
+    assert_eq!(asking(&app).input.value(), "50");
+    // What is computed ahead may begin again beside it.
+    assert!(key(&mut app, KeyCode::Esc).contains(&Effect::Stop(ticket)));
+    assert!(asking(&app).task.job.is_none());
+    key(&mut app, KeyCode::Esc);
+    assert!(app.model.overlay.is_none() && app.model.work == before);
+}
+
+#[test]
+fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
+    let mut app = bb();
+    risk_by_energy(&mut app);
+    letter(&mut app, 'x');
+    key(&mut app, KeyCode::Enter);
+    assert!(asking(&app).error.is_some() && asking(&app).task.job.is_none());
+    key(&mut app, KeyCode::Esc);
+    app.model.form.selected = Row::Preset;
+    letter(&mut app, 't');
+    assert!(app.model.overlay.is_none() && app.model.notice.is_some());
+    app.model.form.selected = Row::Field(fields::find("impact.speed_m_s").unwrap());
+    app.model.shown = None;
+    letter(&mut app, 't');
+    assert!(app.model.overlay.is_none());
+}

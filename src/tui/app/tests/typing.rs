@@ -1,0 +1,219 @@
+//! What typing a value does.
+
+use crate::tui::app::tests::*;
+
+#[test]
+fn typing_simulates_what_makes_sense_and_escape_restores() {
+    let mut app = app();
+    let effects = press(&mut app, "\r\x1545");
+    assert_eq!(effects.len(), 2, "4 and 45 are both forces");
+    assert_eq!(force(&app), 45.0);
+    press(&mut app, "-");
+    let error = app.model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed"));
+    assert_eq!(app.model.stale(), Some("last good result"));
+    press(&mut app, "\x1b");
+    assert_eq!(force(&app), 300.0);
+    assert_eq!(app.model.history.depth(), (0, 0));
+}
+
+#[test]
+fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
+    let mut app = app();
+    press(&mut app, "\r45\r");
+    assert_eq!(force(&app), 45.0);
+    press(&mut app, "\r\x1b[D6\r");
+    assert_eq!(force(&app), 465.0);
+    press(&mut app, "\r +- 5\r");
+    assert_eq!(force(&app), 465.0);
+    assert_eq!(app.model.work.scenario.doubt["impact.force_n"], 5.0);
+    press(&mut app, "\r\x1b[200~75\x1b[201~\r");
+    assert_eq!(force(&app), 75.0);
+    // A name that is offered is typed over as well.
+    press(&mut app, "sm");
+    assert_eq!(offered(&app), "m");
+}
+
+#[test]
+fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
+    let mut app = app();
+    answer(&mut app, 1);
+    let effects = press(&mut app, "\r\x1545");
+    let (ticket, _) = asked::<Simulate>(&effects[effects.len() - 1..]).unwrap();
+    answer(&mut app, ticket);
+    for typed in [" ", "+", "-", " ", "5"] {
+        let effects = press(&mut app, typed);
+        assert!(asked::<Simulate>(&effects).is_none(), "{typed}");
+        assert_eq!((force(&app), app.model.stale()), (45.0, None), "{typed}");
+        assert!(app.model.form.typing.as_ref().unwrap().error.is_none());
+    }
+    press(&mut app, "\r");
+    assert_eq!(app.model.work.scenario.doubt["impact.force_n"], 5.0);
+    assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
+    assert!(app.model.work.scenario.doubt.is_empty());
+    // Enter takes no half of a doubt.
+    press(&mut app, "45 +-\r");
+    let error = app.model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed"));
+}
+
+#[test]
+fn enter_takes_the_next_of_a_few_choices() {
+    let mut app = app();
+    let shape = fields::find("impact.shape").unwrap();
+    app.model.form.selected = Row::Field(shape);
+    press(&mut app, "\r");
+    assert_eq!(shape.text(&app.model.work.scenario).unwrap(), "Triangle");
+    assert!(app.model.form.typing.is_none());
+    // What is pasted is typed.
+    let table = "Table([(0, 0), (0.1, 1), (0.3, 0)])";
+    press(&mut app, &format!("\x1b[200~{table}\x1b[201~\r"));
+    assert_eq!(shape.text(&app.model.work.scenario).unwrap(), "Table");
+    press(&mut app, "\r");
+    assert!(app.model.form.typing.is_some(), "a recorded curve is kept");
+}
+
+#[test]
+fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
+    let mut app = app();
+    press(&mut app, "\r\x15-1\r");
+    assert!(app.model.form.typing.is_some());
+    press(&mut app, "\x15450\r");
+    assert!(app.model.form.typing.is_none());
+    assert_eq!(app.model.history.depth(), (1, 0));
+    press(&mut app, "u");
+    assert_eq!(force(&app), 300.0);
+}
+
+#[test]
+fn a_value_out_of_range_leaves_the_result_from_before_not_that_of_its_first_digits() {
+    let mut app = app();
+    answer(&mut app, 1);
+    let effects = press(&mut app, "9999999");
+    let (ticket, last) = asked::<Simulate>(&effects[effects.len() - 1..]).unwrap();
+    assert_eq!(force(&app), 300.0);
+    assert_eq!(last.0, app.model.work.scenario);
+    answer(&mut app, ticket);
+    assert_eq!(app.model.shown.as_ref().unwrap().scenario, last.0);
+    assert_eq!(app.model.stale(), Some("last good result"));
+    // Nor does Enter take any of it.
+    press(&mut app, "\r");
+    assert!(app.model.form.typing.is_some() && force(&app) == 300.0);
+}
+
+#[test]
+fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
+    let mut app = app();
+    press(&mut app, "7");
+    assert_eq!(press(&mut app, "us?q"), []);
+    let value = |app: &App| {
+        let typing = app.model.form.typing.as_ref().unwrap();
+        typing.input.value().to_owned()
+    };
+    assert_eq!((value(&app), app.screen), ("7".to_owned(), 0));
+    assert!(app.model.notice.as_ref().unwrap().contains("Enter accepts"));
+    press(&mut app, ",5 ± 2e-1");
+    assert_eq!(value(&app), "7.5 ± 2e-1");
+    assert!(app.model.notice.is_none() && force(&app) == 7.5);
+    // A pasted comma may stand for thousands: it is explained.
+    press(&mut app, "\x15\x1b[200~1,000\x1b[201~");
+    let error = app.model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("not a comma"));
+    press(&mut app, "\x15");
+    let error = app.model.form.typing.as_ref().unwrap().error.clone();
+    assert_eq!(error.unwrap(), "nothing is there: allowed 0 to 100000 N");
+}
+
+#[test]
+fn what_the_form_shows_can_be_typed() {
+    let mut app = app();
+    let field = |path| Row::Field(fields::find(path).unwrap());
+    press(&mut app, "a");
+    app.model.form.selected = field("numerics.step_us");
+    press(&mut app, "2\r");
+    assert_eq!(app.model.work.scenario.numerics.step_us, Some(2.0));
+    press(&mut app, "\r\x15Auto\r");
+    assert_eq!(app.model.work.scenario.numerics.step_us, None);
+    press(&mut app, "\r");
+    assert_eq!(
+        app.model.form.typing.as_ref().unwrap().input.value(),
+        "auto"
+    );
+    press(&mut app, "\x150");
+    let error = app.model.form.typing.as_ref().unwrap().error.clone();
+    assert!(error.unwrap().contains("allowed auto, or"));
+    press(&mut app, "\x15auto");
+    press(&mut app, "\r");
+    app.model.form.selected = field("eye.lens");
+    press(&mut app, "\x1b[200~soft\x1b[201~\r");
+    assert_eq!(
+        app.model.work.scenario.eye.lens,
+        crate::scenario::Lens::Soft
+    );
+    app.model.form.selected = field("model");
+    press(&mut app, "\x1b[200~physiological\x1b[201~\r");
+    app.model.form.selected = field("model.species");
+    press(&mut app, "\x1b[200~pig\x1b[201~\r");
+    let crate::scenario::Model::Physiological(parts) = &app.model.work.scenario.model else {
+        panic!()
+    };
+    assert_eq!(parts.species, crate::scenario::Species::Pig);
+}
+
+#[test]
+fn a_digit_begins_a_value_where_a_number_is_wanted() {
+    let mut app = app();
+    press(&mut app, "450");
+    assert_eq!((force(&app), app.screen), (450.0, 0));
+    assert!(app.model.form.typing.is_some());
+    // Escape restores all of it.
+    press(&mut app, "\x1b");
+    assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
+    press(&mut app, "25\r");
+    assert_eq!((force(&app), app.model.history.depth()), (25.0, (1, 0)));
+    press(&mut app, "u.5\r");
+    assert_eq!(force(&app), 0.5);
+    // A force below nothing is explained, and the value before stays.
+    press(&mut app, "-7");
+    let typing = app.model.form.typing.as_ref().unwrap();
+    assert!(typing.error.as_ref().unwrap().contains("allowed"));
+    assert_eq!(
+        (force(&app), app.model.stale()),
+        (0.5, Some("last good result"))
+    );
+    press(&mut app, "\x1b\x1b[200~75\x1b[201~\r");
+    assert_eq!(force(&app), 75.0);
+}
+
+#[test]
+fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
+    let mut app = app();
+    let shape = Row::Field(fields::find("impact.shape").unwrap());
+    for row in [Row::Preset, Row::Fold, shape] {
+        app.model.form.selected = row;
+        let before = app.model.work.clone();
+        for digit in "0123456789".chars() {
+            assert!(press(&mut app, &digit.to_string()).is_empty());
+            assert!(app.screen == 0 && app.model.form.typing.is_none() && app.model.work == before);
+        }
+        press(&mut app, "4");
+        assert!(
+            app.model
+                .notice
+                .as_ref()
+                .unwrap()
+                .ends_with("F4 or Alt-4 shows Compare")
+        );
+        press(&mut app, "\x1b[200~12\x1b[201~");
+        assert_eq!(app.model.form.typing.is_some(), row == shape);
+        press(&mut app, "\x1b");
+    }
+    press(&mut app, "\x1b3");
+    assert_eq!(app.screen, 2);
+    press(&mut app, "2");
+    assert_eq!(app.screen, 1);
+    press(&mut app, "1\t3");
+    assert_eq!(app.screen, 2, "the dial takes no digits");
+    press(&mut app, "\x1b[11~");
+    assert_eq!(app.screen, 0);
+}

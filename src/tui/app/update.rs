@@ -1,0 +1,152 @@
+//! What every message does to the app, and what it asks of the world outside.
+//!
+//! It reads no clock and touches no file: time comes with messages, and what must be done goes out
+//! as an [`Effect`].
+
+use std::time::Duration;
+
+use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
+
+use crate::tui::app::{App, help, mouse, tables};
+use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
+use crate::tui::choices::Choice;
+use crate::tui::keys::begins_value;
+use crate::tui::outbox::Effect;
+use crate::tui::overlay::Overlay;
+use crate::tui::request::Report;
+use crate::tui::save::SaveError;
+use crate::tui::screens::SCREENS;
+use crate::tui::screens::screen::Pressed;
+
+/// Something that happened.
+pub enum Message {
+    /// A key.
+    Key(KeyEvent),
+    /// Pasted text.
+    Paste(String),
+    /// The mouse, on a screen of this size.
+    Mouse(MouseEvent, (u16, u16)),
+    /// It is now this long after the start.
+    Tick(Duration),
+    /// A worker says something.
+    News(Report),
+    /// A preset was saved under this name, or not.
+    Saved(String, Result<(), SaveError>),
+    /// The preset of the first name has the second one, or not.
+    Renamed(String, String, Result<(), SaveError>),
+    /// The preset of this name was removed, or not.
+    Removed(String, Result<(), SaveError>),
+    /// These can be opened now.
+    Choices(Vec<Choice>),
+    /// What came of something that was done outside.
+    Said(String),
+}
+
+/// Everything that is to be done once before the first key.
+pub fn begin(app: &mut App) -> Vec<Effect> {
+    simulation::start(&mut app.model);
+    app.refresh_requests();
+    std::mem::take(&mut app.model.out.effects)
+}
+
+/// Takes a message in.
+pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
+    let model = &mut app.model;
+    match message {
+        Message::Tick(now) => tick(app, now),
+        Message::Key(event) => key(app, event),
+        Message::Paste(text) => {
+            let begins = begins_value(&tables::stack(app));
+            typing::paste(&mut app.model, &text, begins);
+        }
+        Message::Mouse(event, size) => mouse::take(app, event, size),
+        Message::News(report) => take_report(app, report),
+        Message::Saved(name, outcome) => presets::saved(model, name, outcome),
+        Message::Renamed(from, to, outcome) => presets::renamed(model, &from, to, outcome),
+        Message::Removed(name, outcome) => presets::removed(model, &name, outcome),
+        Message::Choices(choices) => presets::take(model, choices),
+        Message::Said(words) => model.notice = Some(words),
+    }
+    if let Some(Overlay::Help(line)) = app.model.overlay {
+        app.model.overlay = Some(Overlay::Help(line.min(help::rows(app))));
+    }
+    app.refresh_requests();
+    std::mem::take(&mut app.model.out.effects)
+}
+
+/// Offers what a worker says to all who may have asked. Late news is nobody's.
+fn take_report(app: &mut App, report: Report) {
+    let (model, mut report) = (&mut app.model, Some(report));
+    simulation::take_report(model, &mut report);
+    samples::take_report(model, &mut report);
+    threshold::take_report(model, &mut report);
+    take_away::take_report(model, &mut report);
+    for screen in &mut app.screens {
+        screen.take_report(model, &mut report);
+    }
+}
+
+fn tick(app: &mut App, now: Duration) {
+    let passed = now.saturating_sub(app.model.now).as_secs_f64();
+    app.model.now = now;
+    if let Some((_, window)) = app.timed() {
+        let time = app.time();
+        app.model.clock.advance(passed, time, window);
+    }
+}
+
+/// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody
+/// has is typed.
+fn key(app: &mut App, event: KeyEvent) {
+    app.model.notice = None;
+    if let Some(table) = tables::in_front(&app.model) {
+        match table.find(&app.model.keys, event) {
+            Some(binding) => run(app, binding.act),
+            None => typing::key(&mut app.model, event),
+        }
+        return;
+    }
+    match app.screens[app.screen].press(&mut app.model, event) {
+        Pressed::Done => return,
+        Pressed::BeginsValue if app.model.form.takes_numbers() => {
+            typing::begin(&mut app.model, true);
+            typing::key(&mut app.model, event);
+            return;
+        }
+        Pressed::BeginsValue => {
+            app.model.notice = Some(elsewhere(event));
+            return;
+        }
+        Pressed::Unknown => {}
+    }
+    let keys = &app.model.keys;
+    let mut shared = tables::shared(app).into_iter();
+    if let Some(binding) = shared.find_map(|table| table.find(keys, event)) {
+        run(app, binding.act);
+    } else if let Some(binding) = tables::SHOW.find(keys, event) {
+        app.show(binding.act);
+    } else {
+        typing::key(&mut app.model, event);
+    }
+}
+
+fn run(app: &mut App, act: tables::AppAct) {
+    app.model.form.complaint = None;
+    act(app);
+}
+
+/// What to press for the screen of a digit where digits are values.
+fn elsewhere(event: KeyEvent) -> String {
+    let number = match event.code {
+        KeyCode::Char(digit) => digit.to_digit(10).unwrap_or(0),
+        _ => 0,
+    };
+    let place = number.checked_sub(1);
+    let screen = place.and_then(|at| SCREENS.get(at as usize));
+    screen.map_or("no number is typed here".to_owned(), |screen| {
+        format!(
+            "no number is typed here: F{number} or Alt-{number} shows {}",
+            screen.title
+        )
+    })
+}

@@ -1,0 +1,69 @@
+//! Another scenario takes the place of the one worked on, and what that does to its answer.
+
+use crate::scenario::Scenario;
+use crate::tui::changes::simulation;
+use crate::tui::form::words;
+use crate::tui::model::Model;
+use crate::tui::simulation::is_alike;
+use crate::tui::work::Work;
+
+/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
+/// the change stands for itself.
+pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
+    if work == model.work {
+        return;
+    }
+    if let Err(why) = model.allows(&work.scenario) {
+        model.notice = Some(why);
+        return;
+    }
+    model.history.record(model.work.clone(), what, model.now);
+    put(model, work);
+}
+
+pub(crate) fn put(model: &mut Model, work: Work) {
+    let alike = is_alike(&work.scenario, &model.work.scenario);
+    let same = work.scenario == model.work.scenario;
+    model.work = work;
+    model.form.settle(&model.work.scenario);
+    if alike && model.run.complaint.is_none() {
+        simulation::follow(model);
+    } else if !same {
+        simulation::start(model);
+    }
+}
+
+/// Takes the last change back, or makes it again.
+pub(crate) fn travel(model: &mut Model, back: bool) {
+    let present = model.work.clone();
+    let other = if back {
+        model.history.undo(present)
+    } else {
+        model.history.redo(present)
+    };
+    if let Ok(work) = other {
+        put(model, work);
+    } else {
+        let what = if back { "undo" } else { "redo" };
+        model.notice = Some(format!("nothing to {what}"));
+    }
+}
+
+/// Has the scenario solved by the level, integrator and step of another one.
+pub(crate) fn adopt(model: &mut Model, scenario: Scenario) {
+    if let Err(error) = scenario.check() {
+        model.notice = Some(words(&error));
+        return;
+    }
+    let (level, numerics) = (scenario.eye.level, &scenario.numerics);
+    let how = match (numerics.integrator, numerics.step_us) {
+        (Some(integrator), Some(step)) => format!("{}, step {step} µs", integrator.name()),
+        _ => "automatic integrator and step".to_owned(),
+    };
+    let notice = format!("adopted level {level}, {how}; u takes it back");
+    let work = model.work.with(scenario);
+    change(model, work, "");
+    if model.notice.is_none() {
+        model.notice = Some(notice);
+    }
+}

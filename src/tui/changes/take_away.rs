@@ -1,0 +1,94 @@
+//! What is taken out of the app: a page as a file, and a summary on the clipboard.
+
+use crate::report::command::{arguments, line};
+use crate::report::summary;
+use crate::tui::model::Model;
+use crate::tui::outbox::Effect;
+use crate::tui::page::WritePage;
+use crate::tui::request::Report;
+use crate::tui::shown::Shown;
+
+/// An answer by the name of its source.
+pub(crate) type Named<'a> = (String, &'a Shown);
+
+/// Says why there is nothing to take, if so.
+fn check(model: &Model, answers: &[Named]) -> Result<(), &'static str> {
+    match model.stale() {
+        _ if answers.is_empty() => Err("there is no answer yet"),
+        Some(_) if answers.len() == 1 => Err("the answer to the last edit is not there yet"),
+        _ => Ok(()),
+    }
+}
+
+/// The arguments that repeat what is on show, if any do.
+fn repeating(model: &Model, answers: &[Named]) -> Option<Vec<String>> {
+    if let [(_, only)] = answers
+        && only.scenario == model.work.scenario
+    {
+        let work = &model.work;
+        return arguments(&work.source, work.original.as_ref()?, &work.scenario);
+    }
+    // Several are repeated by their names, where nothing was changed in them.
+    let plain = |(name, shown): &Named| {
+        let choice = model.choices.iter().find(|choice| choice.name == *name)?;
+        (choice.scenario.as_ref().ok()? == &shown.scenario).then(|| name.clone())
+    };
+    answers.iter().map(plain).collect()
+}
+
+/// The question for a page of what is on show, into the folder that the app was opened in.
+///
+/// # Errors
+/// Says why there is none.
+pub(crate) fn page(model: &Model, answers: &[Named]) -> Result<WritePage, &'static str> {
+    if model.guest {
+        return Err("a guest writes no files");
+    }
+    check(model, answers)?;
+    let stem = if answers.len() > 1 {
+        "comparison"
+    } else {
+        model.work.name()
+    };
+    let stem = stem.trim_end_matches(".ron").to_owned();
+    let command = repeating(model, answers).map(|mut words| {
+        words.extend(["-o".to_owned(), format!("{stem}.html")]);
+        line("report", &words)
+    });
+    let blows = answers
+        .iter()
+        .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
+        .collect();
+    Ok(WritePage {
+        stem,
+        blows,
+        command,
+    })
+}
+
+/// Has a page that is done put on the disk.
+pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
+    if let Some((asked, outcome)) = model.page.take_report(report) {
+        match outcome {
+            Some(page) => {
+                let effect = Effect::Page(asked.stem.clone(), page.into_bytes());
+                model.out.effects.push(effect);
+            }
+            None => model.notice = model.page.complaint.take().map(|(_, why)| why),
+        }
+    }
+}
+
+/// A summary of what is on show, and the command that repeats it.
+///
+/// # Errors
+/// Says why there is none.
+pub(crate) fn summary(model: &Model, answers: &[Named]) -> Result<String, &'static str> {
+    check(model, answers)?;
+    let one = |answer: &Named| {
+        let command = repeating(model, std::slice::from_ref(answer));
+        let command = command.map(|words| line("run", &words));
+        summary::text(&answer.1.scenario, &answer.1.answer, command.as_deref())
+    };
+    Ok(answers.iter().map(one).collect::<Vec<_>>().join("\n"))
+}

@@ -1,0 +1,18 @@
+//! How things are drawn.
+
+use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::view::heat::HeatMap;
+use crate::tui::view::palette::Palette;
+
+/// How things are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Look {
+    /// How many colours.
+    pub depth: Depth,
+    /// Which symbols.
+    pub symbols: Symbols,
+    /// Which colours stand for heat.
+    pub heat: HeatMap,
+    /// The ground, and colours of the person's own choice.
+    pub palette: Palette,
+}

@@ -1,0 +1,83 @@
+//! What can stand in front of a screen: the keys, a list, a name that is typed, a question.
+
+use crate::scenario::Scenario;
+use crate::tui::line::Line;
+use crate::tui::picker::Picker;
+use crate::tui::threshold::Asking;
+
+/// Something in front of the screen.
+pub enum Overlay {
+    /// The keys, scrolled down so far.
+    Help(u16),
+    /// Everything that can be opened.
+    Picker(Picker),
+    /// At which value of a number does a result reach this?
+    Threshold(Box<Asking>),
+    /// A name is being typed, and what is wrong with it.
+    Name(Naming, Line, Option<String>),
+    /// Something is asked.
+    Question(Question),
+}
+
+/// What a name is typed for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Naming {
+    /// To save what is worked on.
+    Save,
+    /// To give the preset of this name another one.
+    Rename(String),
+}
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Question {
+    /// Remove the preset of this name?
+    Remove(String),
+    /// Replace the preset of this name?
+    Replace(String),
+    /// Save under the name of a preset that the program brings along?
+    Hide(String),
+    /// Compute it otherwise, at the costs in these words?
+    Adopt(String, Box<Scenario>),
+    /// Quit without saving? The next start may bring the changes back.
+    Quit {
+        /// Whether it does.
+        kept: bool,
+    },
+}
+
+impl Question {
+    /// It in a few words.
+    pub fn brief(&self) -> String {
+        match self {
+            Self::Remove(name) => format!("Remove the preset {name}?"),
+            Self::Replace(name) => format!("Replace the preset {name}?"),
+            Self::Hide(name) => format!("Hide the preset {name}?"),
+            Self::Adopt(..) => "Compute it so?".to_owned(),
+            Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
+        }
+    }
+
+    /// The same with what it would do.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Remove(name) => {
+                format!("This removes your preset {name} from the disk, for good. Remove it?")
+            }
+            Self::Replace(name) => {
+                format!("There is a preset {name} already. Put this one in its place?")
+            }
+            Self::Hide(name) => format!(
+                "{name} comes with the program. A preset of your own of that name hides it. Save it?"
+            ),
+            Self::Adopt(words, _) => words.clone(),
+            Self::Quit { kept: false } => {
+                "The changes are not saved. Quit and lose them?".to_owned()
+            }
+            Self::Quit { kept: true } => {
+                "The changes are not saved as a preset. Quit? They are there again next time."
+                    .to_owned()
+            }
+        }
+    }
+}

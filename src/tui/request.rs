@@ -1,0 +1,156 @@
+//! A question for another thread, the request that carries it there, and the report that comes
+//! back.
+
+use std::any::{Any, TypeId};
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::run::refusal::Refusal;
+use crate::run::watch::Watch;
+
+/// Tells one request from every other; later ones are larger.
+pub type Ticket = u64;
+
+/// Something that takes too long to be done between two keys.
+pub trait Question: Send + Sync + 'static {
+    /// What comes of it.
+    type Answer: Send + 'static;
+
+    /// Finds the answer, on a thread that all questions of this type share.
+    ///
+    /// # Errors
+    /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
+    fn answer(&self, watch: Watch) -> Result<Self::Answer, Refusal>;
+
+    /// The same for work that fills in: `show` is told what there is so far.
+    ///
+    /// # Errors
+    /// As [`Self::answer`].
+    fn fill_in(
+        &self,
+        watch: Watch,
+        show: &mut dyn FnMut(Self::Answer),
+    ) -> Result<Self::Answer, Refusal> {
+        let _ = show;
+        self.answer(watch)
+    }
+
+    /// Whether nobody asked for it: then it gives way to everything else.
+    fn is_idle(&self) -> bool {
+        false
+    }
+}
+
+/// An answer of a type that only its question knows.
+pub(super) type Anything = Box<dyn Any + Send>;
+
+/// A question whatever its type.
+trait AnyQuestion: Send + Sync {
+    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
+    fn is_idle(&self) -> bool;
+    fn as_any(&self) -> &dyn Any;
+}
+
+impl<Q: Question> AnyQuestion for Q {
+    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> {
+        let answer = self.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
+        Ok(Box::new(answer))
+    }
+
+    fn is_idle(&self) -> bool {
+        Question::is_idle(self)
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
+/// A question on its way to a worker.
+#[derive(Clone)]
+pub struct Request {
+    /// Its ticket.
+    pub ticket: Ticket,
+    question: Arc<dyn AnyQuestion>,
+}
+
+impl fmt::Debug for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "request {}", self.ticket)
+    }
+}
+
+impl PartialEq for Request {
+    fn eq(&self, other: &Self) -> bool {
+        self.ticket == other.ticket
+    }
+}
+
+impl Request {
+    /// The request of a question.
+    pub fn new<Q: Question>(ticket: Ticket, question: Arc<Q>) -> Self {
+        Self { ticket, question }
+    }
+
+    /// The question, if it is of this type.
+    pub fn question<Q: Question>(&self) -> Option<&Q> {
+        self.question.as_any().downcast_ref()
+    }
+
+    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
+    /// Whether nobody asked for it is the second part.
+    pub fn kind(&self) -> (TypeId, bool) {
+        (self.question.as_any().type_id(), self.question.is_idle())
+    }
+
+    /// Does the work; `say` is told what there is so far.
+    pub fn answered(&self, watch: Watch, say: &dyn Fn(Report)) -> Report {
+        let ticket = self.ticket;
+        let mut show = |so_far| {
+            let news = News::SoFar(so_far);
+            say(Report { ticket, news });
+        };
+        Report {
+            ticket,
+            news: News::Done(self.question.find(watch, &mut show)),
+        }
+    }
+}
+
+/// What a worker says of a request.
+#[derive(Debug)]
+pub struct Report {
+    pub(super) ticket: Ticket,
+    pub(super) news: News,
+}
+
+#[derive(Debug)]
+pub(super) enum News {
+    /// This share is done, so long after the beginning.
+    Share(f64, Duration),
+    /// This is there already.
+    SoFar(Anything),
+    /// The work ended so.
+    Done(Result<Anything, Refusal>),
+}
+
+impl Report {
+    /// This share of the work is done, from 0 to 1, so long after the beginning.
+    pub fn progress(ticket: Ticket, share: f64, elapsed: Duration) -> Self {
+        let news = News::Share(share, elapsed);
+        Self { ticket, news }
+    }
+
+    /// This is there already.
+    pub fn so_far<Q: Question>(ticket: Ticket, answer: Q::Answer) -> Self {
+        let news = News::SoFar(Box::new(answer));
+        Self { ticket, news }
+    }
+
+    /// The work ended so.
+    pub fn done<Q: Question>(ticket: Ticket, outcome: Result<Q::Answer, Refusal>) -> Self {
+        let news = News::Done(outcome.map(|answer| Box::new(answer) as Anything));
+        Self { ticket, news }
+    }
+}
