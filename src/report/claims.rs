@@ -1,7 +1,7 @@
 //! How often what is claimed holds, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::report::text::{WIDTH, significant, wrapped};
+use crate::report::text::{block, significant};
 use crate::verify::claims::{Claim, Coverage, Findings, REFERENCE_LEVEL, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
@@ -83,11 +83,7 @@ fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<Stri
 /// # Errors
 /// Whatever `out` reports.
 pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
-    let paragraph = |text: &str, out: &mut dyn Write| {
-        let lines = wrapped(text, WIDTH);
-        lines.iter().try_for_each(|line| writeln!(out, "{line}"))
-    };
-    paragraph(&heading(found), out)?;
+    block(&heading(found), "", "", out)?;
     let (first, silence) = match found.study {
         Study::Tolerances => ("asked for", "Scenes in which it was refused"),
         _ => ("result", "Scenes without a limit and a claim"),
@@ -124,14 +120,12 @@ pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
         let missing =
             |row: &Coverage| (row.without_claim > 0).then(|| row.without_claim.to_string());
         writeln!(out)?;
-        paragraph(&list(silence, &rows, missing), out)?;
+        block(&list(silence, &rows, missing), "", "", out)?;
     }
     if found.study == Study::Tolerances {
         let what = "Springs computed, over those of one run at level 1, in the median";
-        paragraph(
-            &list(what, &rows, |row| row.median_cost.map(significant)),
-            out,
-        )?;
+        let costs = list(what, &rows, |row| row.median_cost.map(significant));
+        block(&costs, "", "", out)?;
     }
     let misses = found.misses();
     if misses.is_empty() {

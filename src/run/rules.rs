@@ -4,6 +4,7 @@
 //! extrapolation). For a method of order p the difference of the two is about (r^p - 1) times the error
 //! of the finer run, and (1 - r^-p) times that of the coarser. Results seldom follow the order exactly,
 //! peaks least of all, so the estimate is multiplied by a safety factor, and no result is claimed to
+//! be better than what two runs may share by chance. The command `verify` measures how often the claims hold.
 //!
 //! The numbers stand with their reasons in the `rules` of each model.
 
