@@ -245,11 +245,16 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     balance(&answer.errors, out)?;
     writeln!(
         out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us,\nstable up to {:.4} us",
+        "Solved in {:.2} ms by {}: {} steps of {:.4} us{},\nstable up to {:.4} us",
         answer.solve_time.as_secs_f64() * 1e3,
         answer.plan.integrator.name(),
         answer.run.cost.steps,
         answer.step * 1e6,
+        if answer.case.rules().step_follows_motion {
+            " at rest"
+        } else {
+            ""
+        },
         answer.step_limit * 1e6,
     )?;
     if answer.run.simulated < 0.999_999 * answer.window() {

@@ -23,12 +23,14 @@ pub enum Refusal {
     },
     /// The asked integrator cannot solve such a scene.
     #[error(
-        "numerics.integrator: {integrator} does not solve the model of this scene: \
+        "numerics.integrator: {integrator} does not solve the {model} model: \
          allowed Auto, {allowed}"
     )]
     IntegratorUnfit {
         /// What was asked.
         integrator: &'static str,
+        /// What the model is called.
+        model: &'static str,
         /// Those that can, with a comma between two.
         allowed: String,
     },

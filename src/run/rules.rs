@@ -38,6 +38,8 @@ pub struct Rules {
     pub may_lengthen: bool,
     /// The step error that runs among many keep to, in %.
     pub promise_percent: f64,
+    /// Whether each step follows the motion, so that the step of a plan is that of the eye at rest.
+    pub step_follows_motion: bool,
     /// How the step error is told.
     pub estimate: Estimate,
     /// When an automatic step is shortened.
@@ -60,6 +62,7 @@ impl Rules {
         let allowed = self.integrators.iter().map(|i| i.spelling());
         Refusal::IntegratorUnfit {
             integrator: integrator.name(),
+            model: self.name,
             allowed: allowed.collect::<Vec<_>>().join(", "),
         }
     }

@@ -22,6 +22,7 @@ pub(crate) static RULES: Rules = Rules {
     reference: Integrator::VelocityVerlet,
     may_lengthen: false,
     promise_percent: 1.0,
+    step_follows_motion: true,
     estimate: Estimate {
         ratio: 1.5,
         // The lag makes the error fall with the first order.

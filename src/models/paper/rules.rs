@@ -29,6 +29,7 @@ pub(crate) static RULES: Rules = Rules {
     may_lengthen: true,
     // Far below what is not known of an eye, and cheap where a method is of high order.
     promise_percent: 0.1,
+    step_follows_motion: false,
     estimate: Estimate {
         // The longest step that a run takes against an answer's.
         ratio: LONGEST_SHARE / SHARE_OF_ANSWER,
