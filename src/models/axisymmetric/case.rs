@@ -7,24 +7,15 @@ use crate::models::axisymmetric::eye::parameters::{
 };
 use crate::models::axisymmetric::forces::object::{BallSpring, Object};
 use crate::models::axisymmetric::rules::RULES;
-use crate::models::axisymmetric::{drawing, flags, readings};
 use crate::models::pulse::Pulse;
-use crate::run::drawing::Drawing;
-use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
-use crate::run::plan::{Cost, Plan};
+use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::watch::Watch;
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
     CheckedScenario, Impact, Integrator, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
-use std::sync::Arc;
 
 /// An eye of revolution ready to be hit.
 #[derive(Debug, Clone)]
@@ -40,102 +31,7 @@ pub struct AxisymmetricCase {
     /// What catches an object that is too wide.
     pub rim: &'static str,
     /// Longest stable step at rest, in s.
-    limit: f64,
-}
-
-impl EyeModel for AxisymmetricCase {
-    fn rules(&self) -> &'static Rules {
-        &RULES
-    }
-
-    fn window(&self) -> f64 {
-        self.window
-    }
-
-    fn level(&self) -> u32 {
-        self.eye.level
-    }
-
-    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
-        let eye = AxisymmetricEye::new(&self.eye.parameters, level);
-        Arc::new(Self {
-            limit: engine::step_limit(&eye, &self.load),
-            eye,
-            ..self.clone()
-        })
-    }
-
-    fn regions(&self) -> Vec<Region> {
-        self.eye.node_regions()
-    }
-
-    fn elements(&self) -> usize {
-        self.eye.cells.len()
-    }
-
-    fn elements_per_evaluation(&self) -> usize {
-        self.eye.cells.len()
-    }
-
-    fn step_limit(&self, _: Integrator) -> f64 {
-        self.limit
-    }
-
-    fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.step / plan.multiple
-    }
-
-    fn steps(&self, plan: &Plan) -> usize {
-        (plan.window * plan.multiple / plan.step).ceil() as usize
-    }
-
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        let ratio = RULES.estimate.ratio;
-        let finer = Plan {
-            multiple: plan.multiple * ratio,
-            ..*plan
-        };
-        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
-        (finer, RULES.estimate.safety / share)
-    }
-
-    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let steps = self.steps_by(plan)?;
-        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
-        let run = run.map_err(|stop| self.refused(stop))?;
-        let extremes = &run.extremes;
-        let readings = readings::of(extremes);
-        Ok(Run {
-            details: readings::details(extremes),
-            flags: flags::raise(self, extremes, &readings, run.simulated),
-            readings,
-            fold: extremes.fold,
-            missed: extremes.missed(),
-            energy_residual: extremes.energy_residual,
-            simulated: run.simulated,
-            traces: run.traces,
-            frames: run.frames,
-            cost: Cost {
-                steps: run.steps,
-                evaluations: run.steps + 1,
-            },
-        })
-    }
-
-    fn frames(
-        &self,
-        plan: &Plan,
-        spacing: Spacing,
-        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
-    ) -> Result<(), Refusal> {
-        let steps = self.steps_by(plan)?;
-        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
-            .map_err(|stop| self.refused(stop))
-    }
-
-    fn drawing(&self) -> Drawing {
-        drawing::of(self)
-    }
+    pub(super) limit: f64,
 }
 
 impl AxisymmetricCase {
@@ -169,7 +65,7 @@ impl AxisymmetricCase {
     }
 
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
+    pub(super) fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
         Ok(engine::Steps {
             share: plan.step / plan.multiple / self.limit,
             scheme: match plan.integrator {
@@ -181,7 +77,7 @@ impl AxisymmetricCase {
     }
 
     /// Why there is no result; of an object that went through the eye what it would have to be.
-    fn refused(&self, stop: engine::Stop) -> Refusal {
+    pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
         let (time, object) = match (stop, &self.load) {
             (engine::Stop::WentThrough(time), engine::Blow::Object(object)) => (time * 1e3, object),
             (engine::Stop::NotFinite { time, step }, _) => {

@@ -9,6 +9,7 @@ mod drawing;
 pub mod eye;
 mod flags;
 pub mod forces;
+mod model;
 pub mod readings;
 pub mod recording;
 pub(crate) mod rules;

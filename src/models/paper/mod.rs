@@ -19,6 +19,7 @@ pub mod eye;
 mod flags;
 pub mod forces;
 mod frames;
+mod model;
 mod readings;
 pub mod recording;
 pub(crate) mod rules;

@@ -7,6 +7,7 @@
 //! Source: Sathyanarayanan, Mahadas and Hung (2013), Methods. Left out, as in the paper: iris,
 //! ciliary body, optic nerve and muscles, which the 16 x 16 mesh cannot resolve.
 
+pub mod frequency;
 pub mod hats;
 pub mod landmarks;
 pub mod lens;

@@ -14,14 +14,16 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
+use crate::models::paper::forces::filaments::{ring_forces, shell_length};
 use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::lanes::{
     Pair, Sums, V, fused, load, load_pair, splat, store, total,
 };
-use crate::models::paper::forces::ring::{ring_forces, shell_length};
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SHIFT};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::sweep::{Nodes, Update, sweep};
-use crate::models::paper::forces::system::{DIRECTIONS, LANES, SHIFT, System};
+use crate::models::paper::forces::system::System;
+use crate::models::pulse::Piece;
 use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
 /// One kick and one drift of a composition: v += kick a; x += r(v); v *= keep.
@@ -274,6 +276,14 @@ pub(crate) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
         dispatch!(level, simd => evaluate_as::<_, false>(simd, system, state, force, kick))
     } else {
         dispatch!(level, simd => evaluate_as::<_, true>(simd, system, state, force, kick))
+    }
+}
+
+impl State {
+    /// Brings the acceleration up to date by the load law `piece`.
+    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
+        let force = system.load().pulse.force(piece, self.time);
+        evaluate(system, self, force, 0.0)
     }
 }
 

@@ -8,7 +8,7 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use crate::models::paper::forces::system::{DIRECTIONS, LANES};
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES};
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, SimdInto, f64x4, f64x8};
 use fearless_simd::{Simd, SimdBase, SimdFloat};

@@ -1,10 +1,8 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::kernel;
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::system::{LANES, Place, System};
-use crate::models::pulse::Piece;
+use crate::models::paper::forces::layout::{LANES, Place};
+use crate::models::paper::forces::system::System;
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
@@ -114,12 +112,6 @@ impl State {
         ] {
             to[moved.clone()].copy_from_slice(&from[moved.clone()]);
         }
-    }
-
-    /// Brings the acceleration up to date by the load law `piece`.
-    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
-        let force = system.load().pulse.force(piece, self.time);
-        kernel::evaluate(system, self, force, 0.0)
     }
 
     /// Position of the node at `place`, in m.

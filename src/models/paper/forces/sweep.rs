@@ -16,28 +16,10 @@
 use crate::models::paper::forces::lanes::{
     Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
+use crate::models::paper::forces::layout::{DIRECTIONS, Group, LANES, SurveyGroup};
 use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::{DIRECTIONS, Group, LANES, SurveyGroup, System};
+use crate::models::paper::forces::system::System;
 use fearless_simd::{Simd, SimdBase};
-
-/// First slots of the vectors that a sweep goes through.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Active {
-    /// From below; the last one twice, because the sweep looks one ahead.
-    slots: Vec<u32>,
-    last: usize,
-}
-
-impl Active {
-    /// The vectors that start at `slots`.
-    pub fn new(slots: impl Iterator<Item = usize>) -> Self {
-        let mut slots: Vec<u32> = slots.map(|slot| slot as u32).collect();
-        let last = slots.iter().copied().max().unwrap_or(0);
-        slots.extend(slots.last().copied());
-        let last = last as usize;
-        Self { slots, last }
-    }
-}
 
 /// What an update may read and write of some neighbouring nodes: of each run as many values as a vector
 /// holds.

@@ -12,8 +12,7 @@ use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::method::Drag;
-use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::paper::time::stepper::{Drag, EqualSteps, Stepper};
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 

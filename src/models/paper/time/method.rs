@@ -15,7 +15,7 @@
 use crate::models::paper::forces::system::System;
 use crate::models::paper::time::composition::Composition;
 use crate::models::paper::time::runge_kutta::{RungeKutta, Tableau};
-use crate::models::paper::time::stepper::Stepper;
+use crate::models::paper::time::stepper::{Drag, Stepper};
 use crate::run::plan::Plan;
 use crate::scenario::Integrator;
 
@@ -39,18 +39,6 @@ pub struct Method {
     pub drag: Drag,
     /// How a step is made.
     pub(crate) scheme: Scheme,
-}
-
-/// How a method treats the drag, which decides what it costs in step length; see
-/// [`crate::models::paper::time::stability`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drag {
-    /// Solved exactly within each drift.
-    Exact,
-    /// Added to the kick at the start of the step.
-    WithKick,
-    /// Part of the acceleration at every stage.
-    InRates,
 }
 
 /// How a step is made.

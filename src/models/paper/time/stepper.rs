@@ -5,6 +5,18 @@ use crate::models::paper::forces::state::State;
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 
+/// How a method treats the drag, which decides what it costs in step length; see
+/// [`crate::models::paper::time::stability`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drag {
+    /// Solved exactly within each drift.
+    Exact,
+    /// Added to the kick at the start of the step.
+    WithKick,
+    /// Part of the acceleration at every stage.
+    InRates,
+}
+
 /// Makes the steps of one march, segment by segment, without allocating.
 pub(crate) trait Stepper {
     /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration is
