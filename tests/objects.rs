@@ -1,4 +1,4 @@
-//! The objects of the library at the eye of revolution, beside what is reported of them.
+//! The objects of the library at the axisymmetric eye, beside what is reported of them.
 
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::axisymmetric::recording::results::Extremes;
@@ -49,7 +49,7 @@ fn mpa(extremes: &Extremes) -> (f64, f64) {
 }
 
 #[test]
-fn all_fly_at_the_eye_of_revolution_fold_nothing_and_come_in_the_order_of_what_is_reported() {
+fn all_fly_at_the_axisymmetric_eye_fold_nothing_and_come_in_the_order_of_what_is_reported() {
     let objects = objects();
     assert_eq!(objects.len(), 25);
     let ran: BTreeMap<String, Extremes> = objects

@@ -1,7 +1,7 @@
 //! What a picture of an eye is made of, whatever its model: nodes, lines between them with the part that they
 //! draw, the loaded arc and the object's outline, each at rest and in any frame.
 //!
-//! Places are those of the section: x from the cornea to the back, y up, in m. A body of revolution is drawn
+//! Places are those of the section: x from the cornea to the back, y up, in m. An axisymmetric eye is drawn
 //! as a whole section: its half, the mirror image of that, and both turned to where the blow comes from.
 //! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
 

@@ -21,7 +21,7 @@ pub struct Fold {
     /// Of how many.
     pub of: usize,
     /// The middle at rest of the one that was farthest inside out at first, in m: as seen from the middle of
-    /// the globe, x towards the back, along the blow at the eye of revolution.
+    /// the globe, x towards the back, along the blow at the axisymmetric eye.
     pub at: Point2<f64>,
     /// The part that it belongs to: lens, globe or fat.
     pub part: Region,

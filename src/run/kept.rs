@@ -59,7 +59,7 @@ impl Spacing {
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
-    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the eye of revolution of
+    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye of
     /// the first step after each thousandth of the window.
     pub traces: bool,
     /// Frames, so far apart.
@@ -71,10 +71,10 @@ pub struct Keep {
 pub struct Frame {
     /// Time, in s.
     pub time: f64,
-    /// Position of each node of the eye, in m. At the eye of revolution those of one half of the section,
+    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the section,
     /// with x along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit. At the eye of revolution m is 75 mg and a the
+    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and a the
     /// mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
@@ -109,9 +109,9 @@ pub(crate) fn nearest(frames: &[Frame], time: f64) -> usize {
 pub struct Traces {
     /// Time, s.
     pub time: Vec<f64>,
-    /// Total load, N; at the eye of revolution also the force of contact of an object as it is.
+    /// Total load, N; at the axisymmetric eye also the force of contact of an object as it is.
     pub load: Vec<f64>,
-    /// |sum w m a| over the hats of the monitored nodes, N; at the eye of revolution 75 mg times the mean
+    /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg times the mean
     /// of their acceleration over 20 us.
     pub force: [Vec<f64>; 4],
     /// Corneal apex displacement, m.
@@ -128,9 +128,9 @@ pub struct Traces {
     pub dissipated: Vec<f64>,
     /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
     pub work: Vec<f64>,
-    /// Intraocular pressure, Pa; at the eye of revolution the mean of the globe through a low pass of 20 us.
+    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass of 20 us.
     pub pressure: Vec<f64>,
-    /// Pressure at the back of the eye of revolution, a mean over 150 us, Pa.
+    /// Pressure at the back of the axisymmetric eye, a mean over 150 us, Pa.
     pub back_pressure: Vec<f64>,
     /// Largest tension of its sclera, through a low pass of 20 us, Pa.
     pub scleral_stress: Vec<f64>,

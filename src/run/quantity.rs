@@ -36,26 +36,26 @@ pub enum Quantity {
     /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
     /// was imparted the tissues held at once, before it went into drag.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, at the eye of revolution: the mean of the globe through a low pass of 20 us.
+    /// Peak intraocular pressure, in megapascals, at the axisymmetric eye: the mean of the globe through a low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
-    /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals: a
+    /// Peak pressure at the back of the axisymmetric eye, where a sensor sits in experiments, in megapascals: a
     /// mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera of the eye of revolution, in megapascals, through a low pass of 20 us.
+    /// Peak tension of the sclera of the axisymmetric eye, in megapascals, through a low pass of 20 us.
     ScleralStress,
-    /// Largest loss of the eye's length along the blow, in % of it, at the eye of revolution.
+    /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,
-    /// Way of an object's surface into the eye of revolution, mm.
+    /// Way of an object's surface into the axisymmetric eye, mm.
     Intrusion,
-    /// Way of the lens along the blow, mm, in the eye of revolution.
+    /// Way of the lens along the blow, mm, in the axisymmetric eye.
     LensWay,
-    /// Speed of an object back along its path at the end, m/s, at the eye of revolution.
+    /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
     /// Risk of rupture of the globe by peak pressure, %.
     RuptureByPressure,
-    /// Risk of rupture of the globe by the stress of the sclera of the eye of revolution, %.
+    /// Risk of rupture of the globe by the stress of the sclera of the axisymmetric eye, %.
     RuptureByStress,
     /// Risk of rupture of the globe by normalized energy, %.
     RuptureByEnergy,

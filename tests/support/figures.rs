@@ -114,13 +114,13 @@ pub static FIGURES: &[Figures] = &[
         excerpt: meshes,
     },
     Figures {
-        name: "revolution-methods",
+        name: "axisymmetric-methods",
         command: ACCURACY_OF_REVOLUTION,
         form: SHORT_OF_REVOLUTION,
         excerpt: methods,
     },
     Figures {
-        name: "revolution-meshes",
+        name: "axisymmetric-meshes",
         command: ACCURACY_OF_REVOLUTION,
         form: SHORT_OF_REVOLUTION,
         excerpt: meshes,

@@ -17,13 +17,13 @@ use crate::scenario::{
 };
 use std::f64::consts::PI;
 
-/// An eye of revolution ready to be hit.
+/// An axisymmetric eye ready to be hit.
 #[derive(Debug, Clone)]
 pub struct AxisymmetricCase {
     /// The eye.
     pub eye: AxisymmetricEye,
     /// What hits it.
-    pub load: engine::Blow,
+    pub load: engine::AxisymmetricLoad,
     /// Simulated time, in s.
     pub window: f64,
     /// Front angle of the blow, in degrees.
@@ -42,12 +42,12 @@ impl AxisymmetricCase {
                 let half_width = pulse.half_width_deg.to_radians();
                 (
                     pulse.angle_deg,
-                    engine::Blow::Pulse(Pulse::new(pulse), half_width),
+                    engine::AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width),
                 )
             }
             Impact::Projectile(projectile) => (
                 projectile.angle_deg,
-                engine::Blow::Object(object(projectile)),
+                engine::AxisymmetricLoad::Object(object(projectile)),
             ),
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
@@ -79,7 +79,7 @@ impl AxisymmetricCase {
     /// Why there is no result; of an object that went through the eye what it would have to be.
     pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
         let (time, object) = match (stop, &self.load) {
-            (engine::Stop::WentThrough(time), engine::Blow::Object(object)) => (time * 1e3, object),
+            (engine::Stop::WentThrough(time), engine::AxisymmetricLoad::Object(object)) => (time * 1e3, object),
             (engine::Stop::NotFinite { time, step }, _) => {
                 return Refusal::NotFinite { time, step };
             }
@@ -113,8 +113,8 @@ impl AxisymmetricCase {
     /// Duration of a pulse, in s.
     pub fn pulse(&self) -> Option<f64> {
         match &self.load {
-            engine::Blow::Pulse(pulse, _) => Some(pulse.duration()),
-            engine::Blow::Object(_) => None,
+            engine::AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
+            engine::AxisymmetricLoad::Object(_) => None,
         }
     }
 }
@@ -176,18 +176,18 @@ fn surround(model: &Physiological) -> Option<Surround> {
 fn object(projectile: &Projectile) -> Object {
     let radius = 0.5e-3 * projectile.diameter_mm;
     let surface = match projectile.surface {
-        Surface::Hard => engine::Surface::RIGID,
-        Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
+        Surface::Hard => engine::ObjectSurface::RIGID,
+        Surface::Elastic { modulus_mpa } => engine::ObjectSurface::elastic(modulus_mpa * 1e6, radius),
         Surface::Inflated { kpa, modulus_mpa } => {
             let cap = kpa * 1e3 + inertia(projectile);
-            engine::Surface::capped(modulus_mpa * 1e6 / radius, cap, radius)
+            engine::ObjectSurface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
-        Surface::Splashing => engine::Surface::splashing(inertia(projectile), radius),
+        Surface::Splashing => engine::ObjectSurface::splashing(inertia(projectile), radius),
     };
     Object {
         outline: match projectile.outline {
-            Outline::Sphere => engine::Outline::Sphere(radius),
-            Outline::Cylinder { edge_mm } => engine::Outline::Cylinder(radius, edge_mm * 1e-3),
+            Outline::Sphere => engine::ObjectOutline::Sphere(radius),
+            Outline::Cylinder { edge_mm } => engine::ObjectOutline::Cylinder(radius, edge_mm * 1e-3),
         },
         mass: projectile.mass_kg(),
         speed: projectile.speed_m_s,

@@ -116,7 +116,7 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
 }
 
 #[test]
-fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy() {
+fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy() {
     let mut answer = solved(&scene(bb(56.0)));
     let results = answer.results();
     let missing: Vec<_> = Quantity::ALL

@@ -1,4 +1,4 @@
-//! Motion of the body of revolution: explicit, Lagrangian, as hydrocodes are.
+//! Motion of the axisymmetric eye: explicit, Lagrangian, as hydrocodes are.
 //!
 //! `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them out, `nodes` moves what is between
 //! them), `plain` the loop that tests them; `shell` is cornea and sclera, `object` and `contact` what hits them, `face` the
@@ -15,11 +15,11 @@ pub mod recording;
 pub(crate) mod rules;
 pub mod time;
 
-pub use crate::models::axisymmetric::forces::object::{BallSpring, HARD, Object, Outline, Surface};
+pub use crate::models::axisymmetric::forces::object::{BallSpring, HARD, Object, ObjectOutline, ObjectSurface};
 pub use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 pub use crate::models::axisymmetric::recording::sensor::monitored;
 pub use crate::models::axisymmetric::time::run::{
-    Blow, Form, STEP_SHARE, Scheme, Steps, Stop, run, run_as, run_through, step_limit,
+    AxisymmetricLoad, CellLoop, STEP_SHARE, Scheme, Steps, Stop, run, run_as, run_through, step_limit,
 };
 #[cfg(test)]
 mod case_tests;

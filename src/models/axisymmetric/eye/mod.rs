@@ -1,10 +1,10 @@
-//! The eye as a body of revolution about the line of the blow.
+//! The eye, axisymmetric about the line of the blow.
 //!
 //! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it, and
 //! the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe; a
 //! chain of segments carries cornea and sclera.
 //!
-//! A blow at an angle turns the eye within its own axis of revolution: the shell's thickness and
+//! A blow at an angle turns the eye within its own axis of symmetry: the shell's thickness and
 //! stiffness, and the share of lens in a cell, are means over the azimuth. They are means over the
 //! segment and the cell as well, so that no border jumps from one to the next as the mesh changes.
 //! Left out: muscles, nerve, iris, zonules, the chambers' fluid as a body of its own, and the
@@ -27,7 +27,7 @@ const ACROSS: usize = 4;
 
 /// What a cell belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Region {
+pub enum Tissue {
     /// Vitreous, aqueous and lens.
     Globe,
     /// Fat or gelatin.
@@ -40,7 +40,7 @@ pub struct Cell {
     /// Anticlockwise.
     pub corners: [usize; 4],
     /// Where it lies.
-    pub region: Region,
+    pub region: Tissue,
     /// Share of lens, 0 to 1.
     pub lens: f64,
     /// What fills it.
@@ -53,9 +53,9 @@ impl Cell {
     /// Its middle in `eye` at rest, in m, and the part that it belongs to.
     pub fn place(&self, eye: &AxisymmetricEye) -> (Point2<f64>, Part) {
         let part = match self.region {
-            Region::Surround => Part::Fat,
-            Region::Globe if self.lens > 0.0 => Part::Lens,
-            Region::Globe => Part::Interior,
+            Tissue::Surround => Part::Fat,
+            Tissue::Globe if self.lens > 0.0 => Part::Lens,
+            Tissue::Globe => Part::Interior,
         };
         let middle = middle(&self.corners.map(|node| eye.at(node)));
         (Point2::from(<[f64; 2]>::from(middle)), part)
@@ -64,7 +64,7 @@ impl Cell {
 
 /// A piece of cornea or sclera, between node i and node i + 1 of the shell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Segment {
+pub struct ShellSegment {
     /// m.
     pub thickness: f64,
     /// Pa; of a mixture the one that gives the mean of modulus times thickness.
@@ -87,7 +87,7 @@ pub struct AxisymmetricEye {
     /// Block by block, row by row.
     pub cells: Vec<Cell>,
     /// From the front to the back.
-    pub segments: Vec<Segment>,
+    pub segments: Vec<ShellSegment>,
     /// kg, of each node.
     pub mass: Vec<f64>,
     /// Whether a node never moves.
@@ -143,7 +143,7 @@ fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
 
 impl Parameters {
     /// The segment between two points of the shell.
-    fn segment(&self, [a, b]: [(f64, f64); 2]) -> Segment {
+    fn segment(&self, [a, b]: [(f64, f64); 2]) -> ShellSegment {
         let front = |s: f64| libm::atan2(a.1 + s * (b.1 - a.1), -(a.0 + s * (b.0 - a.0)));
         let shell = &self.shell;
         let over = |of: &dyn Fn(f64) -> f64| {
@@ -156,7 +156,7 @@ impl Parameters {
         let thickness = over(&|angle| shell.at(angle).0);
         let stiffness = over(&|angle| shell.at(angle).0 * shell.at(angle).1);
         let front_angle = front(0.5);
-        Segment {
+        ShellSegment {
             thickness,
             modulus: stiffness / thickness,
             sclera: over(&|angle| f64::from(angle >= shell.limbus)),
@@ -224,14 +224,14 @@ impl AxisymmetricEye {
                 let cell = match surround.filter(|_| i == 2) {
                     Some(around) => Cell {
                         corners,
-                        region: Region::Surround,
+                        region: Tissue::Surround,
                         lens: 0.0,
                         material: around.material,
                         subzonal: around.subzonal,
                     },
                     None => Cell {
                         corners,
-                        region: Region::Globe,
+                        region: Tissue::Globe,
                         lens,
                         material: parameters.lens.material.mixed(parameters.vitreous, lens),
                         subzonal: parameters.subzonal,
@@ -240,7 +240,7 @@ impl AxisymmetricEye {
                 cells.push(cell);
             }
         }
-        let segments: Vec<Segment> = mesh
+        let segments: Vec<ShellSegment> = mesh
             .shell
             .windows(2)
             .map(|ends| parameters.segment([at(ends[0]), at(ends[1])]))
@@ -302,8 +302,8 @@ impl AxisymmetricEye {
         for cell in &self.cells {
             for &node in &cell.corners {
                 match cell.region {
-                    Region::Surround => regions[node] = Part::Fat,
-                    Region::Globe => {
+                    Tissue::Surround => regions[node] = Part::Fat,
+                    Tissue::Globe => {
                         lens[node].0 += cell.lens;
                         lens[node].1 += 1.0;
                     }
@@ -447,7 +447,7 @@ mod tests {
     fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
         let straight = eye(5, None, 0.0);
         let turned = eye(5, None, 0.7);
-        let area = |eye: &AxisymmetricEye, of: fn(&Segment) -> f64| -> f64 {
+        let area = |eye: &AxisymmetricEye, of: fn(&ShellSegment) -> f64| -> f64 {
             let ends = eye.mesh.shell.windows(2);
             eye.segments
                 .iter()
@@ -459,8 +459,8 @@ mod tests {
                 .sum()
         };
         for of in [
-            |s: &Segment| s.thickness,
-            |s: &Segment| s.thickness * s.modulus,
+            |s: &ShellSegment| s.thickness,
+            |s: &ShellSegment| s.thickness * s.modulus,
         ] {
             let ratio = area(&turned, of) / area(&straight, of);
             assert!((ratio - 1.0).abs() < 0.02, "{ratio}");

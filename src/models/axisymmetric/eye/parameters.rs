@@ -1,4 +1,4 @@
-//! What the body of revolution is made of, in SI units, each default with its source.
+//! What the axisymmetric eye is made of, in SI units, each default with its source.
 
 use std::f64::consts::PI;
 

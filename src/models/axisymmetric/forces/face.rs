@@ -8,7 +8,7 @@
 //! of its meridian. So what fits the opening as it arrives (a squash ball) is caught by bone once it is flat.
 //! Left out: skin and muscle on the bone, and that a face is no plane.
 
-use crate::models::axisymmetric::forces::object::{Flight, Object, Outline, Surface};
+use crate::models::axisymmetric::forces::object::{Flight, Object, ObjectOutline, ObjectSurface};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of each ring over that of the one within.
@@ -79,7 +79,7 @@ impl Face {
     /// Depth of a ring below the surface of an object, and how it grows as the surface's and the core's centres move.
     fn gap(&self, object: &Object, centres: [f64; 2], r: f64) -> (f64, [f64; 2]) {
         let squeeze = (centres[1] - centres[0]).max(0.0);
-        let Outline::Sphere(radius) = object.outline else {
+        let ObjectOutline::Sphere(radius) = object.outline else {
             let (gap, nx, _) = object.gap(self.x - centres[0], r);
             return (gap, [nx, 0.0]);
         };
@@ -104,8 +104,8 @@ impl Face {
         };
         let surface = match (object.spring, object.surface.cap) {
             (None, _) => object.surface,
-            (Some(_), None) => Surface::foundation(BONE, object.outline.radius()).losing(0.0),
-            (Some(_), Some(_)) => Surface {
+            (Some(_), None) => ObjectSurface::foundation(BONE, object.outline.radius()).losing(0.0),
+            (Some(_), Some(_)) => ObjectSurface {
                 cap: None,
                 ..object.surface
             },

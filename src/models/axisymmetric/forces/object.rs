@@ -60,16 +60,16 @@ fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
     }
 }
 
-/// Outline, with the axis of revolution along the flight.
+/// Outline, with the axis of symmetry along its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Outline {
+pub enum ObjectOutline {
     /// A ball of this radius, in m.
     Sphere(f64),
     /// A flat cylinder of this radius with an edge rounded by this radius, in m.
     Cylinder(f64, f64),
 }
 
-impl Outline {
+impl ObjectOutline {
     /// Largest distance from the axis, m.
     pub fn radius(&self) -> f64 {
         match *self {
@@ -80,7 +80,7 @@ impl Outline {
 
 /// How a surface gives way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface {
+pub struct ObjectSurface {
     /// At small gaps, in Pa/m.
     pub stiffness: f64,
     /// Depth of the foundation, in m; `None` is as deep as it needs to be.
@@ -93,7 +93,7 @@ pub struct Surface {
 
 /// Traction of a foundation at some gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pressed {
+pub(crate) struct PressedSurface {
     /// J/m2.
     pub energy: f64,
     /// Pa.
@@ -102,7 +102,7 @@ pub(crate) struct Pressed {
     pub slope: f64,
 }
 
-impl Surface {
+impl ObjectSurface {
     /// A surface that hardly gives way.
     pub const RIGID: Self = Self {
         stiffness: HARD,
@@ -173,7 +173,7 @@ impl Surface {
         self.depth.map_or(0.0, |depth| gap / (CORE_BEYOND * depth))
     }
 
-    pub(crate) fn at(&self, gap: f64) -> Pressed {
+    pub(crate) fn at(&self, gap: f64) -> PressedSurface {
         let Some(depth) = self.depth else {
             return self.within(gap);
         };
@@ -183,32 +183,32 @@ impl Surface {
         }
         let (at, beyond) = (self.within(end), gap - end);
         let core = HARD / (depth - end) * beyond;
-        Pressed {
+        PressedSurface {
             energy: at.energy + beyond * (at.traction + beyond * (0.5 * at.slope + core / 3.0)),
             traction: at.traction + beyond * (at.slope + core),
             slope: at.slope + 2.0 * core,
         }
     }
 
-    fn within(&self, gap: f64) -> Pressed {
+    fn within(&self, gap: f64) -> PressedSurface {
         let k = self.stiffness;
         let Some(cap) = self.cap else {
             let Some(depth) = self.depth else {
-                return Pressed {
+                return PressedSurface {
                     energy: 0.5 * k * gap * gap,
                     traction: k * gap,
                     slope: k,
                 };
             };
             let left = 1.0 - gap / depth;
-            return Pressed {
+            return PressedSurface {
                 energy: k * depth * depth * (left - 1.0 - libm::log(left)),
                 traction: k * gap / left,
                 slope: k / (left * left),
             };
         };
         let over = 1.0 + k * gap / cap;
-        let mut pressed = Pressed {
+        let mut pressed = PressedSurface {
             energy: cap * (gap - cap / k * libm::log(over)),
             traction: k * gap / over,
             slope: k / (over * over),
@@ -241,13 +241,13 @@ pub struct BallSpring {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Object {
     /// Outline.
-    pub outline: Outline,
+    pub outline: ObjectOutline,
     /// kg.
     pub mass: f64,
     /// Towards the eye, in m/s.
     pub speed: f64,
     /// How its surface gives way.
-    pub surface: Surface,
+    pub surface: ObjectSurface,
     /// How the whole gives way, if it does.
     pub spring: Option<BallSpring>,
 }
@@ -256,8 +256,8 @@ impl Object {
     /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in m.
     pub fn reach(&self) -> f64 {
         match self.outline {
-            Outline::Sphere(radius) => radius,
-            Outline::Cylinder(..) => 0.0,
+            ObjectOutline::Sphere(radius) => radius,
+            ObjectOutline::Cylinder(..) => 0.0,
         }
     }
 
@@ -275,7 +275,7 @@ impl Object {
     #[inline]
     pub(crate) fn gap(&self, x: f64, r: f64) -> (f64, f64, f64) {
         match self.outline {
-            Outline::Sphere(radius) if self.surface.depth.is_some() => {
+            ObjectOutline::Sphere(radius) if self.surface.depth.is_some() => {
                 let behind = x + radius;
                 if behind <= 0.0 {
                     return (-radius, 1.0, 0.0);
@@ -287,11 +287,11 @@ impl Object {
                     2.0 * slope,
                 )
             }
-            Outline::Sphere(radius) => {
+            ObjectOutline::Sphere(radius) => {
                 let distance = (x * x + r * r).sqrt();
                 (radius - distance, x / distance, r / distance)
             }
-            Outline::Cylinder(radius, edge) => {
+            ObjectOutline::Cylinder(radius, edge) => {
                 let (x, r) = (x + edge, r - (radius - edge));
                 if r <= 0.0 {
                     (edge - x, 1.0, 0.0)

@@ -13,8 +13,9 @@
 
 use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
 use crate::models::axisymmetric::forces::nodes;
-use crate::models::axisymmetric::forces::rows::{Group, LANES, Lane, Rows, Run, field};
-use crate::models::axisymmetric::forces::state::{State, Sums};
+use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
+use crate::models::axisymmetric::forces::state::{NodeState, CellSums};
+use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Bytes, Simd, SimdBase, SimdFloat};
 use std::f64::consts::FRAC_PI_3;
@@ -130,7 +131,7 @@ fn add<S: Simd>(simd: S, to: &mut Lane, lane: usize, value: V<S>) {
 
 /// Forces of all cells on the nodes, and what else they say.
 #[inline(always)]
-pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Sums {
+pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellSums {
     let mut totals = Totals {
         loss: [0.0; LANES],
         mean: [0.0; LANES],
@@ -164,7 +165,7 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
         nodes::gather(simd, rows, run, state);
     }
     let sum = |of: Lane| of.iter().sum::<f64>();
-    Sums {
+    CellSums {
         limit: 1.0 / totals.rate.iter().copied().fold(0.0, f64::max),
         loss: sum(totals.loss),
         pressure: sum(totals.mean),
@@ -187,10 +188,10 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
 #[inline(always)]
 fn cells<S: Simd>(
     simd: S,
-    constants: &Group,
+    constants: &CellGroup,
     lane: usize,
-    state: &State,
-    run: Run,
+    state: &NodeState,
+    run: RowRun,
     at: usize,
     pressures: &mut [f64],
     totals: &mut Totals,

@@ -8,22 +8,17 @@
 //!
 //! A node on the border of two blocks has a place in both. Its forces are added up, and both places move alike.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Region};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::cell;
 use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::quads;
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
+use crate::models::paper::forces::layout::{LANES, Lane};
 use fearless_simd::{Level, dispatch};
 use std::f64::consts::FRAC_PI_3;
-
-/// Places that a group of constants covers.
-pub(crate) const LANES: usize = 8;
-
-/// Eight neighbouring values.
-pub(crate) type Lane = [f64; LANES];
 
 /// What is constant of a cell.
 pub(crate) mod field {
@@ -81,11 +76,11 @@ type Constants = [f64; field::COUNT];
 /// The constants of eight neighbouring cells, by [`field`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Group(pub [Lane; field::COUNT]);
+pub(crate) struct CellGroup(pub [Lane; field::COUNT]);
 
 /// A run of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Run {
+pub(crate) struct RowRun {
     /// First place of the nodes.
     pub nodes: usize,
     /// First place of the cells in the constants and in the pressures.
@@ -105,14 +100,14 @@ pub(crate) type Corners = [(Aligned, Aligned); 4];
 
 /// The cells of an eye in rows.
 #[derive(Debug, Clone)]
-pub(crate) struct Rows {
-    pub runs: Vec<Run>,
-    pub groups: Vec<Group>,
+pub(crate) struct CellRows {
+    pub runs: Vec<RowRun>,
+    pub groups: Vec<CellGroup>,
     pub corners: Corners,
     pub pressures: Aligned,
     /// The machine's vectors.
     level: Level,
-    rest: State,
+    rest: NodeState,
     /// Place of each node, the last one where there are two.
     places: Vec<usize>,
     /// Place of each cell.
@@ -121,7 +116,7 @@ pub(crate) struct Rows {
     twins: Vec<(usize, usize)>,
 }
 
-impl Rows {
+impl CellRows {
     pub fn new(eye: &AxisymmetricEye) -> Self {
         Self::with_level(eye, Level::new())
     }
@@ -133,7 +128,7 @@ impl Rows {
         let mut owners = Vec::new();
         for (index, block) in eye.mesh.blocks.iter().enumerate() {
             let columns = block.columns;
-            let run = Run {
+            let run = RowRun {
                 nodes,
                 cells,
                 corners: corners + (columns + 1).next_multiple_of(LANES),
@@ -181,7 +176,7 @@ impl Rows {
 
     /// Brings both places of a node together.
     #[cfg(test)]
-    pub fn share(&self, state: &mut State) {
+    pub fn share(&self, state: &mut NodeState) {
         for &(twin, place) in &self.twins {
             for of in [&mut state.x, &mut state.r, &mut state.vx, &mut state.vr] {
                 of[twin] = of[place];
@@ -193,7 +188,7 @@ impl Rows {
         let weights = sensor::weights(eye);
         // A place without a cell has the shape of some cell, so that all stays finite.
         let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
-        let group = Group(std::array::from_fn(|f| [empty[f]; LANES]));
+        let group = CellGroup(std::array::from_fn(|f| [empty[f]; LANES]));
         self.groups = vec![group; self.pressures.len() / LANES];
         let mut cell = 0;
         for (run, block) in self.runs.iter().zip(&eye.mesh.blocks) {
@@ -204,7 +199,7 @@ impl Rows {
                 let place = run.cells + low;
                 let mut one = constants(&Rest::new(eye, &eye.cells[cell]));
                 (one[field::MEAN], one[field::SENSOR]) = weights[cell];
-                if eye.cells[cell].region == Region::Globe {
+                if eye.cells[cell].region == Tissue::Globe {
                     one[field::GLOBE] = FRAC_PI_3;
                 }
                 for (lanes, value) in self.groups[place / LANES].0.iter_mut().zip(one) {
@@ -259,7 +254,7 @@ fn absent(mut c: Constants) -> Constants {
     c
 }
 
-fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State {
+fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> NodeState {
     let mesh = &eye.mesh;
     let read = |of: &dyn Fn(usize) -> f64, none: f64| {
         owners
@@ -270,7 +265,7 @@ fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State 
     let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
     let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
     let zeros = vec![0.0; owners.len()];
-    State {
+    NodeState {
         x: read(&|i| mesh.x[i], 0.0),
         // Off the axis, as radii are divided by.
         r: read(&|i| mesh.r[i], eye.parameters.radius),
@@ -284,8 +279,8 @@ fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State 
     }
 }
 
-impl Cells for Rows {
-    fn rest(&self) -> State {
+impl Cells for CellRows {
+    fn rest(&self) -> NodeState {
         self.rest.clone()
     }
 
@@ -293,7 +288,7 @@ impl Cells for Rows {
         self.places[node]
     }
 
-    fn forces(&mut self, state: &mut State) -> Sums {
+    fn forces(&mut self, state: &mut NodeState) -> CellSums {
         let level = self.level;
         let sums = dispatch!(level, simd => quads::forces(simd, self, state));
         for &(twin, place) in &self.twins {
@@ -303,7 +298,7 @@ impl Cells for Rows {
         sums
     }
 
-    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+    fn advance(&self, state: &mut NodeState, kick: f64, drift: f64) {
         for &(twin, place) in &self.twins {
             state.fx[twin] = state.fx[place];
             state.fr[twin] = state.fr[place];

@@ -14,7 +14,7 @@ use std::collections::VecDeque;
 
 /// Which frames are due, and the velocities that their forces are reckoned from.
 #[derive(Debug, Clone)]
-pub(crate) struct FrameTaker {
+pub(crate) struct FramesDue {
     spacing: Spacing,
     taken: usize,
     marked: usize,
@@ -22,7 +22,7 @@ pub(crate) struct FrameTaker {
     before: VecDeque<Vec<(f64, f64)>>,
 }
 
-impl FrameTaker {
+impl FramesDue {
     pub fn new(spacing: Spacing) -> Self {
         Self {
             spacing,

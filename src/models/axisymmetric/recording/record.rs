@@ -2,7 +2,7 @@
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::cell;
-use crate::models::axisymmetric::forces::state::{Cells, State};
+use crate::models::axisymmetric::forces::state::{Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor::LowPass;
 use crate::models::axisymmetric::time::run::{Instant, Motion};
 
@@ -149,7 +149,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(eye: &AxisymmetricEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
+    fn of(eye: &AxisymmetricEye, state: &NodeState, lens: &[(usize, f64)], lens_rest: f64) -> Self {
         let shell = state.shell.clone();
         let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
         let radius = eye.parameters.radius;

@@ -1,8 +1,8 @@
 //! What is read off the moving eye as instruments would: a pressure sensor at the back, and
 //! accelerometers at the four monitored places.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Region, volume};
-use crate::models::axisymmetric::forces::state::State;
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue, volume};
+use crate::models::axisymmetric::forces::state::NodeState;
 use std::collections::VecDeque;
 
 /// Where the sensor sits, on the axis behind the centre, and how far around it takes a mean, in m.
@@ -43,7 +43,7 @@ pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
         .map(|cell| {
             let p = cell.corners.map(|n| eye.at(n));
             let volume = volume(&p);
-            let globe = if cell.region == Region::Globe {
+            let globe = if cell.region == Tissue::Globe {
                 volume
             } else {
                 0.0
@@ -179,7 +179,7 @@ impl Accelerometers {
     }
 
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
-    pub fn read(&mut self, state: &State, time: f64) -> [f64; 4] {
+    pub fn read(&mut self, state: &NodeState, time: f64) -> [f64; 4] {
         let now = std::array::from_fn(|i| {
             self.places[i]
                 .iter()

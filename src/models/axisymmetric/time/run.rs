@@ -15,12 +15,12 @@
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{Flight, Object};
-use crate::models::axisymmetric::forces::plain::Plain;
-use crate::models::axisymmetric::forces::rows::Rows;
+use crate::models::axisymmetric::forces::plain::PlainCells;
+use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
 use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::frames::FrameTaker;
+use crate::models::axisymmetric::recording::frames::FramesDue;
 use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
@@ -49,7 +49,7 @@ const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Blow {
+pub enum AxisymmetricLoad {
     /// It touches the front pole at the start, or the rim if that is nearer.
     Object(Object),
     /// A force against time, as a uniform traction along the axis on the area within a front angle (rad).
@@ -58,7 +58,7 @@ pub enum Blow {
 
 /// How the cells are computed.
 #[derive(Debug, Clone, Copy)]
-pub enum Form {
+pub enum CellLoop {
     /// One by one.
     Plain,
     /// In rows, many at once.
@@ -123,8 +123,8 @@ impl Steps {
 pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
-pub fn step_limit(eye: &AxisymmetricEye, blow: &Blow) -> f64 {
-    let mut motion = Motion::new(eye, Rows::new(eye), blow, Keep::default(), 1.0);
+pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
+    let mut motion = Motion::new(eye, CellRows::new(eye), blow, Keep::default(), 1.0);
     motion.forces(0.0).limit
 }
 
@@ -135,13 +135,13 @@ pub fn step_limit(eye: &AxisymmetricEye, blow: &Blow) -> f64 {
 /// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
 pub fn run(
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
 ) -> Result<EngineRun, Stop> {
-    run_as(Form::Rows, eye, blow, window, steps, keep, watch)
+    run_as(CellLoop::Rows, eye, blow, window, steps, keep, watch)
 }
 
 /// The same with the cells computed in a certain form.
@@ -149,9 +149,9 @@ pub fn run(
 /// # Errors
 /// See [`run`].
 pub fn run_as(
-    form: Form,
+    form: CellLoop,
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     keep: Keep,
@@ -164,10 +164,10 @@ pub fn run_as(
         ControlFlow::Continue(())
     };
     let run = match form {
-        Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(steps, watch, take),
-        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(steps, watch, take),
-        Form::Vectors(level) => {
-            let rows = Rows::with_level(eye, level);
+        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window).go(steps, watch, take),
+        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window).go(steps, watch, take),
+        CellLoop::Vectors(level) => {
+            let rows = CellRows::with_level(eye, level);
             Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
         }
     };
@@ -180,7 +180,7 @@ pub fn run_as(
 /// See [`run`]; stopped by `take` too.
 pub fn run_through(
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     spacing: Spacing,
@@ -191,7 +191,7 @@ pub fn run_through(
         frames: Some(spacing),
     };
     let watch = &mut |_| ControlFlow::Continue(());
-    let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
+    let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window);
     motion.go(steps.into(), watch, take).map(|_| ())
 }
 
@@ -234,7 +234,7 @@ pub(crate) struct Motion<'a, C> {
     /// For the elastic energy.
     pub balance: Plain,
     pub mass: Vec<f64>,
-    pub state: State,
+    pub state: NodeState,
     pub shell: Shell,
     pub target: Target,
     pub object: Option<(Object, Flight)>,
@@ -268,12 +268,12 @@ pub(crate) struct Motion<'a, C> {
     pub extremes: Extremes,
     pub fold: FoldWatch,
     pub traces: Traces,
-    pub frame_taker: Option<FrameTaker>,
+    pub frame_taker: Option<FramesDue>,
 }
 
 /// What all parts say at some instant.
 pub(crate) struct Instant {
-    pub sums: Sums,
+    pub sums: CellSums,
     pub shell: ShellState,
     pub touch: Option<Touch>,
     pub force: f64,
@@ -282,15 +282,15 @@ pub(crate) struct Instant {
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
-    fn new(eye: &'a AxisymmetricEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
+    fn new(eye: &'a AxisymmetricEye, cells: C, blow: &AxisymmetricLoad, keep: Keep, window: f64) -> Self {
         let target = Target::new(eye);
         let (object, load) = match blow {
-            Blow::Object(object) => {
+            AxisymmetricLoad::Object(object) => {
                 let front = target.first_touch(object, -eye.parameters.radius);
                 let flight = Flight::new(object, front);
                 (Some((*object, flight)), None)
             }
-            Blow::Pulse(pulse, half_width) => {
+            AxisymmetricLoad::Pulse(pulse, half_width) => {
                 let shares = Target::shares(eye, *half_width);
                 let pulse = pulse.clone();
                 let load = Load {
@@ -319,7 +319,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         for (node, m) in eye.mass.iter().enumerate() {
             mass[cells.place(node)] = *m;
         }
-        let mut balance = Plain::new(eye);
+        let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut balance.rest()).volume;
         Self {
             lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
@@ -353,7 +353,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             extremes: Extremes::at_rest(),
             fold: FoldWatch::new(eye.cells.len()),
             traces: Traces::default(),
-            frame_taker: keep.frames.map(FrameTaker::new),
+            frame_taker: keep.frames.map(FramesDue::new),
         }
     }
 
@@ -511,8 +511,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         };
         let apex = self.state.x[self.state.shell.start];
         let centre = match object.outline {
-            crate::models::axisymmetric::forces::object::Outline::Sphere(_) => flight.x[0],
-            crate::models::axisymmetric::forces::object::Outline::Cylinder(radius, _) => {
+            crate::models::axisymmetric::forces::object::ObjectOutline::Sphere(_) => flight.x[0],
+            crate::models::axisymmetric::forces::object::ObjectOutline::Cylinder(radius, _) => {
                 flight.x[0] - radius
             }
         };

@@ -6,7 +6,7 @@
 //! middle: the bilinear hat of level 1. Along the shell it is (1 - |o|/k)/k at o shell nodes away. At
 //! level 1 a hat is its middle node with weight 1, so the paper's own measures come out to the last bit.
 
-use crate::models::paper::eye::mesh::{Mesh, Node};
+use crate::models::paper::eye::mesh::{SectionMesh, Node};
 
 /// Nodes with weights.
 pub type Hat = Vec<(usize, f64)>;
@@ -18,7 +18,7 @@ fn weight(away: isize, k: isize) -> f64 {
 
 /// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for a
 /// sum of forces.
-pub(crate) fn of_force(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
+pub(crate) fn of_force(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let middle = (grid.0.cast_signed() * k, grid.1.cast_signed() * k);
     let reach = 1 - k..k;
     let places = reach
@@ -32,7 +32,7 @@ pub(crate) fn of_force(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
 }
 
 /// The same within the globe, by mass and with a sum of 1: weights for a mean of displacements.
-pub(crate) fn of_displacement(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
+pub(crate) fn of_displacement(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let mut hat = of_force(mesh, k, grid);
     let node = |i: usize| -> &Node { &mesh.nodes[i] };
     hat.retain(|&(i, _)| node(i).region.in_globe());

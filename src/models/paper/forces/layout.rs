@@ -16,7 +16,7 @@ pub(crate) type Lane = [f64; LANES];
 /// What the kernel needs of eight neighbouring nodes.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-pub(crate) struct Group {
+pub(crate) struct SpringGroup {
     /// Stiffness of the springs in each direction, N/m.
     pub stiffness: [Lane; DIRECTIONS],
     /// Stiffness times rest length, N.
@@ -29,7 +29,7 @@ pub(crate) struct Group {
     pub half_mass: Lane,
 }
 
-/// What the survey needs beside a [`Group`].
+/// What the survey needs beside a [`SpringGroup`].
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(crate) struct SurveyGroup {
@@ -45,21 +45,21 @@ pub(crate) struct SurveyGroup {
 
 /// Where a node of the eye is found in the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct RowPlace {
     /// Index into the rows.
     pub slot: usize,
     /// Whether the slot holds its mirror image.
     pub mirrored: bool,
 }
 
-impl Place {
+impl RowPlace {
     /// Sign of the y components read at the slot.
     pub fn sign(self) -> f64 {
         if self.mirrored { -1.0 } else { 1.0 }
     }
 }
 
-pub(crate) const EMPTY_GROUP: Group = Group {
+pub(crate) const EMPTY_GROUP: SpringGroup = SpringGroup {
     stiffness: [[0.0; LANES]; DIRECTIONS],
     tension: [[0.0; LANES]; DIRECTIONS],
     inverse_mass: [0.0; LANES],
@@ -75,7 +75,7 @@ pub(crate) const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
 };
 
 /// Which rows are moved, and what each stands for.
-pub(crate) struct Rows {
+pub(crate) struct MovedRows {
     side: usize,
     stride: usize,
     /// First row whose springs are evaluated.
@@ -84,7 +84,7 @@ pub(crate) struct Rows {
     pub mirror: Option<usize>,
 }
 
-impl Rows {
+impl MovedRows {
     pub fn new(side: usize, stride: usize, mirrored: bool) -> Self {
         // An even side has the axis between two rows, an odd one has a row on the axis.
         let (first, mirror) = if mirrored {
@@ -118,10 +118,10 @@ impl Rows {
         }
     }
 
-    pub fn place(&self, (i, j): (usize, usize)) -> Place {
+    pub fn place(&self, (i, j): (usize, usize)) -> RowPlace {
         let mirrored = !self.owns(j);
         let row = if mirrored { self.side - 1 - j } else { j };
-        Place {
+        RowPlace {
             slot: row * self.stride + i + SHIFT,
             mirrored,
         }

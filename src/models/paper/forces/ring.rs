@@ -5,7 +5,7 @@
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::SpringKind;
-use crate::models::paper::forces::layout::{LANES, Lane, Rows};
+use crate::models::paper::forces::layout::{LANES, Lane, MovedRows};
 use std::collections::HashMap;
 
 /// Eight filaments of one hop count whose first ends lie side by side; what fills it up has stiffness 0.
@@ -61,7 +61,7 @@ impl Ring {
 }
 
 /// The filaments of `eye` for the moved rows.
-pub(crate) fn compile(eye: &Eye, rows: &Rows) -> Ring {
+pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
     let shell = &eye.landmarks.shell;
     let count = shell.len();
     // The upper half starts just above the posterior pole, or on it.

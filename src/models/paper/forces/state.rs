@@ -1,7 +1,7 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::layout::{LANES, Place};
+use crate::models::paper::forces::layout::{LANES, RowPlace};
 use crate::models::paper::forces::system::System;
 use nalgebra::{Point2, Vector2};
 
@@ -115,17 +115,17 @@ impl State {
     }
 
     /// Position of the node at `place`, in m.
-    pub fn position(&self, place: Place) -> Point2<f64> {
+    pub fn position(&self, place: RowPlace) -> Point2<f64> {
         Point2::new(self.x[place.slot], place.sign() * self.y[place.slot])
     }
 
     /// Velocity of the node at `place`, in m/s.
-    pub fn velocity(&self, place: Place) -> Vector2<f64> {
+    pub fn velocity(&self, place: RowPlace) -> Vector2<f64> {
         Vector2::new(self.vx[place.slot], place.sign() * self.vy[place.slot])
     }
 
     /// Acceleration of the node at `place`, drag included, in m/s^2.
-    pub fn acceleration(&self, system: &System, place: Place) -> Vector2<f64> {
+    pub fn acceleration(&self, system: &System, place: RowPlace) -> Vector2<f64> {
         let drag = system.decay_at(place.slot);
         Vector2::new(
             self.ax[place.slot] - drag * self.vx[place.slot],
@@ -134,7 +134,7 @@ impl State {
     }
 
     /// Moves the node at `place` and sets its velocity: for tests and for starting off rest.
-    pub fn set(&mut self, place: Place, position: Point2<f64>, velocity: Vector2<f64>) {
+    pub fn set(&mut self, place: RowPlace, position: Point2<f64>, velocity: Vector2<f64>) {
         self.x[place.slot] = position.x;
         self.y[place.slot] = place.sign() * position.y;
         self.vx[place.slot] = velocity.x;

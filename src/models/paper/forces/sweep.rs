@@ -16,7 +16,7 @@
 use crate::models::paper::forces::lanes::{
     Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
-use crate::models::paper::forces::layout::{DIRECTIONS, Group, LANES, SurveyGroup};
+use crate::models::paper::forces::layout::{DIRECTIONS, SpringGroup, LANES, SurveyGroup};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use fearless_simd::{Simd, SimdBase};
@@ -27,7 +27,7 @@ pub(crate) struct Nodes<'a, S: Simd> {
     pub simd: S,
     /// Place of the first node in its group.
     pub lane: usize,
-    pub group: &'a Group,
+    pub group: &'a SpringGroup,
     pub position: Pair<S>,
     pub vx: &'a mut [f64],
     pub vy: &'a mut [f64],

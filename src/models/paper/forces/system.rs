@@ -18,7 +18,7 @@ use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::layout::{
-    Active, EMPTY_GROUP, EMPTY_SURVEY, Group, LANES, Place, Rows, SHIFT, SurveyGroup,
+    Active, EMPTY_GROUP, EMPTY_SURVEY, SpringGroup, LANES, RowPlace, MovedRows, SHIFT, SurveyGroup,
 };
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::ring;
@@ -50,7 +50,7 @@ pub struct System {
     pub(crate) first_row: usize,
     /// Row that the ghost mirrors.
     pub(crate) mirror_row: Option<usize>,
-    pub(crate) groups: Vec<Group>,
+    pub(crate) groups: Vec<SpringGroup>,
     pub(crate) survey: Vec<SurveyGroup>,
     pub(crate) ring: Ring,
     pub(crate) shortest_squared: f64,
@@ -64,7 +64,7 @@ pub struct System {
     pub(crate) level: Level,
     /// The vectors that hold anything that moves.
     pub(crate) active: Active,
-    places: Vec<Place>,
+    places: Vec<RowPlace>,
     load: NodeLoad,
     omega_bound: f64,
     springs_per_evaluation: usize,
@@ -77,7 +77,7 @@ impl System {
         let mirrored = !whole && load.direction.y == 0.0 && load.arc.0 == -load.arc.1;
         let side = eye.side;
         let stride = side.next_multiple_of(LANES);
-        let rows = Rows::new(side, stride, mirrored);
+        let rows = MovedRows::new(side, stride, mirrored);
 
         let mut system = Self {
             side,
@@ -124,7 +124,7 @@ impl System {
         system
     }
 
-    fn put_nodes(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_nodes(&mut self, eye: &Eye, rows: &MovedRows) {
         // Places without a node get distinct positions too, so that no length there is zero.
         for j in 0..self.side {
             for i in 0..self.stride {
@@ -147,7 +147,7 @@ impl System {
         }
     }
 
-    fn put_springs(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_springs(&mut self, eye: &Eye, rows: &MovedRows) {
         for spring in &eye.springs {
             let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
             if spring.kind == SpringKind::Filament || (a.fixed() && b.fixed()) {
@@ -177,7 +177,7 @@ impl System {
         }
     }
 
-    fn put_quads(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_quads(&mut self, eye: &Eye, rows: &MovedRows) {
         for quad in &eye.quads {
             let p = quad.map(|i| eye.nodes[i].position);
             let (i, j) = eye.nodes[quad[0]].grid;
@@ -207,7 +207,7 @@ impl System {
     }
 
     /// Where node `node` of the eye is found.
-    pub fn place(&self, node: usize) -> Place {
+    pub fn place(&self, node: usize) -> RowPlace {
         self.places[node]
     }
 

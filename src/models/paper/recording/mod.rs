@@ -14,7 +14,7 @@ use crate::run::plan::Cost;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extremes {
+pub struct PaperExtremes {
     /// |sum w m a| over the hats of the monitored nodes, in N; at level 1 |m a| of the node.
     pub force: [Peak; 4],
     /// Corneal apex displacement, in m.
@@ -44,7 +44,7 @@ pub struct Extremes {
     pub lost_in_rounding: bool,
 }
 
-impl Extremes {
+impl PaperExtremes {
     /// Nothing acted on the eye: what it seems to have done is rounding.
     fn forget_rounding(&mut self) {
         let nothing = Peak::floor(0.0);
@@ -63,7 +63,7 @@ impl Extremes {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Largest values over every step.
-    pub extremes: Extremes,
+    pub extremes: PaperExtremes,
     /// Values at step ends, if they were asked for.
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.

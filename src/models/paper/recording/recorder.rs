@@ -8,9 +8,9 @@ use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::NodeForce;
 use crate::models::paper::recording::frames::FrameTaker;
-use crate::models::paper::recording::lengths::{Growth, Kind, Point};
-use crate::models::paper::recording::settling::{Bend, Bounds, ShellBound};
-use crate::models::paper::recording::{Extremes, Recording};
+use crate::models::paper::recording::lengths::{Growth, LengthKind, LinePoint};
+use crate::models::paper::recording::settling::{Bend, RiseBounds, ShellBound};
+use crate::models::paper::recording::{PaperExtremes, Recording};
 use crate::models::paper::time::march::Observer;
 use crate::models::pulse::Piece;
 use crate::run::fold::FoldWatch;
@@ -100,7 +100,7 @@ pub struct Recorder {
     shell: Growth,
     meridian: Growth,
     apex: Growth,
-    bounds: Bounds,
+    bounds: RiseBounds,
     bend: Bend,
     energy: f64,
     loaded: bool,
@@ -148,23 +148,23 @@ impl Recorder {
         let displaced = |middles: [usize; 2], hats: &[Hat; 2]| {
             let points = middles.into_iter().zip(hats);
             points
-                .map(|(n, hat)| Point::displaced(eye, n, hat.clone()))
+                .map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone()))
                 .collect()
         };
-        let ring = marks.shell_hats.iter().cloned().map(Point::mean).collect();
+        let ring = marks.shell_hats.iter().cloned().map(LinePoint::mean).collect();
         Self {
             monitors: std::array::from_fn(monitor),
             forces: [Peak::floor(0.0); 4],
             last_forces: [0.0; 4],
-            bounds: Bounds::new(eye),
+            bounds: RiseBounds::new(eye),
             bend: Bend::UNKNOWN,
             energy: 0.0,
             loaded: true,
             window,
             surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
-            shell: growth(Kind::Ring, ring),
-            meridian: growth(Kind::Span, displaced(marks.meridian, &marks.meridian_hats)),
-            apex: growth(Kind::MeanX, displaced(marks.apex, &marks.apex_hats)),
+            shell: growth(LengthKind::Ring, ring),
+            meridian: growth(LengthKind::Span, displaced(marks.meridian, &marks.meridian_hats)),
+            apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
@@ -277,7 +277,7 @@ impl Recorder {
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
         let open = self.loaded || !self.forces_are_final(0.0);
-        let mut extremes = Extremes {
+        let mut extremes = PaperExtremes {
             force: self.forces,
             apex: self.apex.peak,
             shell_growth: relative(&self.shell),

@@ -85,7 +85,7 @@ impl Bend {
 
 /// The bounds of all results of one eye.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Bounds {
+pub(crate) struct RiseBounds {
     /// Force at each monitored node, N.
     pub force: [Reach; 4],
     /// Growth of the shell, m.
@@ -98,7 +98,7 @@ pub(crate) struct Bounds {
     pub meridian: Travel,
 }
 
-impl Bounds {
+impl RiseBounds {
     pub fn new(eye: &Eye) -> Self {
         let marks = &eye.landmarks;
         let weakest = eye
