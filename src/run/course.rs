@@ -38,7 +38,7 @@ pub enum Beside {
     Kinetic,
     /// Energy lost so far.
     Dissipated,
-    /// Centre of the projectile along its flight.
+    /// Centre of the projectile along its way.
     ProjectileX,
     /// Its velocity.
     ProjectileVx,

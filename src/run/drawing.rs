@@ -122,7 +122,7 @@ impl Drawing {
         let sideways = Vector2::new(-direction.y, direction.x);
         Some(match edge {
             None => {
-                // A soft object is squeezed along its flight; how it bulges is left out.
+                // A soft object is squeezed along its way; how it bulges is left out.
                 let along = direction * (radius - 0.5 * frame.squeezed);
                 let across = sideways * radius;
                 let corner = |i: u32| {

@@ -64,7 +64,7 @@ impl FoldWatch {
     /// Takes in the end of a step, at `time` s, at which the least ratio of a quad's size to that at rest is
     /// `least`. Of each quad `ratio` tells its own, and `place` its middle at rest and its part.
     #[inline]
-    pub fn look(
+    pub fn record(
         &mut self,
         time: f64,
         least: f64,
@@ -147,7 +147,7 @@ mod tests {
         for (time, ratios) in (0..).zip(steps) {
             let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
             let place = |quad| (middle(quad), Region::Interior);
-            watch.look(f64::from(time), least, |quad| ratios[quad], place);
+            watch.record(f64::from(time), least, |quad| ratios[quad], place);
         }
         watch.fold()
     }

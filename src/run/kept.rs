@@ -82,7 +82,7 @@ pub struct Frame {
     /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
     /// and squeezed.
     pub projectile: Option<Point2<f64>>,
-    /// How much it is squeezed along its flight, in m.
+    /// How much it is squeezed along its way, in m.
     pub squeezed: f64,
     /// Intraocular pressure, in Pa, where the eye has cells.
     pub pressure: Option<f64>,
@@ -142,7 +142,7 @@ pub struct Traces {
     pub intrusion: Vec<f64>,
     /// Force of contact, mean over 100 us, N.
     pub contact_force: Vec<f64>,
-    /// Centre of the projectile along its flight, m.
+    /// Centre of the projectile along its way, m.
     pub projectile: Vec<f64>,
     /// Velocity of the projectile, m/s.
     pub projectile_velocity: Vec<f64>,

@@ -6,7 +6,7 @@ use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
 use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
-    BallSpring, Flight, HARD, Object, ObjectOutline, ObjectSurface,
+    BallSpring, MovingObject, HARD, Object, ObjectOutline, ObjectSurface,
 };
 use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
@@ -142,20 +142,20 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                     ..sphere(surface)
                 };
                 let respond = |at: &[f64]| {
-                    let mut flight = Flight::new(&object, -12e-3 + depth);
-                    flight.v = [0.0; 2];
-                    flight.inner();
+                    let mut projectile = MovingObject::new(&object, -12e-3 + depth);
+                    projectile.v = [0.0; 2];
+                    projectile.inner();
                     let mut f = vec![0.0; 2 * n];
                     let (fx, fr) = f.split_at_mut(n);
                     let touch = target.forces(
                         &object,
-                        &mut flight,
+                        &mut projectile,
                         (&at[..n], &at[n..]),
                         (&still, &still),
                         (fx, fr),
                     );
                     let sum: f64 = fx.iter().sum();
-                    assert!((sum + flight.force[0]).abs() <= 1e-9 * sum.abs());
+                    assert!((sum + projectile.force[0]).abs() <= 1e-9 * sum.abs());
                     assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
                     (touch.energy, f)
                 };
@@ -201,23 +201,23 @@ fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up()
 /// How an object comes off a rigid wall: its velocity away from it over that at which it came, its greatest force,
 /// and the error of its balance of energy over what it brought.
 fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
-    let mut flight = Flight::new(object, 0.0);
+    let mut projectile = MovingObject::new(object, 0.0);
     let face = Face::wall(0.0, object.outline.radius(), rings);
-    let brought = flight.kinetic(0.0);
+    let brought = projectile.kinetic(0.0);
     let (mut lost, mut strongest, mut missing): (f64, f64, f64) = (0.0, 0.0, 0.0);
     loop {
-        flight.inner();
-        let push = face.push(object, &mut flight);
+        projectile.inner();
+        let push = face.push(object, &mut projectile);
         strongest = strongest.max(push.force);
         let longest = 1e-3 * object.outline.radius() / object.speed;
-        let step = (0.03 * flight.limit.min(push.limit)).min(longest);
-        let total = flight.kinetic(step) + flight.stored() + push.energy + lost;
+        let step = (0.03 * projectile.limit.min(push.limit)).min(longest);
+        let total = projectile.kinetic(step) + projectile.stored() + push.energy + lost;
         missing = missing.max((total - brought).abs());
-        lost += flight.advance(step, step);
-        let gone = flight.x[0] + object.reach() < -0.1 * object.reach();
-        if gone && flight.velocity() < 0.0 {
+        lost += projectile.advance(step, step);
+        let gone = projectile.x[0] + object.reach() < -0.1 * object.reach();
+        if gone && projectile.velocity() < 0.0 {
             return (
-                -flight.velocity() / object.speed,
+                -projectile.velocity() / object.speed,
                 strongest,
                 missing / brought,
             );
@@ -278,18 +278,18 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
             }),
         };
         // The surface itself, a twentieth of the mass, stays where it strikes.
-        let mut flight = Flight::new(&object, 0.0);
+        let mut projectile = MovingObject::new(&object, 0.0);
         let (mut strongest, mut lost, mut time): (f64, f64, f64) = (0.0, 0.0, 0.0);
-        let brought = flight.kinetic(0.0);
+        let brought = projectile.kinetic(0.0);
         let face = Face::wall(0.0, 33e-3, 200);
         while time < 6e-3 {
-            flight.inner();
-            strongest = strongest.max(flight.force[0]);
-            let push = face.push(&object, &mut flight);
-            let step = 0.1 * flight.limit.min(push.limit).min(1e-5);
-            lost += flight.advance(step, step);
+            projectile.inner();
+            strongest = strongest.max(projectile.force[0]);
+            let push = face.push(&object, &mut projectile);
+            let step = 0.1 * projectile.limit.min(push.limit).min(1e-5);
+            lost += projectile.advance(step, step);
             time += step;
-            let total = flight.kinetic(0.0) + flight.stored() + push.energy + lost;
+            let total = projectile.kinetic(0.0) + projectile.stored() + push.energy + lost;
             assert!((total / brought - 1.0).abs() < 0.01, "{time} {total}");
         }
         let core = 0.95 * mass;
@@ -298,7 +298,7 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
             (strongest / expected - 1.0).abs() < 0.01,
             "{strongest} {expected}"
         );
-        let back = -flight.velocity() / speed;
+        let back = -projectile.velocity() / speed;
         assert!((back - 0.95 * restitution).abs() < 0.03, "{back}");
     }
 }

@@ -6,7 +6,7 @@
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::face::Face;
-use crate::models::axisymmetric::forces::object::{Flight, Object};
+use crate::models::axisymmetric::forces::object::{MovingObject, Object};
 use std::f64::consts::PI;
 
 /// Points in a segment.
@@ -33,7 +33,7 @@ pub(crate) struct Target {
 /// What contact does at some instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Touch {
-    /// Along the flight, on the eye, N.
+    /// Along the way of the projectile, on the eye, N.
     pub force: f64,
     /// On the object by the rim, N.
     pub rim: f64,
@@ -45,7 +45,7 @@ pub(crate) struct Touch {
     pub traction: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
+    /// Lost in the object's surface, W, less what its own motion does ([`MovingObject::lossy`]).
     pub loss: f64,
     /// Segments of the shell that were looked at.
     pub segments: usize,
@@ -98,11 +98,11 @@ impl Target {
         clear
     }
 
-    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the flight's.
+    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the projectile's.
     pub fn forces(
         &self,
         object: &Object,
-        flight: &mut Flight,
+        projectile: &mut MovingObject,
         (x, r): (&[f64], &[f64]),
         (vx, vr): (&[f64], &[f64]),
         (fx, fr): (&mut [f64], &mut [f64]),
@@ -117,7 +117,7 @@ impl Target {
             loss: 0.0,
             segments: 0,
         };
-        let centre = flight.x[0];
+        let centre = projectile.x[0];
         let near = object.near();
         let front = centre + object.reach() + near;
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
@@ -136,7 +136,7 @@ impl Target {
                 }
                 let pressed = object.surface.at(gap.max(0.0));
                 let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
-                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
+                let closing = (projectile.v[0] - speed(vx)) * nx - speed(vr) * nr;
                 let slope = object.surface.steepest(gap, pressed.slope, closing);
                 steepest = steepest.max(slope);
                 whole_slope += area * slope;
@@ -149,7 +149,7 @@ impl Target {
                 let force = area * pressed.traction * left;
                 let lossy = area * pressed.traction * (left - 1.0);
                 touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
-                flight.lossy[0] -= lossy * nx;
+                projectile.lossy[0] -= lossy * nx;
                 touch.energy += area * pressed.energy;
                 touch.traction = touch.traction.max(pressed.traction * left);
                 touch.used_up = touch.used_up.max(object.surface.used_up(gap));
@@ -169,15 +169,15 @@ impl Target {
         }
         // The object's own mass may be less than that of what it presses.
         if whole_slope > 0.0 {
-            let stable = (flight.mass[0] / whole_slope).sqrt();
+            let stable = (projectile.mass[0] / whole_slope).sqrt();
             touch.limit = touch.limit.min(COURANT * stable);
         }
         if whole_damping > 0.0 {
-            touch.limit = touch.limit.min(DAMPED * flight.mass[0] / whole_damping);
+            touch.limit = touch.limit.min(DAMPED * projectile.mass[0] / whole_damping);
         }
-        flight.force[0] -= touch.force;
+        projectile.force[0] -= touch.force;
         if let Some(face) = &self.face {
-            let push = face.push(object, flight);
+            let push = face.push(object, projectile);
             touch.rim = -push.force;
             touch.energy += push.energy;
             touch.limit = touch.limit.min(push.limit);

@@ -8,7 +8,7 @@
 //! of its meridian. So what fits the opening as it arrives (a squash ball) is caught by bone once it is flat.
 //! Left out: skin and muscle on the bone, and that a face is no plane.
 
-use crate::models::axisymmetric::forces::object::{Flight, Object, ObjectOutline, ObjectSurface};
+use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline, ObjectSurface};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of each ring over that of the one within.
@@ -34,7 +34,7 @@ pub(crate) struct Face {
 /// What it does to an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Push {
-    /// Against the flight, N.
+    /// Against the way of the projectile, N.
     pub force: f64,
     /// Stored, J.
     pub energy: f64,
@@ -95,8 +95,8 @@ impl Face {
         (gap, [nx - widening, widening])
     }
 
-    /// Pushes the object back, and adds what its surface loses to the flight's.
-    pub fn push(&self, object: &Object, flight: &mut Flight) -> Push {
+    /// Pushes the object back, and adds what its surface loses to the projectile's.
+    pub fn push(&self, object: &Object, projectile: &mut MovingObject) -> Push {
         let mut push = Push {
             force: 0.0,
             energy: 0.0,
@@ -112,13 +112,13 @@ impl Face {
         };
         let (mut slope, mut damping) = (0.0, 0.0);
         for &(r, area) in &self.rings {
-            let (gap, ways) = self.gap(object, flight.x, r);
+            let (gap, ways) = self.gap(object, projectile.x, r);
             // What is pressed shrinks outward.
             if gap <= -object.near() {
                 break;
             }
             let pressed = surface.at(gap.max(0.0));
-            let closing = ways[0] * flight.v[0] + ways[1] * flight.v[1];
+            let closing = ways[0] * projectile.v[0] + ways[1] * projectile.v[1];
             slope += area * surface.steepest(gap, pressed.slope, closing);
             if gap <= 0.0 {
                 continue;
@@ -127,15 +127,15 @@ impl Face {
             let force = area * pressed.traction;
             for (i, way) in ways.into_iter().enumerate() {
                 push.force += force * left * way;
-                flight.force[i] -= force * left * way;
-                flight.lossy[i] += force * (1.0 - left) * way;
+                projectile.force[i] -= force * left * way;
+                projectile.lossy[i] += force * (1.0 - left) * way;
             }
             push.energy += area * pressed.energy;
             damping += force * change;
         }
         if slope > 0.0 {
-            let stable = (flight.mass[0] / slope).sqrt();
-            let damped = flight.mass[0] / damping.max(f64::MIN_POSITIVE);
+            let stable = (projectile.mass[0] / slope).sqrt();
+            let damped = projectile.mass[0] / damping.max(f64::MIN_POSITIVE);
             push.limit = COURANT * stable.min(damped);
         }
         push

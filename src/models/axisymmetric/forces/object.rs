@@ -269,7 +269,7 @@ impl Object {
     /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
     /// the way that the depth decreases there.
     ///
-    /// Below the surface of a ball that gives way lie balls that touch it at the back of its flight: what is
+    /// Below the surface of a ball that gives way lie balls that touch it at its back: what is
     /// left of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core, which goes through
     /// the eye.) On the axis both are the same, and on the surface the normals are.
     #[inline]
@@ -308,7 +308,7 @@ impl Object {
 
 /// The moving object: surface and core.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Flight {
+pub(crate) struct MovingObject {
     /// Place of the surface's and the core's centre, m.
     pub x: [f64; 2],
     /// m/s, half a step before.
@@ -326,7 +326,7 @@ pub(crate) struct Flight {
     pub limit: f64,
 }
 
-impl Flight {
+impl MovingObject {
     /// An object whose frontmost point is at `front`.
     pub fn new(object: &Object, front: f64) -> Self {
         let spring = object.spring.map(|spring| {

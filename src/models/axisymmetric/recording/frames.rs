@@ -4,6 +4,7 @@
 //! The force of a node is 75 mg times the mean of its acceleration over the 20 us before, as it is for the
 //! monitored places. Pressures are those at the beginning of the step.
 
+use crate::models::axisymmetric::forces::object::MovingObject;
 use crate::models::axisymmetric::forces::state::Cells;
 use crate::models::axisymmetric::recording::record::NODE_MASS;
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
@@ -87,7 +88,7 @@ impl<C: Cells> Motion<'_, C> {
                 NODE_MASS * change / SMOOTHING_S
             }
         };
-        let flight = self.object.as_ref().map(|(_, flight)| flight);
+        let projectile = self.object.as_ref().map(|(_, projectile)| projectile);
         Frame {
             time: due,
             positions: (0..eye.mass.len()).map(position).collect(),
@@ -98,10 +99,10 @@ impl<C: Cells> Motion<'_, C> {
                 .map(force)
                 .collect(),
             cells: self.cells.pressures(),
-            projectile: flight.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
-            squeezed: flight.map_or(
+            projectile: projectile.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
+            squeezed: projectile.map_or(
                 0.0,
-                crate::models::axisymmetric::forces::object::Flight::squeezed,
+                MovingObject::squeezed,
             ),
             pressure: Some(self.filters[0].now),
         }

@@ -14,7 +14,7 @@
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
-use crate::models::axisymmetric::forces::object::{Flight, Object};
+use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
 use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
@@ -164,11 +164,11 @@ pub fn run_as(
         ControlFlow::Continue(())
     };
     let run = match form {
-        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window).go(steps, watch, take),
-        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window).go(steps, watch, take),
+        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window).run_through_window(steps, watch, take),
+        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window).run_through_window(steps, watch, take),
         CellLoop::Vectors(level) => {
             let rows = CellRows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
+            Motion::new(eye, rows, blow, keep, window).run_through_window(steps, watch, take)
         }
     };
     Ok(EngineRun { frames, ..run? })
@@ -192,7 +192,7 @@ pub fn run_through(
     };
     let watch = &mut |_| ControlFlow::Continue(());
     let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window);
-    motion.go(steps.into(), watch, take).map(|_| ())
+    motion.run_through_window(steps.into(), watch, take).map(|_| ())
 }
 
 /// When one of the readings, or a force or pressure that some of them are means of, last grew, in s.
@@ -237,7 +237,7 @@ pub(crate) struct Motion<'a, C> {
     pub state: NodeState,
     pub shell: Shell,
     pub target: Target,
-    pub object: Option<(Object, Flight)>,
+    pub object: Option<(Object, MovingObject)>,
     pub load: Option<Load>,
     /// Node and share of the lens's mass.
     pub lens: Vec<(usize, f64)>,
@@ -287,8 +287,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         let (object, load) = match blow {
             AxisymmetricLoad::Object(object) => {
                 let front = target.first_touch(object, -eye.parameters.radius);
-                let flight = Flight::new(object, front);
-                (Some((*object, flight)), None)
+                let projectile = MovingObject::new(object, front);
+                (Some((*object, projectile)), None)
             }
             AxisymmetricLoad::Pulse(pulse, half_width) => {
                 let shares = Target::shares(eye, *half_width);
@@ -357,7 +357,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<EngineRun, Stop> {
+    fn run_through_window(mut self, by: Steps, watch: Watch, take: Take) -> Result<EngineRun, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
@@ -374,7 +374,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                 most.min(GROWTH * before)
             };
             let kick = by.kick(before, step);
-            let forces = self.look(&now, time, before);
+            let forces = self.offer_readings(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
             let last = time >= self.window || settled;
             let due = |next: &mut f64, every: Option<f64>| match every {
@@ -401,7 +401,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             if !step.is_finite() || step <= 0.0 {
                 return Err(Stop::NotFinite { time, step: steps });
             }
-            self.through(time)?;
+            self.refuse_if_gone_through(time)?;
             if last {
                 let settled = time < self.window;
                 return Ok(self.finish(time, steps, settled));
@@ -424,8 +424,8 @@ impl<'a, C: Cells> Motion<'a, C> {
                 self.energy.work += now.force * speed * kick;
             }
             self.cells.advance(&mut self.state, kick, step);
-            if let Some((_, flight)) = &mut self.object {
-                self.energy.lost_in_object += flight.advance(kick, step);
+            if let Some((_, projectile)) = &mut self.object {
+                self.energy.lost_in_object += projectile.advance(kick, step);
             }
             time += step;
             steps += 1;
@@ -451,11 +451,11 @@ impl<'a, C: Cells> Motion<'a, C> {
         let mut limit = sums.limit.min(self.shell.limit);
         let (mut force, mut loss_in_object) = (0.0, 0.0);
         let mut touch = None;
-        if let Some((object, flight)) = &mut self.object {
-            flight.inner();
-            let touched = self.target.forces(object, flight, (x, r), v, (fx, fr));
+        if let Some((object, projectile)) = &mut self.object {
+            projectile.inner();
+            let touched = self.target.forces(object, projectile, (x, r), v, (fx, fr));
             loss_in_object = touched.loss;
-            limit = limit.min(flight.limit).min(touched.limit);
+            limit = limit.min(projectile.limit).min(touched.limit);
             force = touched.force;
             self.contact_evaluations += touched.segments;
             touch = Some(touched);
@@ -482,10 +482,10 @@ impl<'a, C: Cells> Motion<'a, C> {
             return false;
         }
         let over = match (&self.object, &self.load) {
-            (Some((object, flight)), _) => {
+            (Some((object, projectile)), _) => {
                 let apex = self.state.shell.start;
-                let away = self.state.x[apex] - flight.x[0] - object.reach();
-                let slowest = flight.velocity().max(flight.v[0]);
+                let away = self.state.x[apex] - projectile.x[0] - object.reach();
+                let slowest = projectile.velocity().max(projectile.v[0]);
                 away > GONE && slowest < self.state.vx[apex].min(0.0)
             }
             (_, Some(load)) => load
@@ -505,15 +505,15 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
-    fn through(&self, time: f64) -> Result<(), Stop> {
-        let Some((object, flight)) = &self.object else {
+    fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
+        let Some((object, projectile)) = &self.object else {
             return Ok(());
         };
         let apex = self.state.x[self.state.shell.start];
         let centre = match object.outline {
-            crate::models::axisymmetric::forces::object::ObjectOutline::Sphere(_) => flight.x[0],
-            crate::models::axisymmetric::forces::object::ObjectOutline::Cylinder(radius, _) => {
-                flight.x[0] - radius
+            ObjectOutline::Sphere(_) => projectile.x[0],
+            ObjectOutline::Cylinder(radius, _) => {
+                projectile.x[0] - radius
             }
         };
         if centre > apex {

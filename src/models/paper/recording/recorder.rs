@@ -201,7 +201,7 @@ impl Recorder {
         self.strain.offer(survey.strain, state.time);
         self.least_quad = self.least_quad.min(survey.quad_ratio);
         let quads = &self.quads;
-        self.fold.look(
+        self.fold.record(
             state.time,
             survey.quad_ratio,
             |quad| quads[quad].ratio(|node| state.position(system.place(node))),
@@ -312,7 +312,7 @@ impl Recorder {
 
 impl Observer for Recorder {
     fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.look(system, state, piece, survey);
+        self.record(system, state, piece, survey);
         self.before.copy_motion(system, state);
         if let Some(frames) = &mut self.frames {
             frames.begin(system, state);
@@ -326,7 +326,7 @@ impl Observer for Recorder {
         self.meridian.step(system, &self.before, state, None);
         self.apex.step(system, &self.before, state, None);
         let before = self.last_forces;
-        self.look(system, state, piece, survey);
+        self.record(system, state, piece, survey);
         let periods = system.omega_bound() * (state.time - self.before.time) / TAU;
         let points = ((POINTS_PER_PERIOD * periods).ceil() as usize).max(FEWEST_POINTS);
         for ((monitor, peak), (earlier, now)) in self
