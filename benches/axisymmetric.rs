@@ -1,6 +1,7 @@
 //! Speed of the axisymmetric eye against its plain loop, in one run, interleaved.
 //!
-//! `cargo bench --bench axisymmetric` prints the fastest of many interleaved rounds and their ratios.
+//! `cargo bench --bench axisymmetric` prints the fastest of many interleaved rounds and their
+//! ratios.
 
 use contrecoup::models::axisymmetric::eye::AxisymmetricEye;
 use contrecoup::models::axisymmetric::eye::parameters::Parameters;

@@ -3,7 +3,9 @@
 use contrecoup::injury::DamageIndex;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use contrecoup::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
-use contrecoup::models::axisymmetric::forces::object::{BallSpring, Object, ObjectOutline, ObjectSurface};
+use contrecoup::models::axisymmetric::forces::object::{
+    BallSpring, Object, ObjectOutline, ObjectSurface,
+};
 use contrecoup::models::axisymmetric::readings;
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
 use contrecoup::models::axisymmetric::time::run::{

@@ -67,7 +67,8 @@ fn force_at(run: &EngineRun, mm: f64) -> f64 {
     panic!("the object did not come {mm} mm in")
 }
 
-/// What the prototype gave at 4, 6, 8 and 12 cells in half a side of the core, and how near to come, in %.
+/// What the prototype gave at 4, 6, 8 and 12 cells in half a side of the core, and how near to
+/// come, in %.
 struct Table {
     column: usize,
     half: usize,
@@ -131,8 +132,8 @@ fn compare(column: usize) {
     table.row("BB 56 m/s, MPa", mean, [0.82, 0.82, 0.84, 0.83], 10.0);
     let mean = fast.pressure.value * 1e-6;
     table.row("BB 92 m/s, MPa", mean, [1.45, 1.33, 1.37, 1.34], 10.0);
-    // The prototype took the sharpest instant, this engine a low pass of 20 us; the sharpest instant of the
-    // coarsest mesh is a fifth above that of finer ones.
+    // The prototype took the sharpest instant, this engine a low pass of 20 us; the sharpest
+    // instant of the coarsest mesh is a fifth above that of finer ones.
     let stress = slow.scleral_stress.value * 1e-6;
     let prototype = [15.3, 15.6, 15.7, 15.9];
     table.row("BB 56 m/s, stress, MPa", stress, prototype, 10.0);

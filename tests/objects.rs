@@ -86,7 +86,8 @@ fn all_fly_at_the_axisymmetric_eye_fold_nothing_and_come_in_the_order_of_what_is
         shuttle < squash * 1.05 && squash < BURST_MPA.0,
         "{shuttle} {squash}"
     );
-    // Of the two speeds of a BB that were shot at eyes the slower is below the mean and the faster near it.
+    // Of the two speeds of a BB that were shot at eyes the slower is below the mean and the faster
+    // near it.
     assert!(mpa(&ran["bb-56"]).0 < BURST_MPA.0 - BURST_MPA.1);
     assert!((mpa(&ran["bb-92"]).0 - BURST_MPA.0).abs() < BURST_MPA.1);
 }

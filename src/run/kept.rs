@@ -1,4 +1,5 @@
-//! What is kept of a motion, whatever moves: peaks, courses over time, and the eye at chosen instants.
+//! What is kept of a motion, whatever moves: peaks, traces over time, and the eye at chosen
+//! instants.
 
 use nalgebra::Point2;
 
@@ -71,11 +72,11 @@ pub struct Keep {
 pub struct Frame {
     /// Time, in s.
     pub time: f64,
-    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the section,
-    /// with x along the blow and y the distance from its line.
+    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the
+    /// section, with x along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and a the
-    /// mean over 20 us.
+    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and
+    /// a the mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
     pub cells: Vec<f64>,
@@ -111,8 +112,8 @@ pub struct Traces {
     pub time: Vec<f64>,
     /// Total load, N; at the axisymmetric eye also the force of contact of an object as it is.
     pub load: Vec<f64>,
-    /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg times the mean
-    /// of their acceleration over 20 us.
+    /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg times the
+    /// mean of their acceleration over 20 us.
     pub force: [Vec<f64>; 4],
     /// Corneal apex displacement, m.
     pub apex: Vec<f64>,
@@ -128,7 +129,8 @@ pub struct Traces {
     pub dissipated: Vec<f64>,
     /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
     pub work: Vec<f64>,
-    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass of 20 us.
+    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass
+    /// of 20 us.
     pub pressure: Vec<f64>,
     /// Pressure at the back of the axisymmetric eye, a mean over 150 us, Pa.
     pub back_pressure: Vec<f64>,

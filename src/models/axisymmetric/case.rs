@@ -79,7 +79,9 @@ impl AxisymmetricCase {
     /// Why there is no result; of an object that went through the eye what it would have to be.
     pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
         let (time, object) = match (stop, &self.load) {
-            (engine::Stop::WentThrough(time), engine::AxisymmetricLoad::Object(object)) => (time * 1e3, object),
+            (engine::Stop::WentThrough(time), engine::AxisymmetricLoad::Object(object)) => {
+                (time * 1e3, object)
+            }
             (engine::Stop::NotFinite { time, step }, _) => {
                 return Refusal::NotFinite { time, step };
             }
@@ -177,7 +179,9 @@ fn object(projectile: &Projectile) -> Object {
     let radius = 0.5e-3 * projectile.diameter_mm;
     let surface = match projectile.surface {
         Surface::Hard => engine::ObjectSurface::RIGID,
-        Surface::Elastic { modulus_mpa } => engine::ObjectSurface::elastic(modulus_mpa * 1e6, radius),
+        Surface::Elastic { modulus_mpa } => {
+            engine::ObjectSurface::elastic(modulus_mpa * 1e6, radius)
+        }
         Surface::Inflated { kpa, modulus_mpa } => {
             let cap = kpa * 1e3 + inertia(projectile);
             engine::ObjectSurface::capped(modulus_mpa * 1e6 / radius, cap, radius)
@@ -187,7 +191,9 @@ fn object(projectile: &Projectile) -> Object {
     Object {
         outline: match projectile.outline {
             Outline::Sphere => engine::ObjectOutline::Sphere(radius),
-            Outline::Cylinder { edge_mm } => engine::ObjectOutline::Cylinder(radius, edge_mm * 1e-3),
+            Outline::Cylinder { edge_mm } => {
+                engine::ObjectOutline::Cylinder(radius, edge_mm * 1e-3)
+            }
         },
         mass: projectile.mass_kg(),
         speed: projectile.speed_m_s,
@@ -202,7 +208,8 @@ fn object(projectile: &Projectile) -> Object {
     }
 }
 
-/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or flattened.
+/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or
+/// flattened.
 fn inertia(projectile: &Projectile) -> f64 {
     let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
     0.5 * density * projectile.speed_m_s * projectile.speed_m_s

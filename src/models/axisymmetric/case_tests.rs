@@ -13,10 +13,10 @@ use crate::scenario::{
 };
 use std::ops::ControlFlow;
 
-fn scene(shot: Projectile) -> Scenario {
+fn scene(projectile: Projectile) -> Scenario {
     Scenario {
         model: Model::Physiological(Physiological::default()),
-        impact: Impact::Projectile(shot),
+        impact: Impact::Projectile(projectile),
         window_ms: 1.0,
         ..Scenario::default()
     }
@@ -61,8 +61,8 @@ fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
 
 #[test]
 fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
-    let refused = |shot: Projectile| {
-        let checked = scene(shot).check().unwrap();
+    let refused = |projectile: Projectile| {
+        let checked = scene(projectile).check().unwrap();
         let refusal = solve(&checked, Keep::default(), &mut unwatched).unwrap_err();
         assert!(refusal.is_of_input());
         refusal.to_string()
@@ -141,8 +141,11 @@ fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy()
 
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
-    for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
-        let mut scenario = scene(Projectile { angle_deg, ..shot });
+    for (projectile, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
+        let mut scenario = scene(Projectile {
+            angle_deg,
+            ..projectile
+        });
         scenario.window_ms = 0.5;
         let answer = solved(&scenario);
         let case = &answer.case;

@@ -1,7 +1,8 @@
-//! The picture of the axisymmetric eye: its half section, the mirror image of that, and both turned to
-//! where the blow comes from.
+//! The picture of the axisymmetric eye: its half section, the mirror image of that, and both
+//! turned to where the blow comes from.
 //!
-//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and
+//! wall.
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::eye::AxisymmetricEye;

@@ -6,12 +6,12 @@ use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
 use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
-    BallSpring, MovingObject, HARD, Object, ObjectOutline, ObjectSurface,
+    BallSpring, HARD, MovingObject, Object, ObjectOutline, ObjectSurface,
 };
 use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::Shell;
-use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::paper::forces::kernel::vector_sets;
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -135,7 +135,11 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let cylinder = ObjectOutline::Cylinder(5e-3, 1e-3);
     let soft = ObjectSurface::foundation(1e9, 5e-3);
     for outline in [ObjectOutline::Sphere(5e-3), cylinder] {
-        for surface in [ObjectSurface::RIGID, soft, ObjectSurface::capped(1e9, 2e5, 5e-3)] {
+        for surface in [
+            ObjectSurface::RIGID,
+            soft,
+            ObjectSurface::capped(1e9, 2e5, 5e-3),
+        ] {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
                 let object = Object {
                     outline,
@@ -198,8 +202,8 @@ fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up()
     assert_eq!(ObjectSurface::RIGID.stiffness, HARD);
 }
 
-/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its greatest force,
-/// and the error of its balance of energy over what it brought.
+/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its
+/// greatest force, and the error of its balance of energy over what it brought.
 fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
     let mut projectile = MovingObject::new(object, 0.0);
     let face = Face::wall(0.0, object.outline.radius(), rings);
@@ -505,8 +509,8 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     );
 }
 
-/// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts. A leapfrog
-/// whose damping c lags half a step is stable as long as (h w/2)^2 + h c/2 <= 1.
+/// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts.
+/// A leapfrog whose damping c lags half a step is stable as long as (h w/2)^2 + h c/2 <= 1.
 #[test]
 fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
     use nalgebra::SMatrix;

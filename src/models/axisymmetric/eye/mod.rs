@@ -1,8 +1,8 @@
 //! The eye, axisymmetric about the line of the blow.
 //!
-//! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it, and
-//! the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe; a
-//! chain of segments carries cornea and sclera.
+//! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it,
+//! and the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe;
+//! a chain of segments carries cornea and sclera.
 //!
 //! A blow at an angle turns the eye within its own axis of symmetry: the shell's thickness and
 //! stiffness, and the share of lens in a cell, are means over the azimuth. They are means over the
@@ -19,7 +19,8 @@ use nalgebra::Point2;
 use parameters::{Material, Parameters};
 use std::f64::consts::{FRAC_PI_3, PI};
 
-/// Points around the axis that means over the azimuth take; those of one half, as the other mirrors it.
+/// Points around the axis that means over the azimuth take; those of one half, as the other
+/// mirrors it.
 const AZIMUTHS: usize = 32;
 /// Points along a segment, and along each side of a cell, that means over them take.
 const ALONG: usize = 16;
@@ -39,7 +40,7 @@ pub enum Tissue {
 pub struct Cell {
     /// Anticlockwise.
     pub corners: [usize; 4],
-    /// Where it lies.
+    /// Whether it lies in the globe or in what holds it.
     pub region: Tissue,
     /// Share of lens, 0 to 1.
     pub lens: f64,
@@ -86,9 +87,9 @@ pub struct AxisymmetricEye {
     pub mesh: Mesh,
     /// Block by block, row by row.
     pub cells: Vec<Cell>,
-    /// From the front to the back.
+    /// Segments of the shell, from the front to the back.
     pub segments: Vec<ShellSegment>,
-    /// kg, of each node.
+    /// Mass of each node, kg.
     pub mass: Vec<f64>,
     /// Whether a node never moves.
     pub fixed: Vec<bool>,
@@ -197,8 +198,9 @@ impl AxisymmetricEye {
     /// Finest level.
     pub const FINEST: u32 = 5;
 
-    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser core than
-    /// level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in pressure and stress.
+    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser
+    /// core than level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in
+    /// pressure and stress.
     pub fn new(parameters: &Parameters, level: u32) -> Self {
         Self {
             level,
@@ -294,8 +296,8 @@ impl AxisymmetricEye {
         (self.mesh.x[node], self.mesh.r[node])
     }
 
-    /// The part of the section that each node lies in. A node between lens and vitreous is of the lens if
-    /// more of its cells' mass is; the retina reaches from the back to the equator.
+    /// The part of the section that each node lies in. A node between lens and vitreous is of the
+    /// lens if more of its cells' mass is; the retina reaches from the back to the equator.
     pub fn node_regions(&self) -> Vec<Part> {
         let mut regions = vec![Part::Interior; self.mass.len()];
         let mut lens = vec![(0.0, 0.0); self.mass.len()];

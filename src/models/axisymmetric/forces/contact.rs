@@ -1,8 +1,8 @@
 //! Contact between an object and the shell, without friction, and the load of a pulse.
 //!
-//! Each segment carries four points of its area at rest; a point below the object's surface is pushed
-//! out along its normal by the foundation's traction, so force and energy are exact to each other.
-//! What is larger than the opening of the orbit meets the bone around it ([`Face`]).
+//! Each segment carries four points of its area at rest; a point below the object's surface is
+//! pushed out along its normal by the foundation's traction, so force and energy are exact to each
+//! other. What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::face::Face;
@@ -13,11 +13,12 @@ use std::f64::consts::PI;
 const POINTS: usize = 4;
 /// Mass per area that a point of contact moves at least, in kg/m2: a shell of 0.4 mm.
 const SHELL_AREAL: f64 = 0.44;
-/// And its share of what lies behind, per length of a segment, in kg/m3.
+/// The shell takes along its share of what lies behind, per length of a segment, in kg/m3.
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
-/// The same where the object loses energy: the loss is told from velocities half a step old.
+/// The Courant number where the object loses energy, as the loss follows velocities half a step
+/// old.
 const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
@@ -33,9 +34,9 @@ pub(crate) struct Target {
 /// What contact does at some instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Touch {
-    /// Along the way of the projectile, on the eye, N.
+    /// Force on the eye along the way of the projectile, N.
     pub force: f64,
-    /// On the object by the rim, N.
+    /// Force on the object by the rim, N.
     pub rim: f64,
     /// Stored, J.
     pub energy: f64,
@@ -45,7 +46,7 @@ pub(crate) struct Touch {
     pub traction: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Lost in the object's surface, W, less what its own motion does ([`MovingObject::lossy`]).
+    /// Power lost in the object's surface, W, less what its own motion does ([`MovingObject::lossy`]).
     pub loss: f64,
     /// Segments of the shell that were looked at.
     pub segments: usize,
@@ -98,7 +99,8 @@ impl Target {
         clear
     }
 
-    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the projectile's.
+    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to
+    /// the projectile's.
     pub fn forces(
         &self,
         object: &Object,

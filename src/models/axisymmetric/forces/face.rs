@@ -1,14 +1,18 @@
 //! Bone beyond the opening: what stops an object that is larger than the orbit.
 //!
-//! A rigid plane across the blow from the wall's front edge outward, in rings. A body without a spring is pressed there
-//! as the eye presses it, by its own foundation. A ball on a spring comes to rest on bone with its surface, and
-//! loses what that had of its energy, while its core goes on.
+//! A rigid plane across the blow from the wall's front edge outward, in rings. A body without a
+//! spring is pressed there as the eye presses it, by its own foundation. A ball on a spring comes
+//! to rest on bone with its surface, and loses what that had of its energy, while its core goes
+//! on.
 //!
-//! A ball that is squeezed by c gets wider: a = R + (pi/2 - 1) c/2, so that its wall, pressed flat, has kept the length
-//! of its meridian. So what fits the opening as it arrives (a squash ball) is caught by bone once it is flat.
-//! Left out: skin and muscle on the bone, and that a face is no plane.
+//! A ball that is squeezed by c gets wider: a = R + (pi/2 - 1) c/2, so that its wall, pressed
+//! flat, has kept the length of its meridian. So what fits the opening as it arrives (a squash
+//! ball) is caught by bone once it is flat. Left out: skin and muscle on the bone, and that a face
+//! is no plane.
 
-use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline, ObjectSurface};
+use crate::models::axisymmetric::forces::object::{
+    MovingObject, Object, ObjectOutline, ObjectSurface,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of each ring over that of the one within.
@@ -25,7 +29,7 @@ const COURANT: f64 = 0.4 / 0.6;
 /// A plane of rings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Face {
-    /// Where it stands, m.
+    /// Place of the face along the line of the blow, m.
     x: f64,
     /// Radius (m) and area (m2) of each ring, from the innermost outward.
     rings: Vec<(f64, f64)>,
@@ -34,9 +38,9 @@ pub(crate) struct Face {
 /// What it does to an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Push {
-    /// Against the way of the projectile, N.
+    /// Force against the way of the projectile, N.
     pub force: f64,
-    /// Stored, J.
+    /// Energy stored in the contact, J.
     pub energy: f64,
     /// Longest stable step, s.
     pub limit: f64,
@@ -76,7 +80,8 @@ impl Face {
             .any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
     }
 
-    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the core's centres move.
+    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the
+    /// core's centres move.
     fn gap(&self, object: &Object, centres: [f64; 2], r: f64) -> (f64, [f64; 2]) {
         let squeeze = (centres[1] - centres[0]).max(0.0);
         let ObjectOutline::Sphere(radius) = object.outline else {

@@ -1,8 +1,9 @@
-//! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`] and the baseline of the benchmarks.
+//! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`]
+//! and the baseline of the benchmarks.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::cell::Rest;
-use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor;
 
 /// Cells with lists of corners.
@@ -10,7 +11,7 @@ use crate::models::axisymmetric::recording::sensor;
 pub(crate) struct PlainCells {
     eye: AxisymmetricEye,
     cells: Vec<(Rest, [usize; 4])>,
-    /// Of each cell in the mean pressure and in the sensor's.
+    /// Weight of each cell in the mean pressure and in the sensor's.
     weights: Vec<(f64, f64)>,
     pressures: Vec<f64>,
 }

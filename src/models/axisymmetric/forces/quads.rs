@@ -1,10 +1,10 @@
 //! The mechanics of [`crate::models::axisymmetric::forces::cell`] for many cells at once.
 //!
-//! All volumes come from the edges: with w = (xb - xa)(ra^2 + ra rb + rb^2), the quad's volume is minus
-//! the sum over its four edges and a corner triangle's that over two edges and a diagonal, in units
-//! of pi/3. So forces follow from one coefficient an edge, the sum of the pressures of all that it
-//! bounds. Eight divisions become one by way of the product. No operation is fused and sums are kept by place,
-//! so every vector width gives the same bits.
+//! All volumes come from the edges: with w = (xb - xa)(ra^2 + ra rb + rb^2), the quad's volume is
+//! minus the sum over its four edges and a corner triangle's that over two edges and a diagonal,
+//! in units of pi/3. So forces follow from one coefficient an edge, the sum of the pressures of
+//! all that it bounds. Eight divisions become one by way of the product. No operation is fused and
+//! sums are kept by place, so every vector width gives the same bits.
 
 #![allow(
     clippy::inline_always,
@@ -14,9 +14,9 @@
 use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
 use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
-use crate::models::axisymmetric::forces::state::{NodeState, CellSums};
-use crate::models::paper::forces::layout::{LANES, Lane};
+use crate::models::axisymmetric::forces::state::{CellSums, NodeState};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
+use crate::models::paper::forces::layout::{LANES, Lane};
 use fearless_simd::{Bytes, Simd, SimdBase, SimdFloat};
 use std::f64::consts::FRAC_PI_3;
 
@@ -93,7 +93,8 @@ impl<S: Simd> Edge<S> {
     }
 }
 
-/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third order.
+/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third
+/// order.
 #[inline(always)]
 fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     /// Bits of 1 times 4/3, less what makes the largest error of the first guess least.

@@ -1,19 +1,20 @@
 //! The cells laid out in rows, so that their corners are neighbours in memory.
 //!
-//! Each block of the mesh is one run of places, row after row. The cell at place s has its corners at
-//! s, s + 1, s + 1 + c and s + c, where c is the number of nodes in a row; so a vector of cells loads
-//! vectors of nodes and no list of corners is needed. Where a row ends, the cell that would span to
-//! the next is absent: all of its stiffness is zero. Cells store the forces on their corners by place, and
-//! each node then adds what the four cells around it left.
+//! Each block of the mesh is one run of places, row after row. The cell at place s has its corners
+//! at s, s + 1, s + 1 + c and s + c, where c is the number of nodes in a row; so a vector of cells
+//! loads vectors of nodes and no list of corners is needed. Where a row ends, the cell that would
+//! span to the next is absent: all of its stiffness is zero. Cells store the forces on their
+//! corners by place, and each node then adds what the four cells around it left.
 //!
-//! A node on the border of two blocks has a place in both. Its forces are added up, and both places move alike.
+//! A node on the border of two blocks has a place in both. Its forces are added up, and both
+//! places move alike.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::cell;
 use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::quads;
-use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
@@ -24,7 +25,7 @@ use std::f64::consts::FRAC_PI_3;
 pub(crate) mod field {
     /// m3 over pi/3.
     pub const VOLUME: usize = 0;
-    /// Of the corner triangles, m3 over pi/3.
+    /// Volumes of the four corner triangles, m3 over pi/3.
     pub const TRIANGLE: usize = 1;
     pub const INVERSE_TRIANGLE: usize = 5;
     /// Inverse of the matrix of the diagonals, row by row.
@@ -43,7 +44,7 @@ pub(crate) mod field {
     pub const SUBZONAL: usize = 19;
     /// Artificial viscosity per length and rate.
     pub const LINEAR: usize = 20;
-    /// The same per square of each.
+    /// Artificial viscosity per square of length and of rate.
     pub const QUADRATIC: usize = 21;
     /// Half the viscosity of the corners per length.
     pub const CORNER: usize = 22;
@@ -55,7 +56,7 @@ pub(crate) mod field {
     pub const CONSTANT_SPEED: usize = 25;
     /// Kinematic viscosity.
     pub const KINEMATIC: usize = 26;
-    /// Of the viscous speed, per length and rate.
+    /// Part of the viscous speed per length and rate.
     pub const QUADRATIC_SPEED: usize = 27;
     /// Weight in the mean pressure of the globe.
     pub const MEAN: usize = 28;
@@ -242,7 +243,7 @@ fn constants(rest: &Rest) -> Constants {
     c
 }
 
-/// The same shape with nothing in it.
+/// Constants of a place without a cell: the given shape without stiffness.
 fn absent(mut c: Constants) -> Constants {
     for value in &mut c[field::BULK..] {
         *value = 0.0;

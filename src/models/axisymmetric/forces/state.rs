@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// The moving eye. Positions belong to full steps, velocities to half steps.
+/// The nodes of the moving eye. Positions belong to full steps, velocities to half steps.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct NodeState {
     /// m.
@@ -26,7 +26,7 @@ pub(crate) struct NodeState {
 pub(crate) struct CellSums {
     /// Longest stable step, s.
     pub limit: f64,
-    /// Lost to viscosity, W.
+    /// Power lost to viscosity, W.
     pub loss: f64,
     /// Mean pressure of the globe, Pa.
     pub pressure: f64,

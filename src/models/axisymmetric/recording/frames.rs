@@ -1,8 +1,8 @@
 //! The eye at chosen instants.
 //!
-//! From step to step a leapfrog moves every node at one velocity, so that the places in between are its own.
-//! The force of a node is 75 mg times the mean of its acceleration over the 20 us before, as it is for the
-//! monitored places. Pressures are those at the beginning of the step.
+//! From step to step a leapfrog moves every node at one velocity, so that the places in between
+//! are its own. The force of a node is 75 mg times the mean of its acceleration over the 20 us
+//! before, as it is for the monitored places. Pressures are those at the beginning of the step.
 
 use crate::models::axisymmetric::forces::object::MovingObject;
 use crate::models::axisymmetric::forces::state::Cells;
@@ -19,7 +19,7 @@ pub(crate) struct FramesDue {
     spacing: Spacing,
     taken: usize,
     marked: usize,
-    /// Of each node 20 us before the frames to come, in m/s; none before the start.
+    /// Velocities of each node 20 us before the frames to come, in m/s; none before the start.
     before: VecDeque<Vec<(f64, f64)>>,
 }
 
@@ -100,10 +100,7 @@ impl<C: Cells> Motion<'_, C> {
                 .collect(),
             cells: self.cells.pressures(),
             projectile: projectile.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
-            squeezed: projectile.map_or(
-                0.0,
-                MovingObject::squeezed,
-            ),
+            squeezed: projectile.map_or(0.0, MovingObject::squeezed),
             pressure: Some(self.filters[0].now),
         }
     }

@@ -10,7 +10,8 @@ use crate::models::axisymmetric::time::run::{Instant, Motion};
 pub(crate) const NODE_MASS: f64 = 75e-6;
 
 impl<C: Cells> Motion<'_, C> {
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
+    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
+    /// nodes.
     pub fn offer_readings(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
         let e = &mut self.extremes;
@@ -102,7 +103,8 @@ impl<C: Cells> Motion<'_, C> {
         self.extremes.energy_imparted = given;
     }
 
-    /// Compares the energies of the last balance. How often that is done must not depend on what is kept.
+    /// Compares the energies of the last balance. How often that is done must not depend on what is
+    /// kept.
     pub fn audit(&mut self) {
         self.came = self.came.max(self.energy_before + self.energy.work.abs());
         let missing = (self.energy.total() - self.energy_before).abs();

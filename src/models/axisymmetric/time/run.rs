@@ -1,16 +1,17 @@
 //! Through the window: a leapfrog whose step follows the stability bounds.
 //!
-//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2) h(n).
-//! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most. Semi-implicit Euler, for
-//! comparison, kicks by h(n) instead.
+//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2)
+//! h(n). Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most.
+//! Semi-implicit Euler, for comparison, kicks by h(n) instead.
 //!
-//! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of the whole is
-//! above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s), which a test compares
-//! with the eigenvalues of every cell at rest, and l^2/(4 nu) of its viscosity. Half of the time in which a
-//! corner triangle would be gone at its present rate: the stiffness of a squeezed corner is not in the
-//! bound, so none is passed over in a step. Of each segment of the shell, and of each segment in contact, a
-//! Courant number with the mass that moves along with it, which was found by trial; random objects, their
-//! balance of energy and a quarter of the step watch over it.
+//! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of
+//! the whole is above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s),
+//! which a test compares with the eigenvalues of every cell at rest, and l^2/(4 nu) of its
+//! viscosity. Half of the time in which a corner triangle would be gone at its present rate: the
+//! stiffness of a squeezed corner is not in the bound, so none is passed over in a step. Of each
+//! segment of the shell, and of each segment in contact, a Courant number with the mass that moves
+//! along with it, which was found by trial; random objects, their balance of energy and a quarter
+//! of the step watch over it.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
@@ -18,7 +19,7 @@ use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOu
 use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
-use crate::models::axisymmetric::forces::state::{Cells, NodeState, CellSums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::readings;
 use crate::models::axisymmetric::recording::frames::FramesDue;
 use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
@@ -41,8 +42,8 @@ const GROWTH: f64 = 1.05;
 const BALANCES: f64 = 100.0;
 /// Values of a trace that a window is divided into.
 const TRACE_POINTS: f64 = 1000.0;
-/// A run may end when nothing has grown for a whole swing of the eye after its object has gone this far, in
-/// m, or its pulse is over.
+/// A run may end when nothing has grown for a whole swing of the eye after its object has gone
+/// this far, in m, or its pulse is over.
 const GONE: f64 = 0.5e-3;
 /// Steps between two looks at the watch.
 const WATCH_EVERY: usize = 256;
@@ -52,7 +53,8 @@ const WATCH_EVERY: usize = 256;
 pub enum AxisymmetricLoad {
     /// It touches the front pole at the start, or the rim if that is nearer.
     Object(Object),
-    /// A force against time, as a uniform traction along the axis on the area within a front angle (rad).
+    /// A force against time, as a uniform traction along the axis on the area within a front angle
+    /// (rad).
     Pulse(Pulse, f64),
 }
 
@@ -61,9 +63,9 @@ pub enum AxisymmetricLoad {
 pub enum CellLoop {
     /// One by one.
     Plain,
-    /// In rows, many at once.
+    /// In rows, many at once, by the widest vectors of the machine.
     Rows,
-    /// The same with certain vectors.
+    /// In rows, by these vectors.
     Vectors(Level),
 }
 
@@ -128,11 +130,11 @@ pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
     motion.forces(0.0).limit
 }
 
-/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a share
-/// of the stability bound.
+/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a
+/// share of the stability bound.
 ///
-/// # Errors
-/// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
+/// # Errors Motion that leaves the finite numbers, an object that goes through the eye, and what
+/// the watch stops.
 pub fn run(
     eye: &AxisymmetricEye,
     blow: &AxisymmetricLoad,
@@ -144,7 +146,7 @@ pub fn run(
     run_as(CellLoop::Rows, eye, blow, window, steps, keep, watch)
 }
 
-/// The same with the cells computed in a certain form.
+/// [`run`] with the cells computed by `form`.
 ///
 /// # Errors
 /// See [`run`].
@@ -164,8 +166,10 @@ pub fn run_as(
         ControlFlow::Continue(())
     };
     let run = match form {
-        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window).run_through_window(steps, watch, take),
-        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window).run_through_window(steps, watch, take),
+        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window)
+            .run_through_window(steps, watch, take),
+        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window)
+            .run_through_window(steps, watch, take),
         CellLoop::Vectors(level) => {
             let rows = CellRows::with_level(eye, level);
             Motion::new(eye, rows, blow, keep, window).run_through_window(steps, watch, take)
@@ -174,7 +178,7 @@ pub fn run_as(
     Ok(EngineRun { frames, ..run? })
 }
 
-/// The same as [`run`], with each frame handed on when it is due and nothing kept.
+/// [`run`] that hands on each frame when it is due and keeps nothing.
 ///
 /// # Errors
 /// See [`run`]; stopped by `take` too.
@@ -192,18 +196,21 @@ pub fn run_through(
     };
     let watch = &mut |_| ControlFlow::Continue(());
     let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window);
-    motion.run_through_window(steps.into(), watch, take).map(|_| ())
+    motion
+        .run_through_window(steps.into(), watch, take)
+        .map(|_| ())
 }
 
-/// When one of the readings, or a force or pressure that some of them are means of, last grew, in s.
+/// When one of the readings, or a force or pressure that some of them are means of, last grew, in
+/// s.
 fn last_growth(extremes: &Extremes) -> f64 {
     let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
     readings::of(extremes).last_peak().max(unfiltered)
 }
 
-/// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
-/// in s. What a blow left then is smaller by what viscosity took: a rule, which tests compare with whole
-/// windows, not a proof.
+/// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor
+/// near 1, in s. What a blow left then is smaller by what viscosity took: a rule, which tests
+/// compare with whole windows, not a proof.
 fn swing(eye: &AxisymmetricEye) -> f64 {
     let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
     let stiffness = stiffness / eye.segments.len() as f64;
@@ -232,7 +239,7 @@ pub(crate) struct Motion<'a, C> {
     pub eye: &'a AxisymmetricEye,
     pub cells: C,
     /// For the elastic energy.
-    pub balance: Plain,
+    pub balance: PlainCells,
     pub mass: Vec<f64>,
     pub state: NodeState,
     pub shell: Shell,
@@ -253,7 +260,7 @@ pub(crate) struct Motion<'a, C> {
     pub tension_passed: Vec<[LowPass; 2]>,
     /// The largest of those that passed, Pa.
     pub stress: f64,
-    /// Of the mean pressure and of that at the back.
+    /// Low passes of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
     pub window: f64,
     /// When what acts was last seen to be gone, s.
@@ -282,7 +289,13 @@ pub(crate) struct Instant {
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
-    fn new(eye: &'a AxisymmetricEye, cells: C, blow: &AxisymmetricLoad, keep: Keep, window: f64) -> Self {
+    fn new(
+        eye: &'a AxisymmetricEye,
+        cells: C,
+        blow: &AxisymmetricLoad,
+        keep: Keep,
+        window: f64,
+    ) -> Self {
         let target = Target::new(eye);
         let (object, load) = match blow {
             AxisymmetricLoad::Object(object) => {
@@ -357,7 +370,12 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    fn run_through_window(mut self, by: Steps, watch: Watch, take: Take) -> Result<EngineRun, Stop> {
+    fn run_through_window(
+        mut self,
+        by: Steps,
+        watch: Watch,
+        take: Take,
+    ) -> Result<EngineRun, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
@@ -476,7 +494,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
+    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
+    /// window.
     fn settled(&mut self, time: f64) -> bool {
         if self.keep != Keep::default() {
             return false;
@@ -512,9 +531,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         let apex = self.state.x[self.state.shell.start];
         let centre = match object.outline {
             ObjectOutline::Sphere(_) => projectile.x[0],
-            ObjectOutline::Cylinder(radius, _) => {
-                projectile.x[0] - radius
-            }
+            ObjectOutline::Cylinder(radius, _) => projectile.x[0] - radius,
         };
         if centre > apex {
             return Err(Stop::WentThrough(time));

@@ -1,19 +1,20 @@
 //! An upper bound of every frequency of a built mesh, which limits the step.
 //!
 //! A spring of stiffness k and any stretch has a tangent with eigenvalues k and k (1 - l0/l) <= k,
-//! so x'Kx <= sum of k |xa - xb|^2 <= 2 sum over nodes of (sum of k at the node) |x|^2. Hence every
-//! angular frequency of M^-1 K is at most omega = sqrt(2 max(sum of k at a node / its mass)), in
-//! the rest shape and in any deformed one. It is the free-node form of Gershgorin's circles; one
-//! pass over the springs, no iteration.
+//! so x'Kx <= sum of k |xa - xb|^2 <= 2 sum over nodes of (sum of k at the node) |x|^2. Hence
+//! every angular frequency of M^-1 K is at most omega = sqrt(2 max(sum of k at a node / its
+//! mass)), in the rest shape and in any deformed one. It is the free-node form of Gershgorin's
+//! circles; one pass over the springs, no iteration.
 //!
-//! A node of a stiff shell has many springs, whose far ends cannot all swing against it at once. The
-//! springs along the shell, to neighbours and by filaments, join nodes h apart on a ring of N. With
-//! `k_h` the largest stiffness of hop h, what they hold is at most the sum over h and o of
-//! `k_h |x_o - x_(o+h)|^2`, and the largest eigenvalue of this circulant matrix is L, the largest over
-//! j of the sum over h of `2 k_h (1 - cos(2 pi j h / N))`. With all other springs as before, omega^2 is
-//! at most the largest (L on the shell, else 0, + 2 sum of other k) / mass. The lower of the two bounds
-//! holds: a seventh lower for a shell much stiffer than the rest, where it is within 3 % of the highest
-//! frequency that springs at rest length could have if they resisted in every direction.
+//! A node of a stiff shell has many springs, whose far ends cannot all swing against it at once.
+//! The springs along the shell, to neighbours and by filaments, join nodes h apart on a ring of N.
+//! With `k_h` the largest stiffness of hop h, what they hold is at most the sum over h and o of
+//! `k_h |x_o - x_(o+h)|^2`, and the largest eigenvalue of this circulant matrix is L, the largest
+//! over j of the sum over h of `2 k_h (1 - cos(2 pi j h / N))`. With all other springs as before,
+//! omega^2 is at most the largest (L on the shell, else 0, + 2 sum of other k) / mass. The lower
+//! of the two bounds holds: a seventh lower for a shell much stiffer than the rest, where it is
+//! within 3 % of the highest frequency that springs at rest length could have if they resisted in
+//! every direction.
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::SpringKind;
@@ -87,8 +88,8 @@ fn omega_by_ring(eye: &Eye) -> f64 {
     )
 }
 
-/// Root of the largest (`extra` + 2 sum of k)/mass over the nodes that move, in rad/s, where `counts`
-/// is asked for each spring in turn.
+/// Root of the largest (`extra` + 2 sum of k)/mass over the nodes that move, in rad/s, where
+/// `counts` is asked for each spring in turn.
 fn highest(eye: &Eye, mut counts: impl FnMut(usize) -> bool, extra: impl Fn(usize) -> f64) -> f64 {
     let mut sums = vec![0.0; eye.nodes.len()];
     for (index, spring) in eye.springs.iter().enumerate() {

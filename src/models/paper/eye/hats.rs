@@ -1,12 +1,13 @@
 //! What a node of the paper's mesh stands for on a finer one: a hat of nodes around it.
 //!
-//! A finer mesh has lighter nodes, so what a single node feels depends on the mesh and has no limit.
-//! The tissue that a node of level 1 stands for is the same at every level. At level k it is the nodes
-//! less than k places away, with the weight (1 - |u|/k)(1 - |v|/k) at u columns and v rows from the
-//! middle: the bilinear hat of level 1. Along the shell it is (1 - |o|/k)/k at o shell nodes away. At
-//! level 1 a hat is its middle node with weight 1, so the paper's own measures come out to the last bit.
+//! A finer mesh has lighter nodes, so what a single node feels depends on the mesh and has no
+//! limit. The tissue that a node of level 1 stands for is the same at every level. At level k it
+//! is the nodes less than k places away, with the weight (1 - |u|/k)(1 - |v|/k) at u columns and v
+//! rows from the middle: the bilinear hat of level 1. Along the shell it is (1 - |o|/k)/k at o
+//! shell nodes away. At level 1 a hat is its middle node with weight 1, so the paper's own
+//! measures come out to the last bit.
 
-use crate::models::paper::eye::mesh::{SectionMesh, Node};
+use crate::models::paper::eye::mesh::{Node, SectionMesh};
 
 /// Nodes with weights.
 pub type Hat = Vec<(usize, f64)>;
@@ -16,8 +17,8 @@ fn weight(away: isize, k: isize) -> f64 {
     1.0 - away.abs() as f64 / k as f64
 }
 
-/// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for a
-/// sum of forces.
+/// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for
+/// a sum of forces.
 pub(crate) fn of_force(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let middle = (grid.0.cast_signed() * k, grid.1.cast_signed() * k);
     let reach = 1 - k..k;

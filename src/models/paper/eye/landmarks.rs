@@ -1,7 +1,9 @@
-//! The places that results refer to: the shell in order, the apex, the meridian, the monitored nodes.
+//! The places that results refer to: the shell in order, the apex, the meridian, the monitored
+//! nodes.
 //!
 //! All are nodes of level 1, so they exist at every level (level k has the node (i, j) of level 1
-//! at (k i, k j)). What is measured at them is measured over their hats, see [`crate::models::paper::eye::hats`].
+//! at (k i, k j)). What is measured at them is measured over their hats, see
+//! [`crate::models::paper::eye::hats`].
 
 use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
 use crate::models::paper::eye::mesh::SectionMesh;

@@ -1,9 +1,9 @@
 //! Nodes: a square mesh mapped to a disc, cut into globe, shell, fat and orbit.
 //!
 //! Node (i, j) of the square has u = i - (n-1)/2, v = j - (n-1)/2 and ring r = max(|u|, |v|). The
-//! concentric map puts it at radius r d and angle pi/4 v/u (where |u| >= |v|, plus pi for u < 0) or
-//! pi/2 - pi/4 u/v (plus pi for v < 0), with d = 12 mm / (4.5 k). Level k has n = 15k + 1, so level
-//! 1 is the paper's 16 x 16 mesh and every level holds the nodes of level 1.
+//! concentric map puts it at radius r d and angle pi/4 v/u (where |u| >= |v|, plus pi for u < 0)
+//! or pi/2 - pi/4 u/v (plus pi for v < 0), with d = 12 mm / (4.5 k). Level k has n = 15k + 1, so
+//! level 1 is the paper's 16 x 16 mesh and every level holds the nodes of level 1.
 //!
 //! The paper draws the mapping without a formula; the concentric map keeps rings of the square as
 //! circles, which its figure 5 shows.

@@ -11,8 +11,8 @@
 
 use crate::models::paper::eye::cross;
 use crate::models::paper::eye::lens::area_within;
-use crate::models::paper::eye::mesh::SectionMesh;
 use crate::models::paper::eye::mesh::Node;
+use crate::models::paper::eye::mesh::SectionMesh;
 use crate::run::places::Region;
 use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;

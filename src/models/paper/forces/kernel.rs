@@ -1,13 +1,14 @@
 //! The force kernel: springs, filaments and load, fused with the update of each node.
 //!
-//! The force of a spring with ends a and b is k (1 - l0/l) (b - a) on a. The ring goes first, as it
-//! needs all shell nodes where they are; then one sweep computes the grid springs and at once kicks
-//! and drifts the nodes.
+//! The force of a spring with ends a and b is k (1 - l0/l) (b - a) on a. The ring goes first, as
+//! it needs all shell nodes where they are; then one sweep computes the grid springs and at once
+//! kicks and drifts the nodes.
 //!
 //! Two forms of 1/l are compiled. The portable one is square root and division without fused
 //! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
-//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a series,
-//! on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the machine.
+//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a
+//! series, on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the
+//! machine.
 
 #![allow(
     clippy::inline_always,

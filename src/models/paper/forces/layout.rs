@@ -4,8 +4,9 @@
 
 /// Nodes that the kernel handles at once.
 pub const LANES: usize = 8;
-/// Places by which the rows start late. At level 1 most rows then fill whole vectors of four. Where
-/// no padding is left, the last place of a row is the first of the next, which is never used.
+/// Places by which the rows start late. At level 1 most rows then fill whole vectors of four.
+/// Where no padding is left, the last place of a row is the first of the next, which is never
+/// used.
 pub(crate) const SHIFT: usize = 1;
 /// Grid directions a node owns springs in.
 pub(crate) const DIRECTIONS: usize = 4;
@@ -131,7 +132,7 @@ impl MovedRows {
 /// First slots of the vectors that a sweep goes through.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Active {
-    /// From below; the last one twice, because the sweep looks one ahead.
+    /// First slots, rising; the last one twice, because the sweep looks one ahead.
     pub slots: Vec<u32>,
     pub last: usize,
 }

@@ -8,7 +8,8 @@ use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::layout::{LANES, Lane, MovedRows};
 use std::collections::HashMap;
 
-/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has stiffness 0.
+/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has
+/// stiffness 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(crate) struct Strip {

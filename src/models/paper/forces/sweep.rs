@@ -16,13 +16,13 @@
 use crate::models::paper::forces::lanes::{
     Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
-use crate::models::paper::forces::layout::{DIRECTIONS, SpringGroup, LANES, SurveyGroup};
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, SurveyGroup};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use fearless_simd::{Simd, SimdBase};
 
-/// What an update may read and write of some neighbouring nodes: of each run as many values as a vector
-/// holds.
+/// What an update may read and write of some neighbouring nodes: of each run as many values as a
+/// vector holds.
 pub(crate) struct Nodes<'a, S: Simd> {
     pub simd: S,
     /// Place of the first node in its group.
@@ -55,7 +55,7 @@ unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
     unsafe { run.get_unchecked(at..at + len) }
 }
 
-/// The same to write.
+/// [`part`] of a run that may be written.
 ///
 /// # Safety
 /// As [`part`].
@@ -81,8 +81,8 @@ unsafe fn around<'a>(
     unsafe { (part(x, slot as usize, reach), part(y, slot as usize, reach)) }
 }
 
-/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`, what
-/// `update` returns becomes their position.
+/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`,
+/// what `update` returns becomes their position.
 #[inline(always)]
 pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
     simd: S,

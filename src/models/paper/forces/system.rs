@@ -1,16 +1,16 @@
 //! The eye and its load compiled into rows for the force kernel.
 //!
-//! The mesh stays a grid: row j holds the nodes of that row side by side, padded to whole groups of
-//! eight, and every grid spring belongs to one of four directions (right, up, up-right, and from
-//! above-left to below-right), stored with the node at its lower left. The kernel then needs no
-//! index lists. Filaments live on the ring of shell nodes, which is gathered into a run of its own
-//! with ghosts at both ends.
+//! The mesh stays a grid: row j holds the nodes of that row side by side, padded to whole groups
+//! of eight, and every grid spring belongs to one of four directions (right, up, up-right, and
+//! from above-left to below-right), stored with the node at its lower left. The kernel then needs
+//! no index lists. Filaments live on the ring of shell nodes, which is gathered into a run of its
+//! own with ghosts at both ends.
 //!
 //! A place of the grid that has no node, and a spring that has no moving end, has stiffness 0.
 //!
-//! When the load is symmetric about the visual axis, only the upper half is compiled. The row below
-//! it is a ghost that mirrors the row above; each node then stands for itself and its image, which
-//! the weights in the energy sums account for. The motion is the whole eye's to round-off.
+//! When the load is symmetric about the visual axis, only the upper half is compiled. The row
+//! below it is a ghost that mirrors the row above; each node then stands for itself and its image,
+//! which the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::frequency;
@@ -18,7 +18,7 @@ use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::layout::{
-    Active, EMPTY_GROUP, EMPTY_SURVEY, SpringGroup, LANES, RowPlace, MovedRows, SHIFT, SurveyGroup,
+    Active, EMPTY_GROUP, EMPTY_SURVEY, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
 };
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::ring;

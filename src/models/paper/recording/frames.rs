@@ -10,7 +10,7 @@ use crate::models::paper::recording::dense::Path;
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
-/// Collects frames during a march.
+/// Collects frames during a run.
 #[derive(Debug, Clone)]
 pub struct FrameTaker {
     spacing: Spacing,

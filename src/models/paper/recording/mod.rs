@@ -1,4 +1,4 @@
-//! What a march leaves behind: extremes over every step, traces, frames.
+//! What a run leaves behind: extremes over every step, traces, frames.
 //!
 //! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
 
@@ -31,7 +31,7 @@ pub struct PaperExtremes {
     pub strain: Peak,
     /// Smallest ratio of a quad's signed area to its area at rest.
     pub least_quad_ratio: f64,
-    /// Of quads whose signed area reached zero.
+    /// How the mesh folded: quads whose signed area reached zero.
     pub fold: Option<Fold>,
     /// Largest |work in - kinetic - elastic - dissipated| as a share of the work in.
     pub energy_residual: f64,
@@ -59,7 +59,7 @@ impl PaperExtremes {
     }
 }
 
-/// Everything kept of one march.
+/// Everything kept of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Largest values over every step.

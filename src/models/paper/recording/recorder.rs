@@ -1,4 +1,4 @@
-//! The observer that turns a march into a recording.
+//! The observer that turns a run into a recording.
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::hats::Hat;
@@ -85,10 +85,11 @@ fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
 
 /// What rounding does to a position some 10 mm away from the middle, in m.
 const ROUNDING_M: f64 = 2e-18;
-/// A blow that gives less than so many times the energy of springs strained by that is rounding itself.
+/// A blow that gives less than so many times the energy of springs strained by that is rounding
+/// itself.
 const LOST: f64 = 1e4;
 
-/// Watches a march and records it.
+/// Watches a run and records it.
 #[derive(Debug)]
 pub struct Recorder {
     before: State,
@@ -151,7 +152,12 @@ impl Recorder {
                 .map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone()))
                 .collect()
         };
-        let ring = marks.shell_hats.iter().cloned().map(LinePoint::mean).collect();
+        let ring = marks
+            .shell_hats
+            .iter()
+            .cloned()
+            .map(LinePoint::mean)
+            .collect();
         Self {
             monitors: std::array::from_fn(monitor),
             forces: [Peak::floor(0.0); 4],
@@ -163,7 +169,10 @@ impl Recorder {
             window,
             surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
             shell: growth(LengthKind::Ring, ring),
-            meridian: growth(LengthKind::Span, displaced(marks.meridian, &marks.meridian_hats)),
+            meridian: growth(
+                LengthKind::Span,
+                displaced(marks.meridian, &marks.meridian_hats),
+            ),
             apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
@@ -191,7 +200,7 @@ impl Recorder {
         }
     }
 
-    fn look(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+    fn record(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
         self.last_forces = forces;
         for (peak, force) in self.forces.iter_mut().zip(forces) {
@@ -266,7 +275,7 @@ impl Recorder {
                 <= self.meridian.peak.value
     }
 
-    /// The recording, once the march has ended at `state` and cost so much.
+    /// The recording, once the run has ended at `state` and cost so much.
     pub fn finish(self, state: &State, cost: Cost) -> Recording {
         let relative = |growth: &Growth| Peak {
             value: growth.peak.value / growth.rest(),

@@ -1,10 +1,10 @@
 //! What each integrator is: one row each, coefficients included.
 //!
-//! Everything that asks something of an integrator asks its row: the march, the stability limit, the
-//! command line, the forms, the plots of accuracy and the tests. A further one is a name in
-//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability and
-//! energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta method
-//! needs a [`Stepper`] of its own as well.
+//! Everything that asks something of an integrator asks its row: the march, the stability limit,
+//! the command line, the forms, the plots of accuracy and the tests. A further one is a name in
+//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability
+//! and energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta
+//! method needs a [`Stepper`] of its own as well.
 //!
 //! The paper prints v = (a - `a_previous`) dt, which gives zero under constant acceleration; its
 //! scheme is read as v += a dt, x += v dt.
@@ -62,7 +62,7 @@ impl Method {
         }
     }
 
-    /// Whether it chooses its own steps.
+    /// Whether the method chooses its own step lengths.
     pub fn adaptive(&self) -> bool {
         matches!(&self.scheme, MethodKind::RungeKutta(tableau) if !tableau.error.is_empty())
     }

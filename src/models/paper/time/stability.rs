@@ -8,9 +8,9 @@
 //! * Drag that is the same everywhere never lowers the limit of a composition. Drag that differs
 //!   between tissues can, because negative sub-steps amplify by up to exp(0.6 g h); g h is kept
 //!   below 2, and for the Runge-Kutta methods within their interval on the real axis.
-//! * Without drag the high-order compositions have hair-thin gaps far below their limit, which grow
-//!   by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step stays
-//!   under the first gap.
+//! * Without drag the high-order compositions have hair-thin gaps far below their limit, which
+//!   grow by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step
+//!   stays under the first gap.
 
 use crate::models::paper::forces::system::System;
 use crate::models::paper::time::stepper::Drag;

@@ -1,4 +1,4 @@
-//! What makes the steps of a march.
+//! What makes the steps of a run.
 
 use crate::models::paper::forces::kernel::Survey;
 use crate::models::paper::forces::state::State;
@@ -17,7 +17,7 @@ pub enum Drag {
     InRates,
 }
 
-/// Makes the steps of one march, segment by segment, without allocating.
+/// Makes the steps of one run, segment by segment, without allocating.
 pub(crate) trait Stepper {
     /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration is
     /// evaluated afresh by the segment's law.
