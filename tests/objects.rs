@@ -95,11 +95,11 @@ fn all_fly_at_the_axisymmetric_eye_fold_nothing_and_come_in_the_order_of_what_is
 #[test]
 fn what_is_blown_up_presses_no_harder_than_its_cap_and_enters_the_orbit_as_far_as_was_measured() {
     for (name, scenario) in objects() {
-        let Impact::Projectile(shot) = &scenario.impact else {
+        let Impact::Projectile(projectile) = &scenario.impact else {
             unreachable!();
         };
         let (Surface::Inflated { kpa, .. }, "soccer-ball" | "pickleball") =
-            (shot.surface, name.as_str())
+            (projectile.surface, name.as_str())
         else {
             continue;
         };
@@ -120,8 +120,8 @@ fn the_slower_baseball_with_the_softest_surface_may_spare_an_eye_and_the_faster_
     let pressure = |name: &str, modulus: f64| {
         let (_, scenario) = objects().into_iter().find(|(n, _)| n == name).unwrap();
         let mut scenario = contrecoup::scenario::Scenario::from(scenario);
-        if let Impact::Projectile(shot) = &mut scenario.impact {
-            shot.surface = Surface::Elastic {
+        if let Impact::Projectile(projectile) = &mut scenario.impact {
+            projectile.surface = Surface::Elastic {
                 modulus_mpa: modulus,
             };
         }

@@ -13,8 +13,8 @@ use nalgebra::Point2;
 pub struct Fold {
     /// When a quad first was inside out, in s.
     pub since: f64,
-    /// For how long one or more were inside out, in s: from the end of a step that finds one to the end of the
-    /// next that finds none.
+    /// For how long one or more were inside out, in s: from the end of a step that finds one to the
+    /// end of the next that finds none.
     pub lasted: f64,
     /// Whether one was still inside out as the run ended.
     pub stays: bool,

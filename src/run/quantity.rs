@@ -188,51 +188,51 @@ impl Quantity {
             Self::ForceCentre => Row {
                 // Far smoother than those of the shell, and really better.
                 family: Family::Alone,
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "centre",
                         "force_centre_n",
                         |t| &t.force[Monitor::Centre as usize],
                         (Group::NodeForces, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_centre_n", "peak force, centre", "centre")
             },
             Self::ForceFront => Row {
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "front",
                         "force_front_n",
                         |t| &t.force[Monitor::Front as usize],
                         (Group::NodeForces, 1),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "right",
                         "force_right_n",
                         |t| &t.force[Monitor::Right as usize],
                         (Group::NodeForces, 2),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_right_n", "peak force, right", "right")
             },
             Self::ForceTop => Row {
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "top",
                         "force_top_n",
                         |t| &t.force[Monitor::Top as usize],
                         (Group::NodeForces, 3),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
             },
             Self::StoredEnergy => Row {
@@ -249,29 +249,29 @@ impl Quantity {
             Self::Pressure => Row {
                 factor: 1e-6,
                 leads: Leads::Always,
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "pressure",
                         "pressure_mpa",
                         |t| &t.pressure,
                         (Group::Inside, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
             },
             Self::Contact => Row {
                 rounding: FORCE_ROUNDING,
                 leads: Leads::Always,
-                trace: Some(ResultTrace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "contact",
                         "contact_force_n",
                         |t| &t.contact_force,
                         (Group::Projectile, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
             },
             Self::BackPressure => Row {

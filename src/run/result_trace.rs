@@ -50,3 +50,13 @@ pub(crate) const fn trace(
         spark: false,
     }
 }
+
+impl ResultTrace {
+    /// This trace with a small plot beside the eye.
+    pub(crate) const fn with_spark(self) -> Self {
+        Self {
+            spark: true,
+            ..self
+        }
+    }
+}

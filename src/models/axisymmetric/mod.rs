@@ -32,4 +32,4 @@ pub use crate::models::axisymmetric::time::run::{
 #[cfg(test)]
 mod case_tests;
 #[cfg(test)]
-mod tests;
+mod forces_tests;

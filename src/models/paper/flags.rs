@@ -9,7 +9,7 @@ use crate::run::raised::Raised;
 /// Quads smaller than this share of their rest area are worth a warning.
 const NEARLY_FOLDED: f64 = 0.2;
 /// A shielded share below this is rounding.
-const NEGLIGIBLE: f64 = 1e-9;
+pub(super) const NEGLIGIBLE: f64 = 1e-9;
 
 /// Flags of a run.
 pub(crate) fn raise(case: &PaperCase, extremes: &PaperExtremes) -> Vec<Flag> {

@@ -1,14 +1,12 @@
 //! The table of what is read off the section, under the public names.
 
 use crate::models::paper::case::PaperCase;
+use crate::models::paper::flags::NEGLIGIBLE;
 use crate::models::paper::recording::PaperExtremes;
 use crate::run::model::{Detail, Shown};
 use crate::run::places::Monitor;
 use crate::run::quantity::Quantity;
 use crate::run::readings::Readings;
-
-/// A shielded share below this is rounding.
-const NEGLIGIBLE: f64 = 1e-9;
 
 /// The readings of a run.
 pub(crate) fn of(e: &PaperExtremes) -> Readings {

@@ -4,7 +4,7 @@ use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Peak, Traces};
 
 /// Largest values over every step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extremes {
     /// Force of contact or of the pulse on the eye, along the blow, N.
     pub force: Peak,
@@ -60,32 +60,11 @@ pub struct Extremes {
 impl Extremes {
     /// The extremes of an eye that nothing has happened to.
     pub fn at_rest() -> Self {
-        let zero = Peak::default();
         Self {
-            force: zero,
-            mean_force: zero,
-            rim_force: zero,
-            pressure: zero,
-            back_pressure: zero,
-            mean_back_pressure: zero,
-            scleral_stress: zero,
-            stress_angle: 0.0,
-            shortening: zero,
-            equator_growth: zero,
-            shell_growth: zero,
-            intrusion: zero,
-            apex: zero,
-            lens: zero,
-            node_force: [zero; 4],
             least_volume: 1.0,
             most_volume: 1.0,
             least_triangle: 1.0,
-            fold: None,
-            energy_imparted: 0.0,
-            crushed_at: None,
-            touching: false,
-            rebound: None,
-            energy_residual: 0.0,
+            ..Self::default()
         }
     }
 

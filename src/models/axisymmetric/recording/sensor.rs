@@ -13,9 +13,9 @@ pub const SMOOTHING_S: f64 = 20e-6;
 /// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are
 /// those of the piece of shell that is hit first, so of the mesh.
 pub(crate) const FORCE_MEAN_S: f64 = 100e-6;
-/// Length of the mean of the pressure at the back, in s: sound in the globe, slowed by a bulk modulus of 100
-/// `MPa`, goes to the back and returns in this time. What is shorter is an echo of it, and of the
-/// focus of a perfectly round eye.
+/// Length of the mean of the pressure at the back, in s: sound in the globe, slowed by a bulk
+/// modulus of 100 `MPa`, goes to the back and returns in this time. What is shorter is an echo of
+/// it, and of the focus of a perfectly round eye.
 pub(crate) const BACK_MEAN_S: f64 = 150e-6;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.

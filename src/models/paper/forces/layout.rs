@@ -15,7 +15,7 @@ pub(crate) const DIRECTIONS: usize = 4;
 pub(crate) type Lane = [f64; LANES];
 
 /// What the kernel needs of eight neighbouring nodes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(crate) struct SpringGroup {
     /// Stiffness of the springs in each direction, N/m.
@@ -31,7 +31,7 @@ pub(crate) struct SpringGroup {
 }
 
 /// What the survey needs beside a [`SpringGroup`].
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(crate) struct SurveyGroup {
     /// The number of springs it stands for over twice the stiffness, 0 where there is no spring.
@@ -59,21 +59,6 @@ impl RowPlace {
         if self.mirrored { -1.0 } else { 1.0 }
     }
 }
-
-pub(crate) const EMPTY_GROUP: SpringGroup = SpringGroup {
-    stiffness: [[0.0; LANES]; DIRECTIONS],
-    tension: [[0.0; LANES]; DIRECTIONS],
-    inverse_mass: [0.0; LANES],
-    fat: [0.0; LANES],
-    half_mass: [0.0; LANES],
-};
-
-pub(crate) const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
-    half_compliance: [[0.0; LANES]; DIRECTIONS],
-    inverse_tension: [[0.0; LANES]; DIRECTIONS],
-    inverse_area: [0.0; LANES],
-    no_quad: [1.0; LANES],
-};
 
 /// Which rows are moved, and what each stands for.
 pub(crate) struct MovedRows {

@@ -6,7 +6,7 @@ use crate::models::paper::forces::system::System;
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct State {
     /// Time, in s.
     pub time: f64,
@@ -25,7 +25,7 @@ pub struct State {
 }
 
 /// Space that the kernel writes before it reads.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Forces from the row below.
     pub up_x: Aligned,
@@ -49,15 +49,12 @@ impl State {
         let ring = || Aligned::zeros(system.ring.padded_len());
         let hops = || Aligned::zeros(system.ring.hops_len());
         Self {
-            time: 0.0,
             x: system.rest_x.clone(),
             y: system.rest_y.clone(),
             vx: zeros(),
             vy: zeros(),
             ax: zeros(),
             ay: zeros(),
-            work: 0.0,
-            dissipated: 0.0,
             scratch: Scratch {
                 up_x: zeros(),
                 up_y: zeros(),
@@ -68,32 +65,7 @@ impl State {
                 hop_fx: hops(),
                 hop_fy: hops(),
             },
-        }
-    }
-
-    /// A state of nothing, to stand in while another is moved out.
-    pub fn empty() -> Self {
-        let none = || Aligned::zeros(0);
-        Self {
-            time: 0.0,
-            x: none(),
-            y: none(),
-            vx: none(),
-            vy: none(),
-            ax: none(),
-            ay: none(),
-            work: 0.0,
-            dissipated: 0.0,
-            scratch: Scratch {
-                up_x: none(),
-                up_y: none(),
-                extra_x: none(),
-                extra_y: none(),
-                ring_x: none(),
-                ring_y: none(),
-                hop_fx: none(),
-                hop_fy: none(),
-            },
+            ..Self::default()
         }
     }
 

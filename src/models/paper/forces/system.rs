@@ -18,7 +18,7 @@ use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::layout::{
-    Active, EMPTY_GROUP, EMPTY_SURVEY, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
+    Active, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
 };
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::ring;
@@ -79,13 +79,17 @@ impl System {
         let stride = side.next_multiple_of(LANES);
         let rows = MovedRows::new(side, stride, mirrored);
 
+        let no_quads = SurveyGroup {
+            no_quad: [1.0; LANES],
+            ..SurveyGroup::default()
+        };
         let mut system = Self {
             side,
             stride,
             first_row: rows.first,
             mirror_row: rows.mirror,
-            groups: vec![EMPTY_GROUP; (side + 1) * stride / LANES],
-            survey: vec![EMPTY_SURVEY; (side + 1) * stride / LANES],
+            groups: vec![SpringGroup::default(); (side + 1) * stride / LANES],
+            survey: vec![no_quads; (side + 1) * stride / LANES],
             ring: Ring::default(),
             shortest_squared: shortest_squared(eye),
             rest_x: Aligned::zeros((side + 1) * stride + LANES),
