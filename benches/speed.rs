@@ -336,7 +336,8 @@ fn on_one_core(scenario: &CheckedScenario) {
     }
 }
 
-/// Answers on finer meshes, for which a person waits: the run and that for its step error side by side.
+/// Answers on finer meshes, for which a person waits: the run and that for its step error side by
+/// side.
 fn finer_meshes(targets: &mut Targets) {
     println!("\nOne answer on a finer mesh, with its step error");
     for level in [3, 5] {

@@ -1,5 +1,5 @@
-//! Finer meshes against an independent solver, stored: fourth-order Runge-Kutta with a step of 0.8 us
-//! over the level, head-on smooth pulses unless said.
+//! Finer meshes against an independent solver, stored: fourth-order Runge-Kutta with a step of 0.8
+//! us over the level, head-on smooth pulses unless said.
 //!
 //! It took the share of a spring that lies in the lens from samples, so its lens differs a little.
 

@@ -1,4 +1,4 @@
-//! The objects of the library at the eye of revolution, beside what is reported of them.
+//! The objects of the library at the axisymmetric eye, beside what is reported of them.
 
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::axisymmetric::recording::results::Extremes;
@@ -49,7 +49,7 @@ fn mpa(extremes: &Extremes) -> (f64, f64) {
 }
 
 #[test]
-fn all_fly_at_the_eye_of_revolution_fold_nothing_and_come_in_the_order_of_what_is_reported() {
+fn all_fly_at_the_axisymmetric_eye_fold_nothing_and_come_in_the_order_of_what_is_reported() {
     let objects = objects();
     assert_eq!(objects.len(), 25);
     let ran: BTreeMap<String, Extremes> = objects
@@ -86,7 +86,8 @@ fn all_fly_at_the_eye_of_revolution_fold_nothing_and_come_in_the_order_of_what_i
         shuttle < squash * 1.05 && squash < BURST_MPA.0,
         "{shuttle} {squash}"
     );
-    // Of the two speeds of a BB that were shot at eyes the slower is below the mean and the faster near it.
+    // Of the two speeds of a BB that were shot at eyes the slower is below the mean and the faster
+    // near it.
     assert!(mpa(&ran["bb-56"]).0 < BURST_MPA.0 - BURST_MPA.1);
     assert!((mpa(&ran["bb-92"]).0 - BURST_MPA.0).abs() < BURST_MPA.1);
 }
@@ -94,11 +95,11 @@ fn all_fly_at_the_eye_of_revolution_fold_nothing_and_come_in_the_order_of_what_i
 #[test]
 fn what_is_blown_up_presses_no_harder_than_its_cap_and_enters_the_orbit_as_far_as_was_measured() {
     for (name, scenario) in objects() {
-        let Impact::Projectile(shot) = &scenario.impact else {
+        let Impact::Projectile(projectile) = &scenario.impact else {
             unreachable!();
         };
         let (Surface::Inflated { kpa, .. }, "soccer-ball" | "pickleball") =
-            (shot.surface, name.as_str())
+            (projectile.surface, name.as_str())
         else {
             continue;
         };
@@ -119,8 +120,8 @@ fn the_slower_baseball_with_the_softest_surface_may_spare_an_eye_and_the_faster_
     let pressure = |name: &str, modulus: f64| {
         let (_, scenario) = objects().into_iter().find(|(n, _)| n == name).unwrap();
         let mut scenario = contrecoup::scenario::Scenario::from(scenario);
-        if let Impact::Projectile(shot) = &mut scenario.impact {
-            shot.surface = Surface::Elastic {
+        if let Impact::Projectile(projectile) = &mut scenario.impact {
+            projectile.surface = Surface::Elastic {
                 modulus_mpa: modulus,
             };
         }

@@ -1,8 +1,8 @@
 //! The motion against a solver that shares nothing with the program: DOP853 of the crate
 //! `differential-equations`, on equations written out here from the nodes and springs alone.
 //!
-//! Displacements are in mm, times in ms and speeds in m/s, so that one tolerance fits all. The work
-//! of the load and the loss to drag are two more unknowns. Stretches of the springs come from
+//! Displacements are in mm, times in ms and speeds in m/s, so that one tolerance fits all. The
+//! work of the load and the loss to drag are two more unknowns. Stretches of the springs come from
 //! displacements, without cancellation, and the loaded arc's shares from overlaps of intervals.
 
 use contrecoup::models::paper::case::PaperCase;
@@ -170,8 +170,8 @@ impl ODE<f64, Vec<f64>> for Motion<'_> {
     }
 }
 
-/// Nodes with the weights of the hat around the node at column and row `grid` of the paper's mesh, by the
-/// documented rule: of all nodes that move, for forces.
+/// Nodes with the weights of the hat around the node at column and row `grid` of the paper's mesh,
+/// by the documented rule: of all nodes that move, for forces.
 fn hat(eye: &Eye, grid: (usize, usize)) -> Vec<(usize, f64)> {
     let k = f64::from(eye.level);
     let away = |a: usize, b: usize| (a as f64 - k * b as f64).abs() / k;
@@ -199,8 +199,8 @@ fn mean(eye: &Eye, grid: (usize, usize), axis: usize, y: &[f64]) -> f64 {
     sum / whole
 }
 
-/// Length of the closed line through the paper's 36 shell nodes, each the mean of its hat along the
-/// shell, mm.
+/// Length of the closed line through the paper's 36 shell nodes, each the mean of its hat along
+/// the shell, mm.
 fn shell_length(eye: &Eye, y: &[f64]) -> f64 {
     let angle = |i: usize| {
         let p = eye.nodes[i].position;
@@ -320,8 +320,8 @@ impl Observer for Nobody {
     fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
 }
 
-/// Differences of positions and speeds from the outside solver's `y`, as shares of the `largest` of
-/// the whole motion; differences of work and loss as shares of them.
+/// Differences of positions and speeds from the outside solver's `y`, as shares of the `largest`
+/// of the whole motion; differences of work and loss as shares of them.
 fn disagreement(case: &PaperCase, plan: &Plan, y: &[f64], largest: [f64; 2]) -> [f64; 4] {
     let mut state = State::at_rest(&case.system);
     march(&case.system, plan, &mut state, &mut Nobody).unwrap();

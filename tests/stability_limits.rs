@@ -11,7 +11,7 @@ use contrecoup::models::paper::forces::load::ArcLoad;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::models::paper::time::method::Drag;
+use contrecoup::models::paper::time::stepper::Drag;
 use contrecoup::models::pulse::{Piece, Pulse};
 use contrecoup::run::kept::Keep;
 use contrecoup::run::model::EyeModel;

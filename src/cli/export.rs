@@ -10,10 +10,10 @@ use crate::answer::solve::{Answer, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ExportArgs, interrupt};
 use crate::plain_text::printable;
-use crate::run::course::write_traces;
 use crate::run::export::FrameWriter;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;
+use crate::run::trace::write_traces;
 use crate::scenario::CheckedScenario;
 use crate::whole_file;
 

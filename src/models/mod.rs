@@ -1,8 +1,8 @@
 //! The models: each turns a scenario into an eye, moves it and reads it off.
 //!
 //! Here is the one table of them. A further one is a folder beside these with a
-//! [case](crate::run::model::EyeModel), its [rules](crate::run::rules::Rules), its readings and its
-//! picture, a variant of [`Model`] with its fields, and a line in each function below.
+//! [`EyeModel`](crate::run::model::EyeModel), its [rules](crate::run::rules::Rules), its readings
+//! and its picture, a variant of [`Model`] with its fields, and a line in each function below.
 
 pub mod axisymmetric;
 pub mod paper;
@@ -13,10 +13,11 @@ use crate::run::rules::Rules;
 use crate::scenario::{CheckedScenario, Model};
 use std::sync::Arc;
 
-/// The vectors that this machine computes by, in words; `portable` says what rounds alike everywhere.
+/// The vectors that this machine computes by, in words; `portable` says what rounds alike
+/// everywhere.
 pub use paper::forces::kernel::name as kernel_name;
 
-/// What holds for every scene of a model.
+/// Integrators, error estimates and mesh rules of a model.
 pub fn rules(model: &Model) -> &'static Rules {
     match model {
         Model::Paper => &paper::rules::RULES,

@@ -1,8 +1,8 @@
 //! The force pulse in time, in SI units.
 //!
-//! A pulse is smooth except at its breaks; a table has one at every knot. Integrators end a segment
-//! at every break and look up the force by segment, so that a jump has a left and a right value and
-//! no step straddles it.
+//! A pulse is smooth except at its breaks; a table has one at every knot. Integrators end a
+//! segment at every break and look up the force by segment, so that a jump has a left and a right
+//! value and no step straddles it.
 
 use crate::scenario::{Curve, ForcePulse, PulseShape};
 use std::f64::consts::PI;

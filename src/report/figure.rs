@@ -10,9 +10,9 @@ use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::injury::share;
 use crate::report::text::{digits, percent, significant};
-use crate::run::course::{Beside, Course};
 use crate::run::quantity::Quantity;
-use crate::run::trace::Group;
+use crate::run::result_trace::Group;
+use crate::run::trace::{OtherTrace, Trace};
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -203,19 +203,19 @@ pub const PARTS: [(Quantity, Term); 3] = [
 
 /// A course at one moment, with its error: the value and what it may be off by, both in the unit. The error is that
 /// of the peak, whatever the value is now; what is no result has none.
-pub fn at_a_moment(answer: &Answer, course: Course, value: f64) -> String {
+pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
     let of = match course {
-        Course::Of(of) => of,
+        Trace::Of(of) => of,
         // What drives an eye that is hit is a result of its own.
-        Course::Beside(Beside::Drive) if answer.result(Quantity::Contact).is_some() => {
+        Trace::Other(OtherTrace::Drive) if answer.result(Quantity::Contact).is_some() => {
             Quantity::Contact
         }
         // No error is estimated of the energies, so they have the digits that any result has.
-        Course::Beside(_) if row.place.0 == Group::Energies => {
+        Trace::Other(_) if row.place.0 == Group::Energies => {
             return with_unit(&rounded(settled(value, NEGLIGIBLE_NOW), DIGITS.0), row.unit);
         }
-        Course::Beside(_) => {
+        Trace::Other(_) => {
             return with_unit(&significant(settled(value, NEGLIGIBLE_NOW)), row.unit);
         }
     };

@@ -1,9 +1,10 @@
-//! What a picture of an eye is made of, whatever its model: nodes, lines between them with the part that they
-//! draw, the loaded arc and the object's outline, each at rest and in any frame.
+//! What a picture of an eye is made of, whatever its model: nodes, lines between them with the
+//! part that they draw, the loaded arc and the object's outline, each at rest and in any frame.
 //!
-//! Places are those of the section: x from the cornea to the back, y up, in m. A body of revolution is drawn
-//! as a whole section: its half, the mirror image of that, and both turned to where the blow comes from.
-//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+//! Places are those of the section: x from the cornea to the back, y up, in m. An axisymmetric eye
+//! is drawn as a whole section: its half, the mirror image of that, and both turned to where the
+//! blow comes from. Of a fine mesh about as many lines are drawn as level 1 has, and the whole
+//! shell, lens and wall.
 
 use crate::run::kept::Frame;
 use crate::run::places::Region;
@@ -19,9 +20,9 @@ pub(crate) const MARGIN: f64 = 1.03;
 pub struct DrawnNode {
     /// Which part of the eye it belongs to.
     pub region: Region,
-    /// Whether it is one of those that stand for all where only nodes are drawn.
+    /// Whether it is drawn where only some nodes stand for all.
     pub coarse: bool,
-    /// Its place in the frame.
+    /// Index of the node in the frame.
     pub(crate) of: usize,
     /// Where it rests in the frame's own axes.
     pub(crate) rest: Point2<f64>,
@@ -33,7 +34,7 @@ pub struct DrawnNode {
 pub struct Line {
     /// Indices of nodes.
     pub ends: (usize, usize),
-    /// The part that it draws.
+    /// Part of the eye that the line belongs to.
     pub region: Region,
 }
 
@@ -42,16 +43,16 @@ pub struct Line {
 pub struct DrawnCell {
     /// Indices of nodes, in order.
     pub corners: [usize; 4],
-    /// Its place in the frame.
+    /// Index of the cell in the frame.
     pub(crate) of: usize,
 }
 
 /// An eye as it is drawn.
 #[derive(Debug, Clone)]
 pub struct Drawing {
-    /// All of them.
+    /// All nodes, mirrored ones included.
     pub nodes: Vec<DrawnNode>,
-    /// All of them.
+    /// All lines.
     pub lines: Vec<Line>,
     /// Cells that have a pressure of their own, where the eye is made of such.
     pub cells: Vec<DrawnCell>,
@@ -68,14 +69,14 @@ pub struct Drawing {
     pub(crate) object: Option<DrawnObject>,
 }
 
-/// An object on its way.
+/// The object that hits the eye.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DrawnObject {
-    /// In m.
+    /// Radius in m.
     pub radius: f64,
     /// Radius of the rounded edge of a cylinder, in m; none of a sphere.
     pub edge: Option<f64>,
-    /// Which way it flies.
+    /// Unit vector of its way.
     pub direction: Vector2<f64>,
 }
 
@@ -122,7 +123,7 @@ impl Drawing {
         let sideways = Vector2::new(-direction.y, direction.x);
         Some(match edge {
             None => {
-                // A soft object is squeezed along its flight; how it bulges is left out.
+                // A soft object is squeezed along its way; how it bulges is left out.
                 let along = direction * (radius - 0.5 * frame.squeezed);
                 let across = sideways * radius;
                 let corner = |i: u32| {

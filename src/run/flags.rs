@@ -1,6 +1,7 @@
 //! What a reader must know before trusting a result, each by name.
 //!
-//! [`crate::run::raised`] collects them and words those that both eyes have; the rest each model raises itself.
+//! [`crate::run::raised`] collects them and words those that both eyes have; the rest each model
+//! raises itself.
 
 /// A peak in the last share of a window may not have been the last word.
 pub(crate) const END: f64 = 0.999;

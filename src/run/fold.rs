@@ -1,7 +1,9 @@
-//! How a mesh folded: where, how many of its quads, since when and for how long, whichever eye it is of.
+//! How a mesh folded: where, how many of its quads, since when and for how long, whichever eye it
+//! is of.
 //!
-//! It is looked at where steps end. As long as none of a mesh's quads is inside out, that is one comparison with
-//! the least of them, which the forces tell anyway; the quads are gone through only where one is.
+//! It is looked at where steps end. As long as none of a mesh's quads is inside out, that is one
+//! comparison with the least of them, which the forces tell anyway; the quads are gone through
+//! only where one is.
 
 use crate::run::places::Region;
 use nalgebra::Point2;
@@ -9,19 +11,19 @@ use nalgebra::Point2;
 /// A mesh of which a quad turned inside out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fold {
-    /// When one first was, in s.
+    /// When a quad first was inside out, in s.
     pub since: f64,
-    /// For how long one or more were, in s: from the end of a step that finds one to the end of the next that
-    /// finds none.
+    /// For how long one or more were inside out, in s: from the end of a step that finds one to the
+    /// end of the next that finds none.
     pub lasted: f64,
-    /// Whether one still was as the run ended.
+    /// Whether one was still inside out as the run ended.
     pub stays: bool,
-    /// How many were at some time.
+    /// How many quads were inside out at some time.
     pub quads: usize,
-    /// Of how many.
+    /// Quads of the whole mesh.
     pub of: usize,
-    /// The middle at rest of the one that was farthest inside out at first, in m: as seen from the middle of
-    /// the globe, x towards the back, along the blow at the eye of revolution.
+    /// The middle at rest of the one that was farthest inside out at first, in m: as seen from the
+    /// middle of the globe, x towards the back, along the blow at the axisymmetric eye.
     pub at: Point2<f64>,
     /// The part that it belongs to: lens, globe or fat.
     pub part: Region,
@@ -41,7 +43,7 @@ impl Fold {
     }
 }
 
-/// Watches for it over the steps of one march.
+/// Watches for it over the steps of one run.
 #[derive(Debug, Clone)]
 pub(crate) struct FoldWatch {
     /// Whether each quad was inside out at some time.
@@ -52,7 +54,7 @@ pub(crate) struct FoldWatch {
 }
 
 impl FoldWatch {
-    /// Of a mesh of so many quads.
+    /// A watch over a mesh of so many quads.
     pub fn new(quads: usize) -> Self {
         Self {
             seen: vec![false; quads],
@@ -61,10 +63,11 @@ impl FoldWatch {
         }
     }
 
-    /// Takes in the end of a step, at `time` s, at which the least ratio of a quad's size to that at rest is
-    /// `least`. Of each quad `ratio` tells its own, and `place` its middle at rest and its part.
+    /// Takes in the end of a step, at `time` s, at which the least ratio of a quad's size to that
+    /// at rest is `least`. Of each quad `ratio` tells its own, and `place` its middle at rest and
+    /// its part.
     #[inline]
-    pub fn look(
+    pub fn record(
         &mut self,
         time: f64,
         least: f64,
@@ -147,7 +150,7 @@ mod tests {
         for (time, ratios) in (0..).zip(steps) {
             let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
             let place = |quad| (middle(quad), Region::Interior);
-            watch.look(f64::from(time), least, |quad| ratios[quad], place);
+            watch.record(f64::from(time), least, |quad| ratios[quad], place);
         }
         watch.fold()
     }

@@ -1,4 +1,5 @@
-//! What is kept of a motion, whatever moves: peaks, courses over time, and the eye at chosen instants.
+//! What is kept of a motion, whatever moves: peaks, traces over time, and the eye at chosen
+//! instants.
 
 use nalgebra::Point2;
 
@@ -59,7 +60,7 @@ impl Spacing {
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
-    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the eye of revolution of
+    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye of
     /// the first step after each thousandth of the window.
     pub traces: bool,
     /// Frames, so far apart.
@@ -71,18 +72,18 @@ pub struct Keep {
 pub struct Frame {
     /// Time, in s.
     pub time: f64,
-    /// Position of each node of the eye, in m. At the eye of revolution those of one half of the section,
-    /// with x along the blow and y the distance from its line.
+    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the
+    /// section, with x along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit. At the eye of revolution m is 75 mg and a the
-    /// mean over 20 us.
+    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and
+    /// a the mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
     pub cells: Vec<f64>,
     /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
     /// and squeezed.
     pub projectile: Option<Point2<f64>>,
-    /// How much it is squeezed along its flight, in m.
+    /// How much it is squeezed along its way, in m.
     pub squeezed: f64,
     /// Intraocular pressure, in Pa, where the eye has cells.
     pub pressure: Option<f64>,
@@ -109,10 +110,10 @@ pub(crate) fn nearest(frames: &[Frame], time: f64) -> usize {
 pub struct Traces {
     /// Time, s.
     pub time: Vec<f64>,
-    /// Total load, N; at the eye of revolution also the force of contact of an object as it is.
+    /// Total load, N; at the axisymmetric eye also the force of contact of an object as it is.
     pub load: Vec<f64>,
-    /// |sum w m a| over the hats of the monitored nodes, N; at the eye of revolution 75 mg times the mean
-    /// of their acceleration over 20 us.
+    /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg times the
+    /// mean of their acceleration over 20 us.
     pub force: [Vec<f64>; 4],
     /// Corneal apex displacement, m.
     pub apex: Vec<f64>,
@@ -128,9 +129,10 @@ pub struct Traces {
     pub dissipated: Vec<f64>,
     /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
     pub work: Vec<f64>,
-    /// Intraocular pressure, Pa; at the eye of revolution the mean of the globe through a low pass of 20 us.
+    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass
+    /// of 20 us.
     pub pressure: Vec<f64>,
-    /// Pressure at the back of the eye of revolution, a mean over 150 us, Pa.
+    /// Pressure at the back of the axisymmetric eye, a mean over 150 us, Pa.
     pub back_pressure: Vec<f64>,
     /// Largest tension of its sclera, through a low pass of 20 us, Pa.
     pub scleral_stress: Vec<f64>,
@@ -142,7 +144,7 @@ pub struct Traces {
     pub intrusion: Vec<f64>,
     /// Force of contact, mean over 100 us, N.
     pub contact_force: Vec<f64>,
-    /// Centre of the projectile along its flight, m.
+    /// Centre of the projectile along its way, m.
     pub projectile: Vec<f64>,
     /// Velocity of the projectile, m/s.
     pub projectile_velocity: Vec<f64>,

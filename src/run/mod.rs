@@ -1,6 +1,5 @@
 //! The socket: what every model gives and what is asked of it.
 
-pub mod course;
 pub mod drawing;
 pub mod export;
 pub mod flags;
@@ -14,6 +13,7 @@ pub mod quantity;
 pub mod raised;
 pub mod readings;
 pub mod refusal;
+pub mod result_trace;
 pub mod rules;
 pub mod trace;
 pub mod watch;

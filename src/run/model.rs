@@ -1,6 +1,7 @@
 //! The socket that every model fills: an eye compiled from a scenario, ready to be hit.
 //!
-//! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model only.
+//! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model
+//! only.
 
 use crate::run::drawing::Drawing;
 use crate::run::flags::Flag;
@@ -21,7 +22,7 @@ use std::sync::Arc;
 
 /// An eye of some model and what hits it.
 pub trait EyeModel: Debug + Send + Sync {
-    /// What holds for every scene of the model.
+    /// Integrators, error estimates and mesh rules of the model.
     fn rules(&self) -> &'static Rules;
 
     /// Simulated time, in s.
@@ -30,7 +31,8 @@ pub trait EyeModel: Debug + Send + Sync {
     /// Refinement level of the mesh.
     fn level(&self) -> u32;
 
-    /// The same on the mesh of another level, which may be finer than a scenario may ask for.
+    /// This eye and load on the mesh of another level, which may be finer than a scenario may
+    /// ask for.
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel>;
 
     /// The part that each node belongs to.
@@ -85,7 +87,7 @@ pub trait EyeModel: Debug + Send + Sync {
         plan_by(self, scenario, &self.rules().answer)
     }
 
-    /// The same for one run alone, as a mesh error makes it.
+    /// The plan of one run alone, without a second run for its step error.
     ///
     /// # Errors
     /// As [`Self::plan`].
@@ -112,7 +114,7 @@ pub struct Run {
     pub fold: Option<Fold>,
     /// Whether an object never touched the eye.
     pub missed: bool,
-    /// By how much the energies miss, as a share of what came in.
+    /// Largest error of the balance of energy, as a share of the energy that came in.
     pub energy_residual: f64,
     /// Time simulated, in s: less than the window if all readings were final before.
     pub simulated: f64,
@@ -151,7 +153,7 @@ pub struct Detail {
 /// Where people read a detail.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shown {
-    /// In JSON alone.
+    /// Written to JSON only.
     InData,
     /// On a line of its own: what it is called, and the figure in words.
     OnLine(&'static str, String),

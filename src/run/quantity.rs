@@ -1,15 +1,15 @@
 //! The table of results: one row for each, from which everything that lists results is made.
 //!
-//! Text, JSON, CSV, the comparison, the keys to the next peak, ensembles, sweeps and the reports of
-//! errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new reading is a variant and its row here,
-//! and a line in the table of each model that has it: the compiler asks for the row. What is made of
-//! readings, the index and the risks, has its formula in `answer`.
+//! Text, JSON, CSV, the comparison, the keys to the next peak, ensembles, sweeps and the reports
+//! of errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new reading is a variant and its row
+//! here, and a line in the table of each model that has it: the compiler asks for the row. What is
+//! made of readings, the index and the risks, has its formula in `answer`.
 //!
 //! A result that a scene does not have reads as `None`: the pressure where there are no cells, the
 //! force of contact where there is no projectile.
 
 use crate::run::places::Monitor;
-use crate::run::trace::{Group, Trace, trace};
+use crate::run::result_trace::{Group, ResultTrace, trace};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -36,26 +36,28 @@ pub enum Quantity {
     /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
     /// was imparted the tissues held at once, before it went into drag.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, at the eye of revolution: the mean of the globe through a low pass of 20 us.
+    /// Peak intraocular pressure, in megapascals, at the axisymmetric eye: the mean of the globe
+    /// through a low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
-    /// Peak pressure at the back of the eye of revolution, where a sensor sits in experiments, in megapascals: a
-    /// mean over 150 us.
+    /// Peak pressure at the back of the axisymmetric eye, where a sensor sits in experiments, in
+    /// megapascals: a mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera of the eye of revolution, in megapascals, through a low pass of 20 us.
+    /// Peak tension of the sclera of the axisymmetric eye, in megapascals, through a low pass of 20
+    /// us.
     ScleralStress,
-    /// Largest loss of the eye's length along the blow, in % of it, at the eye of revolution.
+    /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,
-    /// Way of an object's surface into the eye of revolution, mm.
+    /// Way of an object's surface into the axisymmetric eye, mm.
     Intrusion,
-    /// Way of the lens along the blow, mm, in the eye of revolution.
+    /// Way of the lens along the blow, mm, in the axisymmetric eye.
     LensWay,
-    /// Speed of an object back along its path at the end, m/s, at the eye of revolution.
+    /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
     /// Risk of rupture of the globe by peak pressure, %.
     RuptureByPressure,
-    /// Risk of rupture of the globe by the stress of the sclera of the eye of revolution, %.
+    /// Risk of rupture of the globe by the stress of the sclera of the axisymmetric eye, %.
     RuptureByStress,
     /// Risk of rupture of the globe by normalized energy, %.
     RuptureByEnergy,
@@ -88,7 +90,7 @@ pub enum Leads {
 /// so none is claimed to be much better than the worst of its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Of the motion of the whole eye; its members hang together where a projectile acts.
+    /// Motion of the whole eye; its members hang together where a projectile acts.
     Motion,
     /// Forces of nodes on the shell, which come from the same waves.
     ShellForces,
@@ -110,25 +112,25 @@ pub struct Row {
     pub short: &'static str,
     /// Unit for people.
     pub unit: &'static str,
-    /// From what is read to the unit.
+    /// Factor from the reading in SI to the unit.
     pub factor: f64,
     /// What rounding does to it, in the unit: a force is the small difference of large ones, which
     /// leaves some 1e-10 N in an eye at rest.
     pub rounding: f64,
-    /// Where it leads.
+    /// In which scenes the one stated error covers it.
     pub leads: Leads,
     /// What its step error hangs together with.
     pub family: Family,
     /// The whole of its scale on a map, in the unit; without one the largest value there.
     pub whole: Option<f64>,
-    /// Whether it is a risk, which curves make of readings.
+    /// Whether it is a risk, which injury curves make of readings.
     pub risk: bool,
-    /// Its course over time, if it is recorded.
-    pub trace: Option<Trace>,
+    /// Its trace over time, if it is recorded.
+    pub trace: Option<ResultTrace>,
 }
 
 impl Quantity {
-    /// All of them.
+    /// All quantities, in the order above.
     pub const ALL: &[Self] = Self::VARIANTS;
     /// The peak forces at the monitored nodes, in the paper's order.
     pub const FORCES: [Self; 4] = [
@@ -186,51 +188,51 @@ impl Quantity {
             Self::ForceCentre => Row {
                 // Far smoother than those of the shell, and really better.
                 family: Family::Alone,
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "centre",
                         "force_centre_n",
                         |t| &t.force[Monitor::Centre as usize],
                         (Group::NodeForces, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_centre_n", "peak force, centre", "centre")
             },
             Self::ForceFront => Row {
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "front",
                         "force_front_n",
                         |t| &t.force[Monitor::Front as usize],
                         (Group::NodeForces, 1),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "right",
                         "force_right_n",
                         |t| &t.force[Monitor::Right as usize],
                         (Group::NodeForces, 2),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_right_n", "peak force, right", "right")
             },
             Self::ForceTop => Row {
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "top",
                         "force_top_n",
                         |t| &t.force[Monitor::Top as usize],
                         (Group::NodeForces, 3),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
             },
             Self::StoredEnergy => Row {
@@ -247,29 +249,29 @@ impl Quantity {
             Self::Pressure => Row {
                 factor: 1e-6,
                 leads: Leads::Always,
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "pressure",
                         "pressure_mpa",
                         |t| &t.pressure,
                         (Group::Inside, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
             },
             Self::Contact => Row {
                 rounding: FORCE_ROUNDING,
                 leads: Leads::Always,
-                trace: Some(Trace {
-                    spark: true,
-                    ..trace(
+                trace: Some(
+                    trace(
                         "contact",
                         "contact_force_n",
                         |t| &t.contact_force,
                         (Group::Projectile, 0),
                     )
-                }),
+                    .with_spark(),
+                ),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
             },
             Self::BackPressure => Row {
@@ -359,7 +361,7 @@ impl Quantity {
         self.row().label
     }
 
-    /// Whether it is a risk.
+    /// Whether it is a risk of injury in %, not a reading of the motion.
     pub fn is_risk(self) -> bool {
         self.row().risk
     }

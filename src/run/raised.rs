@@ -30,7 +30,7 @@ pub(crate) struct TwoRuns {
 }
 
 impl Raised {
-    /// All of them.
+    /// All flags raised so far.
     pub fn flags(self) -> Vec<Flag> {
         self.0
     }
@@ -96,8 +96,8 @@ impl Raised {
     }
 }
 
-/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a second
-/// run, the step is short enough.
+/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a
+/// second run, the step is short enough.
 pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
     let mut raised = Raised::default();
     let split =

@@ -10,7 +10,7 @@ use strum::EnumCount;
 pub struct PerQuantity<T>([T; Quantity::COUNT]);
 
 impl<T> PerQuantity<T> {
-    /// What `of` gives for each.
+    /// The values that `of` gives for each quantity.
     pub fn from_fn(mut of: impl FnMut(Quantity) -> T) -> Self {
         Self(std::array::from_fn(|i| of(Quantity::ALL[i])))
     }
@@ -20,7 +20,7 @@ impl<T> PerQuantity<T> {
         Quantity::ALL.iter().copied().zip(&self.0)
     }
 
-    /// The same for something else.
+    /// What `of` makes of each.
     pub fn map<U>(&self, mut of: impl FnMut(Quantity, &T) -> U) -> PerQuantity<U> {
         PerQuantity::from_fn(|quantity| of(quantity, &self[quantity]))
     }

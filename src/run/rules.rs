@@ -1,10 +1,11 @@
 //! How a model is solved and how its errors are told: one row for each model.
 //!
 //! The step error comes from a second run whose step differs by a ratio r (Richardson's
-//! extrapolation). For a method of order p the difference of the two is about (r^p - 1) times the error
-//! of the finer run, and (1 - r^-p) times that of the coarser. Results seldom follow the order exactly,
-//! peaks least of all, so the estimate is multiplied by a safety factor, and no result is claimed to
-//! be better than what two runs may share by chance. The command `verify` measures how often the claims hold.
+//! extrapolation). For a method of order p the difference of the two is about (r^p - 1) times the
+//! error of the finer run, and (1 - r^-p) times that of the coarser. Results seldom follow the
+//! order exactly, peaks least of all, so the estimate is multiplied by a safety factor, and no
+//! result is claimed to be better than a floor. `contrecoup verify steps` measures how often the
+//! claims hold.
 //!
 //! The numbers stand with their reasons in the `rules` of each model.
 
@@ -13,11 +14,11 @@ use crate::run::quantity::{Family, Quantity};
 use crate::run::refusal::Refusal;
 use crate::scenario::Integrator;
 
-/// The largest share of its stability limit that any run takes on its own account: the limit is of a
-/// linear eye, and a step just below it would forgive nothing.
+/// The largest share of its stability limit that any run takes on its own account: the limit is of
+/// a linear eye, and a step just below it would forgive nothing.
 pub(crate) const LONGEST_SHARE: f64 = 0.95;
 
-/// What holds for every scene of one model.
+/// Integrators, error estimates and mesh rules that all scenes of one model share.
 #[derive(Debug)]
 pub struct Rules {
     /// What the model is called.
@@ -194,8 +195,8 @@ pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
 }
 
-/// The share of its step that a run with too large an `error` takes next: a little less than should
-/// do, between a half and four fifths.
+/// The share of its step that a run with too large an `error` takes next: a little less than
+/// should do, between a half and four fifths.
 pub(crate) fn next_share(target: f64, error: f64, order: i32) -> f64 {
     (0.8 * share_for(target, error, order)).clamp(0.5, 0.8)
 }

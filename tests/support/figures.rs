@@ -29,8 +29,8 @@ const COVERAGE: &str = "contrecoup verify steps";
 const FEW: Form = Form::Of("contrecoup verify steps --scenes 8");
 const ACCURACY: &str = "contrecoup accuracy paper-300n";
 const SHORT: Form = Form::Of("contrecoup accuracy paper-300n --set window_ms=0.2");
-const ACCURACY_OF_REVOLUTION: &str = "contrecoup accuracy bb-62";
-const SHORT_OF_REVOLUTION: Form = Form::Of("contrecoup accuracy bb-62 --set window_ms=0.1");
+const ACCURACY_OF_AXISYMMETRIC: &str = "contrecoup accuracy bb-62";
+const SHORT_OF_AXISYMMETRIC: Form = Form::Of("contrecoup accuracy bb-62 --set window_ms=0.1");
 /// To run them again takes half a minute, which tests/experiments.rs does.
 const EXPERIMENT_ROWS: fn() -> Vec<&'static str> = || EXPERIMENTS.iter().map(|e| e.what).collect();
 const VALIDATE: &str = "contrecoup verify experiments";
@@ -114,15 +114,15 @@ pub static FIGURES: &[Figures] = &[
         excerpt: meshes,
     },
     Figures {
-        name: "revolution-methods",
-        command: ACCURACY_OF_REVOLUTION,
-        form: SHORT_OF_REVOLUTION,
+        name: "axisymmetric-methods",
+        command: ACCURACY_OF_AXISYMMETRIC,
+        form: SHORT_OF_AXISYMMETRIC,
         excerpt: methods,
     },
     Figures {
-        name: "revolution-meshes",
-        command: ACCURACY_OF_REVOLUTION,
-        form: SHORT_OF_REVOLUTION,
+        name: "axisymmetric-meshes",
+        command: ACCURACY_OF_AXISYMMETRIC,
+        form: SHORT_OF_AXISYMMETRIC,
         excerpt: meshes,
     },
     Figures {

@@ -7,32 +7,23 @@ use crate::models::axisymmetric::eye::parameters::{
 };
 use crate::models::axisymmetric::forces::object::{BallSpring, Object};
 use crate::models::axisymmetric::rules::RULES;
-use crate::models::axisymmetric::{drawing, flags, readings};
 use crate::models::pulse::Pulse;
-use crate::run::drawing::Drawing;
-use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
-use crate::run::plan::{Cost, Plan};
+use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::watch::Watch;
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
     CheckedScenario, Impact, Integrator, Outline, Physiological, Projectile, ProjectileStiffness,
     Species, Support, Surface,
 };
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
-use std::sync::Arc;
 
-/// An eye of revolution ready to be hit.
+/// An axisymmetric eye ready to be hit.
 #[derive(Debug, Clone)]
 pub struct AxisymmetricCase {
     /// The eye.
     pub eye: AxisymmetricEye,
     /// What hits it.
-    pub load: engine::Blow,
+    pub load: engine::AxisymmetricLoad,
     /// Simulated time, in s.
     pub window: f64,
     /// Front angle of the blow, in degrees.
@@ -40,102 +31,7 @@ pub struct AxisymmetricCase {
     /// What catches an object that is too wide.
     pub rim: &'static str,
     /// Longest stable step at rest, in s.
-    limit: f64,
-}
-
-impl EyeModel for AxisymmetricCase {
-    fn rules(&self) -> &'static Rules {
-        &RULES
-    }
-
-    fn window(&self) -> f64 {
-        self.window
-    }
-
-    fn level(&self) -> u32 {
-        self.eye.level
-    }
-
-    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
-        let eye = AxisymmetricEye::new(&self.eye.parameters, level);
-        Arc::new(Self {
-            limit: engine::step_limit(&eye, &self.load),
-            eye,
-            ..self.clone()
-        })
-    }
-
-    fn regions(&self) -> Vec<Region> {
-        self.eye.node_regions()
-    }
-
-    fn elements(&self) -> usize {
-        self.eye.cells.len()
-    }
-
-    fn elements_per_evaluation(&self) -> usize {
-        self.eye.cells.len()
-    }
-
-    fn step_limit(&self, _: Integrator) -> f64 {
-        self.limit
-    }
-
-    fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.step / plan.multiple
-    }
-
-    fn steps(&self, plan: &Plan) -> usize {
-        (plan.window * plan.multiple / plan.step).ceil() as usize
-    }
-
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        let ratio = RULES.estimate.ratio;
-        let finer = Plan {
-            multiple: plan.multiple * ratio,
-            ..*plan
-        };
-        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
-        (finer, RULES.estimate.safety / share)
-    }
-
-    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let steps = self.steps_by(plan)?;
-        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
-        let run = run.map_err(|stop| self.refused(stop))?;
-        let extremes = &run.extremes;
-        let readings = readings::of(extremes);
-        Ok(Run {
-            details: readings::details(extremes),
-            flags: flags::raise(self, extremes, &readings, run.simulated),
-            readings,
-            fold: extremes.fold,
-            missed: extremes.missed(),
-            energy_residual: extremes.energy_residual,
-            simulated: run.simulated,
-            traces: run.traces,
-            frames: run.frames,
-            cost: Cost {
-                steps: run.steps,
-                evaluations: run.steps + 1,
-            },
-        })
-    }
-
-    fn frames(
-        &self,
-        plan: &Plan,
-        spacing: Spacing,
-        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
-    ) -> Result<(), Refusal> {
-        let steps = self.steps_by(plan)?;
-        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
-            .map_err(|stop| self.refused(stop))
-    }
-
-    fn drawing(&self) -> Drawing {
-        drawing::of(self)
-    }
+    pub(super) limit: f64,
 }
 
 impl AxisymmetricCase {
@@ -146,12 +42,12 @@ impl AxisymmetricCase {
                 let half_width = pulse.half_width_deg.to_radians();
                 (
                     pulse.angle_deg,
-                    engine::Blow::Pulse(Pulse::new(pulse), half_width),
+                    engine::AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width),
                 )
             }
             Impact::Projectile(projectile) => (
                 projectile.angle_deg,
-                engine::Blow::Object(object(projectile)),
+                engine::AxisymmetricLoad::Object(object(projectile)),
             ),
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
@@ -169,7 +65,7 @@ impl AxisymmetricCase {
     }
 
     /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
+    pub(super) fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
         Ok(engine::Steps {
             share: plan.step / plan.multiple / self.limit,
             scheme: match plan.integrator {
@@ -181,9 +77,11 @@ impl AxisymmetricCase {
     }
 
     /// Why there is no result; of an object that went through the eye what it would have to be.
-    fn refused(&self, stop: engine::Stop) -> Refusal {
+    pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
         let (time, object) = match (stop, &self.load) {
-            (engine::Stop::WentThrough(time), engine::Blow::Object(object)) => (time * 1e3, object),
+            (engine::Stop::WentThrough(time), engine::AxisymmetricLoad::Object(object)) => {
+                (time * 1e3, object)
+            }
             (engine::Stop::NotFinite { time, step }, _) => {
                 return Refusal::NotFinite { time, step };
             }
@@ -217,8 +115,8 @@ impl AxisymmetricCase {
     /// Duration of a pulse, in s.
     pub fn pulse(&self) -> Option<f64> {
         match &self.load {
-            engine::Blow::Pulse(pulse, _) => Some(pulse.duration()),
-            engine::Blow::Object(_) => None,
+            engine::AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
+            engine::AxisymmetricLoad::Object(_) => None,
         }
     }
 }
@@ -280,18 +178,22 @@ fn surround(model: &Physiological) -> Option<Surround> {
 fn object(projectile: &Projectile) -> Object {
     let radius = 0.5e-3 * projectile.diameter_mm;
     let surface = match projectile.surface {
-        Surface::Hard => engine::Surface::RIGID,
-        Surface::Elastic { modulus_mpa } => engine::Surface::elastic(modulus_mpa * 1e6, radius),
+        Surface::Hard => engine::ObjectSurface::RIGID,
+        Surface::Elastic { modulus_mpa } => {
+            engine::ObjectSurface::elastic(modulus_mpa * 1e6, radius)
+        }
         Surface::Inflated { kpa, modulus_mpa } => {
             let cap = kpa * 1e3 + inertia(projectile);
-            engine::Surface::capped(modulus_mpa * 1e6 / radius, cap, radius)
+            engine::ObjectSurface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
-        Surface::Splashing => engine::Surface::splashing(inertia(projectile), radius),
+        Surface::Splashing => engine::ObjectSurface::splashing(inertia(projectile), radius),
     };
     Object {
         outline: match projectile.outline {
-            Outline::Sphere => engine::Outline::Sphere(radius),
-            Outline::Cylinder { edge_mm } => engine::Outline::Cylinder(radius, edge_mm * 1e-3),
+            Outline::Sphere => engine::ObjectOutline::Sphere(radius),
+            Outline::Cylinder { edge_mm } => {
+                engine::ObjectOutline::Cylinder(radius, edge_mm * 1e-3)
+            }
         },
         mass: projectile.mass_kg(),
         speed: projectile.speed_m_s,
@@ -306,7 +208,8 @@ fn object(projectile: &Projectile) -> Object {
     }
 }
 
-/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or flattened.
+/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or
+/// flattened.
 fn inertia(projectile: &Projectile) -> f64 {
     let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
     0.5 * density * projectile.speed_m_s * projectile.speed_m_s

@@ -1,6 +1,7 @@
+//! The axisymmetric model through the trait of all models: answers, flags, errors, frames.
+
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::solve::{Answer, solve};
-
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::run::plan::Plan;
@@ -13,10 +14,10 @@ use crate::scenario::{
 };
 use std::ops::ControlFlow;
 
-fn scene(shot: Projectile) -> Scenario {
+fn scene(projectile: Projectile) -> Scenario {
     Scenario {
         model: Model::Physiological(Physiological::default()),
-        impact: Impact::Projectile(shot),
+        impact: Impact::Projectile(projectile),
         window_ms: 1.0,
         ..Scenario::default()
     }
@@ -61,8 +62,8 @@ fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
 
 #[test]
 fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
-    let refused = |shot: Projectile| {
-        let checked = scene(shot).check().unwrap();
+    let refused = |projectile: Projectile| {
+        let checked = scene(projectile).check().unwrap();
         let refusal = solve(&checked, Keep::default(), &mut unwatched).unwrap_err();
         assert!(refusal.is_of_input());
         refusal.to_string()
@@ -116,7 +117,7 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
 }
 
 #[test]
-fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy() {
+fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy() {
     let mut answer = solved(&scene(bb(56.0)));
     let results = answer.results();
     let missing: Vec<_> = Quantity::ALL
@@ -141,8 +142,11 @@ fn a_bb_gives_every_result_that_the_eye_of_revolution_has_and_closes_its_energy(
 
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
-    for (shot, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
-        let mut scenario = scene(Projectile { angle_deg, ..shot });
+    for (projectile, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
+        let mut scenario = scene(Projectile {
+            angle_deg,
+            ..projectile
+        });
         scenario.window_ms = 0.5;
         let answer = solved(&scenario);
         let case = &answer.case;
@@ -184,27 +188,6 @@ fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
     assert!(kinds.contains(&FlagKind::AngleBeyondTrust), "{kinds:?}");
     assert!(kinds.contains(&FlagKind::ContactCut), "{kinds:?}");
     assert!(kinds.contains(&FlagKind::WindowShort), "{kinds:?}");
-}
-
-#[test]
-fn a_surface_that_gives_way_lowers_the_pressure() {
-    let ball = Projectile {
-        mass_g: 24.0,
-        diameter_mm: 40.0,
-        speed_m_s: 20.0,
-        ..Projectile::default()
-    };
-    let hard = solved(&scene(ball.clone())).results();
-    let soft = solved(&scene(Projectile {
-        surface: Surface::Inflated {
-            kpa: 150.0,
-            modulus_mpa: 3.0,
-        },
-        ..ball
-    }));
-    let soft = soft.results();
-    let of = Quantity::Pressure;
-    assert!(soft[of].unwrap() < 0.7 * hard[of].unwrap());
 }
 
 fn short() -> Scenario {

@@ -1,14 +1,15 @@
-//! The picture of the axisymmetric eye: its half section, the mirror image of that, and both turned to
-//! where the blow comes from.
+//! The picture of the axisymmetric eye: its half section, the mirror image of that, and both
+//! turned to where the blow comes from.
 //!
-//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and
+//! wall.
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::mesh::Block;
-use crate::models::axisymmetric::forces::object::Outline;
+use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::axisymmetric::recording::sensor::monitored;
-use crate::models::axisymmetric::time::run::Blow;
+use crate::models::axisymmetric::time::run::AxisymmetricLoad;
 use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
@@ -48,8 +49,8 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         (ends != line.ends).then_some(Line { ends, ..*line })
     }));
     let pulse = match &case.load {
-        Blow::Pulse(pulse, half_width) => Some((pulse.duration(), *half_width)),
-        Blow::Object(_) => None,
+        AxisymmetricLoad::Pulse(pulse, half_width) => Some((pulse.duration(), *half_width)),
+        AxisymmetricLoad::Object(_) => None,
     };
     let under = |node: usize| {
         let (x, r) = eye.at(node);
@@ -72,15 +73,15 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
         along: Some(along),
         object: match &case.load {
-            Blow::Object(object) => Some(DrawnObject {
+            AxisymmetricLoad::Object(object) => Some(DrawnObject {
                 radius: object.outline.radius(),
                 edge: match object.outline {
-                    Outline::Sphere(_) => None,
-                    Outline::Cylinder(_, edge) => Some(edge),
+                    ObjectOutline::Sphere(_) => None,
+                    ObjectOutline::Cylinder(_, edge) => Some(edge),
                 },
                 direction: along,
             }),
-            Blow::Pulse(..) => None,
+            AxisymmetricLoad::Pulse(..) => None,
         },
         nodes,
         lines,

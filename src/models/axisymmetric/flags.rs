@@ -1,4 +1,4 @@
-//! What a reader must know before trusting a result of the eye of revolution.
+//! What a reader must know before trusting a result of the axisymmetric eye.
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::recording::results::Extremes;

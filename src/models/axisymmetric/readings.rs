@@ -6,8 +6,9 @@ use crate::run::places::Monitor;
 use crate::run::quantity::Quantity;
 use crate::run::readings::{Reading, Readings};
 
-/// The readings of a run. The paper's S, the growth of the shell's length, is that of the meridian,
-/// which a section shows as the shell; its M is that of the largest diameter across the blow.
+/// The readings of a run. The paper's S, the growth of the shell's length, is that of the
+/// meridian, which a section shows as the shell; its M is that of the largest diameter across the
+/// blow.
 pub fn of(e: &Extremes) -> Readings {
     let node = |monitor: Monitor| Some(e.node_force[monitor as usize].into());
     // Without an object there is neither contact nor a way into the eye.

@@ -1,8 +1,8 @@
 //! How the axisymmetric eye is solved and how its errors are told; see [`crate::run::rules`].
 //!
-//! Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its step follows
-//! the stability bound, so the step of a plan is that of the eye at rest. Semi-implicit Euler is there
-//! to be compared with.
+//! Its leapfrog is velocity Verlet with forces of viscosity that lag half a step, and its step
+//! follows the stability bound, so the step of a plan is that of the eye at rest. Semi-implicit
+//! Euler is there to be compared with.
 
 use crate::models::axisymmetric::time::run::STEP_SHARE;
 use crate::run::flags::FlagKind;
@@ -10,7 +10,7 @@ use crate::run::quantity::{Family, Quantity};
 use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};
 use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Integrator};
 
-/// What holds for every scene of the axisymmetric eye.
+/// Integrators, error estimates and mesh rules of the axisymmetric model.
 pub(crate) static RULES: Rules = Rules {
     name: "Physiological",
     element: Element::Cell,

@@ -7,22 +7,13 @@ use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::Recording;
 use crate::models::paper::recording::recorder::Recorder;
-use crate::models::paper::rules::RULES;
 use crate::models::paper::time::march::{Observer, march};
-use crate::models::paper::time::{second, stability};
-use crate::models::paper::{drawing, flags, frames, readings};
 use crate::models::pulse::{Piece, Pulse};
-use crate::run::drawing::Drawing;
-use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
+use crate::run::kept::Keep;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
 use crate::run::watch::Watch;
-use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, Integrator};
-use std::ops::ControlFlow;
-use std::sync::Arc;
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact};
 
 /// Steps between two calls of a watch.
 const STEPS_BETWEEN_CALLS: usize = 64;
@@ -69,90 +60,18 @@ pub struct PaperCase {
     pub system: System,
     /// Simulated time, in s.
     pub window: f64,
-    #[doc(hidden)]
     /// What it starts from: rest, unless a test moves it.
     pub start: State,
 }
 
-impl EyeModel for PaperCase {
-    fn rules(&self) -> &'static Rules {
-        &RULES
-    }
-
-    fn window(&self) -> f64 {
-        self.window
-    }
-
-    fn level(&self) -> u32 {
-        self.eye.level
-    }
-
-    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
+impl PaperCase {
+    /// The same eye and pulse on the mesh of another level.
+    pub(super) fn on_level(&self, level: u32) -> Self {
         let (mut eye, pulse) = self.input.clone();
         eye.level = level;
-        Arc::new(Self::built((eye, pulse), self.window, (false, false)))
+        Self::built((eye, pulse), self.window, (false, false))
     }
 
-    fn regions(&self) -> Vec<Region> {
-        self.eye.nodes.iter().map(|node| node.region).collect()
-    }
-
-    fn elements(&self) -> usize {
-        self.eye.springs.len()
-    }
-
-    fn elements_per_evaluation(&self) -> usize {
-        self.system.springs_per_evaluation()
-    }
-
-    fn step_limit(&self, integrator: Integrator) -> f64 {
-        stability::step_limit(integrator, &self.system)
-    }
-
-    fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.longest_step(&self.system.load().pulse)
-    }
-
-    fn steps(&self, plan: &Plan) -> usize {
-        plan.steps(&self.system.load().pulse)
-    }
-
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        second::plan(self, plan)
-    }
-
-    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let recording = self.record(plan, keep, watch)?;
-        let extremes = &recording.extremes;
-        Ok(Run {
-            readings: readings::of(extremes),
-            details: readings::details(self, extremes),
-            flags: flags::raise(self, extremes),
-            fold: extremes.fold,
-            missed: false,
-            energy_residual: extremes.energy_residual,
-            simulated: recording.simulated,
-            traces: recording.traces,
-            frames: recording.frames,
-            cost: recording.cost,
-        })
-    }
-
-    fn frames(
-        &self,
-        plan: &Plan,
-        spacing: Spacing,
-        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
-    ) -> Result<(), Refusal> {
-        frames::frames(self, plan, spacing, take)
-    }
-
-    fn drawing(&self) -> Drawing {
-        drawing::of(self)
-    }
-}
-
-impl PaperCase {
     /// Compiles a scenario.
     pub fn new(scenario: &CheckedScenario) -> Self {
         Self::with(scenario, false, false)

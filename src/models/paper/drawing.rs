@@ -1,6 +1,7 @@
 //! The picture of the Paper model's section.
 //!
-//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
+//! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and
+//! wall.
 
 use crate::models::paper::case::PaperCase;
 use crate::models::paper::eye::Eye;

@@ -2,17 +2,17 @@
 
 use crate::models::paper::case::PaperCase;
 use crate::models::paper::forces::load::ArcLoad;
-use crate::models::paper::recording::Extremes;
+use crate::models::paper::recording::PaperExtremes;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::raised::Raised;
 
 /// Quads smaller than this share of their rest area are worth a warning.
 const NEARLY_FOLDED: f64 = 0.2;
 /// A shielded share below this is rounding.
-const NEGLIGIBLE: f64 = 1e-9;
+pub(super) const NEGLIGIBLE: f64 = 1e-9;
 
 /// Flags of a run.
-pub(crate) fn raise(case: &PaperCase, extremes: &Extremes) -> Vec<Flag> {
+pub(crate) fn raise(case: &PaperCase, extremes: &PaperExtremes) -> Vec<Flag> {
     let (window, pulse) = (case.window, case.system.load().pulse.duration());
     // The angle from one node of the shell to the next, in radians.
     let spacing = std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64;

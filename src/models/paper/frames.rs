@@ -1,6 +1,6 @@
-//! The frames of a march, handed on one by one, so that a film of any length takes no memory.
+//! the frames of a run, handed on one by one, so that a film of any length takes no memory.
 //!
-//! The march is done again by the plan that was found good: the same steps, so the same digits.
+//! The run is done again by the plan that was found good: the same steps, so the same digits.
 
 use std::ops::ControlFlow;
 

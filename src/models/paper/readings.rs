@@ -1,17 +1,15 @@
 //! The table of what is read off the section, under the public names.
 
 use crate::models::paper::case::PaperCase;
-use crate::models::paper::recording::Extremes;
+use crate::models::paper::flags::NEGLIGIBLE;
+use crate::models::paper::recording::PaperExtremes;
 use crate::run::model::{Detail, Shown};
 use crate::run::places::Monitor;
 use crate::run::quantity::Quantity;
 use crate::run::readings::Readings;
 
-/// A shielded share below this is rounding.
-const NEGLIGIBLE: f64 = 1e-9;
-
 /// The readings of a run.
-pub(crate) fn of(e: &Extremes) -> Readings {
+pub(crate) fn of(e: &PaperExtremes) -> Readings {
     let node = |monitor: Monitor| Some(e.force[monitor as usize].into());
     Readings::from_fn(|of| match of {
         Quantity::ShellGrowth => Some(e.shell_growth.into()),
@@ -28,7 +26,7 @@ pub(crate) fn of(e: &Extremes) -> Readings {
 }
 
 /// Figures beside them.
-pub(crate) fn details(case: &PaperCase, e: &Extremes) -> Vec<Detail> {
+pub(crate) fn details(case: &PaperCase, e: &PaperExtremes) -> Vec<Detail> {
     let (strain, shielded) = (e.strain.value * 1e2, case.load.shielded);
     let at = e.strain.time * 1e3;
     vec![

@@ -7,7 +7,7 @@ use crate::run::rules::{
 };
 use crate::scenario::{FINEST_LEVEL, Integrator};
 
-/// What holds for every scene of the Paper model.
+/// Integrators, error estimates and mesh rules of the Paper model.
 pub(crate) static RULES: Rules = Rules {
     name: "Paper",
     element: Element::Spring,

@@ -7,9 +7,9 @@ use plotters::prelude::*;
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
 use crate::report::text::significant;
-use crate::run::course::{Beside, Course};
 use crate::run::quantity::Quantity;
-use crate::run::trace::Group;
+use crate::run::result_trace::Group;
+use crate::run::trace::{OtherTrace, Trace};
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -134,7 +134,7 @@ fn short(value: f64) -> String {
 }
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
-fn curve(answer: &Answer, course: Course) -> Option<Curve> {
+fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
     if values.iter().all(|value| *value == 0.0) {
@@ -164,9 +164,9 @@ fn curve(answer: &Answer, course: Course) -> Option<Curve> {
 
 /// What drives the eye, and the forces of the monitored nodes.
 pub fn forces(answer: &Answer) -> Chart {
-    let nodes = crate::run::course::COURSES.iter().copied();
+    let nodes = crate::run::trace::TRACES.iter().copied();
     let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
-    let courses = [Course::Beside(Beside::Drive)].into_iter().chain(nodes);
+    let courses = [Trace::Other(OtherTrace::Drive)].into_iter().chain(nodes);
     Chart {
         across: "ms",
         up: "force, N".to_owned(),
@@ -181,7 +181,7 @@ pub fn motion(answer: &Answer) -> Chart {
     let of = [Quantity::Pressure, Quantity::Apex];
     let found = of.into_iter().find_map(|of| {
         let name = format!("{}, {}", of.row().label, of.row().unit);
-        Some((name, curve(answer, Course::Of(of))?))
+        Some((name, curve(answer, Trace::Of(of))?))
     });
     let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
     Chart {
@@ -196,7 +196,7 @@ pub fn motion(answer: &Answer) -> Chart {
 /// What drives the eye in each of several answers.
 pub fn drives(answers: &[(String, &Answer)]) -> Chart {
     let one = |(name, answer): &(String, &Answer)| {
-        let curve = curve(answer, Course::Beside(Beside::Drive))?;
+        let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
         Some(Curve {
             name: name.clone(),
             ..curve

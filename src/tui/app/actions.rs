@@ -1,6 +1,6 @@
 //! What the keys do that belong to no single screen.
 
-use crate::run::course::Course;
+use crate::run::trace::Trace;
 use crate::tui::app::App;
 use crate::tui::changes::{edit, presets, take_away, threshold, typing};
 use crate::tui::clock::Moment;
@@ -191,7 +191,7 @@ pub(crate) fn jump_to_peak(app: &mut App, forward: bool) {
     let mut clock = app.model.clock;
     if let Some((answer, _)) = app.timed() {
         let courses = app.on_show().courses(&app.model);
-        let on_show = |of| courses.is_empty() || courses.contains(&Course::Of(of));
+        let on_show = |of| courses.is_empty() || courses.contains(&Trace::Of(of));
         clock.jump(answer, forward, on_show);
     }
     app.model.clock = clock;

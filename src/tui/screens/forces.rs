@@ -4,9 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
-use crate::run::course::{COURSES, Course};
 use crate::run::kept::Traces;
-use crate::run::trace::Group;
+use crate::run::result_trace::Group;
+use crate::run::trace::{TRACES, Trace};
 use crate::tui::clock::peak_said;
 use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
@@ -21,7 +21,7 @@ use crate::tui::view::theme::Theme;
 use strum::VariantArray;
 
 /// Charts, each with the curves in it.
-type View = Vec<Vec<Course>>;
+type View = Vec<Vec<Trace>>;
 
 /// Charts of one curve each that stand in one view, and curves that stand in one chart.
 const MAX_CHARTS: usize = 4;
@@ -79,13 +79,13 @@ impl Zoom {
 }
 
 /// Every course that is drawn as a curve; of the load and the force of contact that which drives.
-pub fn drawn() -> impl Iterator<Item = Course> {
-    let named = |course: &Course| !matches!(course.row().place.0, Group::Input | Group::Projectile);
-    COURSES.iter().copied().filter(named)
+pub fn drawn() -> impl Iterator<Item = Trace> {
+    let named = |course: &Trace| !matches!(course.row().place.0, Group::Input | Group::Projectile);
+    TRACES.iter().copied().filter(named)
 }
 
 /// Those that a recording has.
-fn recorded(traces: &Traces) -> Vec<Course> {
+fn recorded(traces: &Traces) -> Vec<Trace> {
     drawn().filter(|c| !c.values(traces).is_empty()).collect()
 }
 
@@ -95,12 +95,12 @@ fn views(traces: &Traces) -> Vec<View> {
     let mut views = Vec::new();
     for group in Group::VARIANTS {
         let own = recorded.iter().filter(|c| c.row().place.0 == *group);
-        let own: Vec<Course> = own.copied().collect();
+        let own: Vec<Trace> = own.copied().collect();
         if *group == Group::Energies {
             views.extend(own.chunks(MAX_CURVES).map(|curves| vec![curves.to_vec()]));
             continue;
         }
-        let alone = |courses: &[Course]| courses.iter().map(|c| vec![*c]).collect();
+        let alone = |courses: &[Trace]| courses.iter().map(|c| vec![*c]).collect();
         views.extend(own.chunks(MAX_CHARTS).map(alone));
         if *group == Group::NodeForces {
             views.extend(own.chunks(1).map(alone));
@@ -136,7 +136,7 @@ impl Screen for Forces {
         draw(*self, model, area, buffer);
     }
 
-    fn courses(&self, model: &Model) -> Vec<Course> {
+    fn courses(&self, model: &Model) -> Vec<Trace> {
         let mut views = all_views(model);
         if views.is_empty() {
             return Vec::new();
@@ -215,7 +215,7 @@ fn chart(
     model: &Model,
     zoom: Zoom,
     (shown, traces): (&Shown, &Traces),
-    courses: &[Course],
+    courses: &[Trace],
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -239,7 +239,7 @@ fn chart(
             ink: Ink::solid(theme.curve(first.unwrap_or(i)), 2 + i as u8, mark(i)),
         })
         .collect();
-    let reading = |course: &Course| {
+    let reading = |course: &Trace| {
         let value = value_at(&traces.time, course.values(traces), time)?;
         let value = value * course.row().factor;
         Some(at_a_moment(&shown.answer, *course, value))

@@ -7,10 +7,10 @@ use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
 use crate::report::text::significant;
-use crate::run::course::{Beside, COURSES, Course};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
-use crate::run::trace::Group;
+use crate::run::result_trace::Group;
+use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
@@ -142,10 +142,10 @@ fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let traces = shown.answer.run.traces.as_ref();
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
-    let forces = COURSES.iter().copied();
+    let forces = TRACES.iter().copied();
     let forces = forces.filter(|course| course.row().place.0 == Group::NodeForces);
-    let first = std::iter::once(Course::Beside(Beside::Drive));
-    for course in first.chain(forces).chain([Course::Of(Quantity::Apex)]) {
+    let first = std::iter::once(Trace::Other(OtherTrace::Drive));
+    for course in first.chain(forces).chain([Trace::Of(Quantity::Apex)]) {
         let row = course.row();
         let label = traces.map_or(row.label, |traces| course.label(traces));
         let now = traces.and_then(|t| value_at(&t.time, course.values(t), time));
@@ -262,7 +262,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(field, model.look.symbols);
         let curve = Curve {
             time: &traces.time,
-            values: Course::Beside(Beside::Drive).values(traces),
+            values: Trace::Other(OtherTrace::Drive).values(traces),
             factor: 1.0,
             ink: Ink::solid(theme.load(), 1, '#'),
         };

@@ -7,7 +7,7 @@ use crossterm::event::KeyEvent;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::run::course::Course;
+use crate::run::trace::Trace;
 use crate::tui::keys::Binding;
 use crate::tui::keys::Key;
 use crate::tui::keys::KeyList;
@@ -116,7 +116,7 @@ pub trait Screen: Keyed + Any {
     }
 
     /// The courses on show, whose peaks are visited; none where all are.
-    fn courses(&self, _model: &Model) -> Vec<Course> {
+    fn courses(&self, _model: &Model) -> Vec<Trace> {
         Vec::new()
     }
 

@@ -1,8 +1,9 @@
-//! The half section in quads: a core, layers around it to the shell, and layers from there to the wall.
+//! The half section in quads: a core, layers around it to the shell, and layers from there to the
+//! wall.
 //!
-//! A square mapped to a disc would have corners near 180 degrees on its diagonals. Here only a core
-//! of half the radius is mapped, and mildly; straight rays lead from its border to the shell and on
-//! to the wall. Rays are counted from the front of the eye, and lie closer there.
+//! A square mapped to a disc would have corners near 180 degrees on its diagonals. Here only a
+//! core of half the radius is mapped, and mildly; straight rays lead from its border to the shell
+//! and on to the wall. Rays are counted from the front of the eye, and lie closer there.
 
 use crate::models::axisymmetric::eye::parameters::Wall;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -17,14 +18,16 @@ const GRADING: f64 = 0.2;
 pub struct Layers {
     /// Radius of the core's map as a share of the globe's.
     core: f64,
-    /// By which share the layers within the shell, and those beyond it, are thinner at the shell than on average.
+    /// By which share the layers within the shell, and those beyond it, are thinner at the shell
+    /// than on average.
     within: f64,
     beyond: f64,
 }
 
 impl Layers {
-    /// Thinner at the shell, whose waves are shorter than the cells of a coarse mesh are wide: a thick cell is
-    /// more mass than moves with it, and the wave that meets itself at the back comes late and too high.
+    /// Thinner at the shell, whose waves are shorter than the cells of a coarse mesh are wide: a
+    /// thick cell is more mass than moves with it, and the wave that meets itself at the back comes
+    /// late and too high.
     pub const THIN: Self = Self {
         core: 0.6,
         within: 0.65,
@@ -65,9 +68,9 @@ impl Block {
 /// Nodes at rest, in m, and the blocks they lie in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Along the line of the blow, towards the back.
+    /// Place of each node along the line of the blow, towards the back, m.
     pub x: Vec<f64>,
-    /// Distance from that line.
+    /// Distance of each node from that line, m.
     pub r: Vec<f64>,
     /// Core, layers to the shell, and layers to the wall if there is one.
     pub blocks: Vec<Block>,
@@ -139,7 +142,8 @@ impl Rays {
     }
 }
 
-/// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a wall beyond another.
+/// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a
+/// wall beyond another.
 pub(crate) fn build(
     (half, spacing): (usize, Layers),
     radius: f64,
@@ -225,8 +229,9 @@ pub(crate) fn build(
 }
 
 impl Mesh {
-    /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many layers, thinner by a
-    /// share at the outer end, or at the inner one if it is negative; returns its last row.
+    /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many
+    /// layers, thinner by a share at the outer end, or at the inner one if it is negative; returns
+    /// its last row.
     fn layers(
         &mut self,
         inner: Vec<usize>,

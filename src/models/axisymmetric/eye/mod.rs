@@ -1,10 +1,10 @@
-//! The eye as a body of revolution about the line of the blow.
+//! The eye, axisymmetric about the line of the blow.
 //!
-//! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it, and
-//! the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe; a
-//! chain of segments carries cornea and sclera.
+//! x runs along that line from the front of the eye to its back, r >= 0 is the distance from it,
+//! and the origin is the globe's centre. Quads carry vitreous, lens and what surrounds the globe;
+//! a chain of segments carries cornea and sclera.
 //!
-//! A blow at an angle turns the eye within its own axis of revolution: the shell's thickness and
+//! A blow at an angle turns the eye within its own axis of symmetry: the shell's thickness and
 //! stiffness, and the share of lens in a cell, are means over the azimuth. They are means over the
 //! segment and the cell as well, so that no border jumps from one to the next as the mesh changes.
 //! Left out: muscles, nerve, iris, zonules, the chambers' fluid as a body of its own, and the
@@ -19,7 +19,8 @@ use nalgebra::Point2;
 use parameters::{Material, Parameters};
 use std::f64::consts::{FRAC_PI_3, PI};
 
-/// Points around the axis that means over the azimuth take; those of one half, as the other mirrors it.
+/// Points around the axis that means over the azimuth take; those of one half, as the other
+/// mirrors it.
 const AZIMUTHS: usize = 32;
 /// Points along a segment, and along each side of a cell, that means over them take.
 const ALONG: usize = 16;
@@ -27,7 +28,7 @@ const ACROSS: usize = 4;
 
 /// What a cell belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Region {
+pub enum Tissue {
     /// Vitreous, aqueous and lens.
     Globe,
     /// Fat or gelatin.
@@ -39,8 +40,8 @@ pub enum Region {
 pub struct Cell {
     /// Anticlockwise.
     pub corners: [usize; 4],
-    /// Where it lies.
-    pub region: Region,
+    /// Whether it lies in the globe or in what holds it.
+    pub region: Tissue,
     /// Share of lens, 0 to 1.
     pub lens: f64,
     /// What fills it.
@@ -53,9 +54,9 @@ impl Cell {
     /// Its middle in `eye` at rest, in m, and the part that it belongs to.
     pub fn place(&self, eye: &AxisymmetricEye) -> (Point2<f64>, Part) {
         let part = match self.region {
-            Region::Surround => Part::Fat,
-            Region::Globe if self.lens > 0.0 => Part::Lens,
-            Region::Globe => Part::Interior,
+            Tissue::Surround => Part::Fat,
+            Tissue::Globe if self.lens > 0.0 => Part::Lens,
+            Tissue::Globe => Part::Interior,
         };
         let middle = middle(&self.corners.map(|node| eye.at(node)));
         (Point2::from(<[f64; 2]>::from(middle)), part)
@@ -64,7 +65,7 @@ impl Cell {
 
 /// A piece of cornea or sclera, between node i and node i + 1 of the shell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Segment {
+pub struct ShellSegment {
     /// m.
     pub thickness: f64,
     /// Pa; of a mixture the one that gives the mean of modulus times thickness.
@@ -86,9 +87,9 @@ pub struct AxisymmetricEye {
     pub mesh: Mesh,
     /// Block by block, row by row.
     pub cells: Vec<Cell>,
-    /// From the front to the back.
-    pub segments: Vec<Segment>,
-    /// kg, of each node.
+    /// Segments of the shell, from the front to the back.
+    pub segments: Vec<ShellSegment>,
+    /// Mass of each node, kg.
     pub mass: Vec<f64>,
     /// Whether a node never moves.
     pub fixed: Vec<bool>,
@@ -143,7 +144,7 @@ fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
 
 impl Parameters {
     /// The segment between two points of the shell.
-    fn segment(&self, [a, b]: [(f64, f64); 2]) -> Segment {
+    fn segment(&self, [a, b]: [(f64, f64); 2]) -> ShellSegment {
         let front = |s: f64| libm::atan2(a.1 + s * (b.1 - a.1), -(a.0 + s * (b.0 - a.0)));
         let shell = &self.shell;
         let over = |of: &dyn Fn(f64) -> f64| {
@@ -156,7 +157,7 @@ impl Parameters {
         let thickness = over(&|angle| shell.at(angle).0);
         let stiffness = over(&|angle| shell.at(angle).0 * shell.at(angle).1);
         let front_angle = front(0.5);
-        Segment {
+        ShellSegment {
             thickness,
             modulus: stiffness / thickness,
             sclera: over(&|angle| f64::from(angle >= shell.limbus)),
@@ -197,8 +198,9 @@ impl AxisymmetricEye {
     /// Finest level.
     pub const FINEST: u32 = 5;
 
-    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser core than
-    /// level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in pressure and stress.
+    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser
+    /// core than level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in
+    /// pressure and stress.
     pub fn new(parameters: &Parameters, level: u32) -> Self {
         Self {
             level,
@@ -224,14 +226,14 @@ impl AxisymmetricEye {
                 let cell = match surround.filter(|_| i == 2) {
                     Some(around) => Cell {
                         corners,
-                        region: Region::Surround,
+                        region: Tissue::Surround,
                         lens: 0.0,
                         material: around.material,
                         subzonal: around.subzonal,
                     },
                     None => Cell {
                         corners,
-                        region: Region::Globe,
+                        region: Tissue::Globe,
                         lens,
                         material: parameters.lens.material.mixed(parameters.vitreous, lens),
                         subzonal: parameters.subzonal,
@@ -240,7 +242,7 @@ impl AxisymmetricEye {
                 cells.push(cell);
             }
         }
-        let segments: Vec<Segment> = mesh
+        let segments: Vec<ShellSegment> = mesh
             .shell
             .windows(2)
             .map(|ends| parameters.segment([at(ends[0]), at(ends[1])]))
@@ -294,16 +296,16 @@ impl AxisymmetricEye {
         (self.mesh.x[node], self.mesh.r[node])
     }
 
-    /// The part of the section that each node lies in. A node between lens and vitreous is of the lens if
-    /// more of its cells' mass is; the retina reaches from the back to the equator.
+    /// The part of the section that each node lies in. A node between lens and vitreous is of the
+    /// lens if more of its cells' mass is; the retina reaches from the back to the equator.
     pub fn node_regions(&self) -> Vec<Part> {
         let mut regions = vec![Part::Interior; self.mass.len()];
         let mut lens = vec![(0.0, 0.0); self.mass.len()];
         for cell in &self.cells {
             for &node in &cell.corners {
                 match cell.region {
-                    Region::Surround => regions[node] = Part::Fat,
-                    Region::Globe => {
+                    Tissue::Surround => regions[node] = Part::Fat,
+                    Tissue::Globe => {
                         lens[node].0 += cell.lens;
                         lens[node].1 += 1.0;
                     }
@@ -447,7 +449,7 @@ mod tests {
     fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
         let straight = eye(5, None, 0.0);
         let turned = eye(5, None, 0.7);
-        let area = |eye: &AxisymmetricEye, of: fn(&Segment) -> f64| -> f64 {
+        let area = |eye: &AxisymmetricEye, of: fn(&ShellSegment) -> f64| -> f64 {
             let ends = eye.mesh.shell.windows(2);
             eye.segments
                 .iter()
@@ -459,8 +461,8 @@ mod tests {
                 .sum()
         };
         for of in [
-            |s: &Segment| s.thickness,
-            |s: &Segment| s.thickness * s.modulus,
+            |s: &ShellSegment| s.thickness,
+            |s: &ShellSegment| s.thickness * s.modulus,
         ] {
             let ratio = area(&turned, of) / area(&straight, of);
             assert!((ratio - 1.0).abs() < 0.02, "{ratio}");

@@ -1,4 +1,4 @@
-//! What the body of revolution is made of, in SI units, each default with its source.
+//! What the axisymmetric eye is made of, in SI units, each default with its source.
 
 use std::f64::consts::PI;
 
@@ -36,8 +36,8 @@ impl Material {
         shear: 1e4,
         viscosity: 1.0,
     };
-    /// Orbital fat: Young's modulus 47 kPa (Power et al. 2002) as a shear modulus of a third of it, and a
-    /// bulk modulus of 50 G, a Poisson ratio of 0.49.
+    /// Orbital fat: Young's modulus 47 kPa (Power et al. 2002) as a shear modulus of a third of it,
+    /// and a bulk modulus of 50 G, a Poisson ratio of 0.49.
     pub const ORBITAL_FAT: Self = Self {
         density: 970.0,
         bulk: 0.78e6,
@@ -68,7 +68,8 @@ impl Material {
 /// A rigid wall around the globe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wall {
-    /// The bone: r = `radius` - `slope` (x + `behind`), nowhere farther than `farthest` from the centre.
+    /// The bone: r = `radius` - `slope` (x + `behind`), nowhere farther than `farthest` from the
+    /// centre.
     Cone {
         /// Radius at x = -`behind`, in m.
         radius: f64,
@@ -105,7 +106,7 @@ impl Wall {
     }
 }
 
-/// What holds the globe.
+/// Tissue or gelatin that holds the globe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surround {
     /// Rigid.
@@ -145,7 +146,7 @@ impl Surround {
         }
     }
 
-    /// The same with another bulk modulus in Pa; what keeps cells from folding stays softer than it.
+    /// This surround with another bulk modulus, in Pa; what keeps cells from folding stays softer.
     #[must_use]
     pub fn with_bulk(mut self, bulk: f64) -> Self {
         self.material.bulk = bulk;

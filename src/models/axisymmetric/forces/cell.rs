@@ -1,18 +1,19 @@
 //! One cell: a ring with the section of a quad and one pressure.
 //!
-//! * Pressure of the whole cell, p = K (1/J - 1) with J = V/V0, from the energy K V0 (J - 1 - ln J).
-//! * Artificial viscosity q = -a rho l c D + (b rho l^2 D^2 where D < 0) with D = V'/V, which carries a
-//!   shock over a few cells (von Neumann and Richtmyer 1950; the linear term is Landshoff's, 1955).
-//!   l is the area of the section over its longest diagonal.
-//! * Subzonal pressures (Caramana and Shashkov 1998): each corner with its two neighbours is a ring
-//!   with a triangle for a section. As j = VT/VT0 comes to 0, pT = (Ks/3)(j^-3 - 1) grows without end
-//!   and no corner can fold. The four triangles cover the quad twice, so each counts half. They have
-//!   a viscosity of their own against changes of shape.
+//! * Pressure of the whole cell, p = K (1/J - 1) with J = V/V0, from the energy K V0 (J - 1 - ln
+//!   J).
+//! * Artificial viscosity q = -a rho l c D + (b rho l^2 D^2 where D < 0) with D = V'/V, which
+//!   carries a shock over a few cells (von Neumann and Richtmyer 1950; the linear term is
+//!   Landshoff's, 1955). l is the area of the section over its longest diagonal.
+//! * Subzonal pressures (Caramana and Shashkov 1998): each corner with its two neighbours is a
+//!   ring with a triangle for a section. As j = VT/VT0 comes to 0, pT = (Ks/3)(j^-3 - 1) grows
+//!   without end and no corner can fold. The four triangles cover the quad twice, so each counts
+//!   half. They have a viscosity of their own against changes of shape.
 //! * Shear: (G/2) V0 (J^(-2/3) I1 - 3) on the gradient in the middle of the quad, where J is that
 //!   gradient's, and a Newtonian viscosity.
 //!
-//! This is the plain form: [`crate::models::axisymmetric::forces::quads`] computes the same of many cells at once and is tested
-//! against it.
+//! This is the plain form: [`crate::models::axisymmetric::forces::quads`] computes the same of
+//! many cells at once and is tested against it.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell};
 use std::f64::consts::FRAC_PI_3;
@@ -27,7 +28,8 @@ pub(crate) const SUBZONAL_BULK: f64 = 100e6;
 pub(crate) const SQUEEZED: f64 = 0.05;
 /// What a corner triangle may lose of its volume in a step as long as the bound, as a share.
 pub(crate) const LOSS_IN_STEP: f64 = 0.5;
-/// Share of area or volume that a cell which has folded is taken to have, so that all stays finite.
+/// Share of area or volume that a cell which has folded is taken to have, so that all stays
+/// finite.
 pub(crate) const FLAT: f64 = 1e-3;
 
 type Point = (f64, f64);
@@ -59,7 +61,7 @@ pub(crate) struct Response {
     pub volume: f64,
     /// Stored, J.
     pub energy: f64,
-    /// Lost to viscosity, W.
+    /// Power lost to viscosity, W.
     pub loss: f64,
     /// Longest stable step, s.
     pub limit: f64,
@@ -96,7 +98,7 @@ fn squared((x, r): Point) -> f64 {
     x * x + r * r
 }
 
-/// From the first corner to the third, and from the second to the fourth.
+/// The diagonals from the first corner to the third and from the second to the fourth.
 fn diagonals(p: [Point; 4]) -> (Point, Point) {
     (
         (p[2].0 - p[0].0, p[2].1 - p[0].1),
@@ -131,7 +133,8 @@ fn swept<const N: usize>(p: [Point; N]) -> f64 {
     -FRAC_PI_3 * (0..N).map(edge).sum::<f64>()
 }
 
-/// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at` some places.
+/// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at`
+/// some places.
 pub(crate) fn least_triangle(
     eye: &AxisymmetricEye,
     corners: &[usize; 4],
@@ -269,8 +272,8 @@ impl Rest {
         }
     }
 
-    /// Adds what resists shear, with the gradients of position and velocity in the middle of the quad: the
-    /// diagonals are mapped exactly by them.
+    /// Adds what resists shear, with the gradients of position and velocity in the middle of the
+    /// quad: the diagonals are mapped exactly by them.
     fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
         let Section { a, b, det, .. } = *section;
         let (strain, isochoric) = self.strain(section);
@@ -343,8 +346,9 @@ impl Rest {
         (strain, 1.0 / (root * root))
     }
 
-    /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2 c/l and
-    /// damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is l/(sqrt(c^2 + s^2) + s).
+    /// The longest step of a leapfrog whose viscous forces lag half a step: with frequency w = 2
+    /// c/l and damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is
+    /// l/(sqrt(c^2 + s^2) + s).
     fn limit(&self, j: f64, length: f64, expansion: f64) -> f64 {
         let sound = (self.bulk / self.density).sqrt();
         let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();

@@ -1,23 +1,24 @@
 //! Contact between an object and the shell, without friction, and the load of a pulse.
 //!
-//! Each segment carries four points of its area at rest; a point below the object's surface is pushed
-//! out along its normal by the foundation's traction, so force and energy are exact to each other.
-//! What is larger than the opening of the orbit meets the bone around it ([`Face`]).
+//! Each segment carries four points of its area at rest; a point below the object's surface is
+//! pushed out along its normal by the foundation's traction, so force and energy are exact to each
+//! other. What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::face::Face;
-use crate::models::axisymmetric::forces::object::{Flight, Object};
+use crate::models::axisymmetric::forces::object::{MovingObject, Object};
 use std::f64::consts::PI;
 
 /// Points in a segment.
 const POINTS: usize = 4;
 /// Mass per area that a point of contact moves at least, in kg/m2: a shell of 0.4 mm.
 const SHELL_AREAL: f64 = 0.44;
-/// And its share of what lies behind, per length of a segment, in kg/m3.
+/// The shell takes along its share of what lies behind, per length of a segment, in kg/m3.
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
-/// The same where the object loses energy: the loss is told from velocities half a step old.
+/// The Courant number where the object loses energy, as the loss follows velocities half a step
+/// old.
 const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
@@ -33,9 +34,9 @@ pub(crate) struct Target {
 /// What contact does at some instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Touch {
-    /// Along the flight, on the eye, N.
+    /// Force on the eye along the way of the projectile, N.
     pub force: f64,
-    /// On the object by the rim, N.
+    /// Force on the object by the rim, N.
     pub rim: f64,
     /// Stored, J.
     pub energy: f64,
@@ -45,7 +46,7 @@ pub(crate) struct Touch {
     pub traction: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Lost in the object's surface, W, less what its own motion does ([`Flight::lossy`]).
+    /// Power lost in the object's surface, W, less what its own motion does ([`MovingObject::lossy`]).
     pub loss: f64,
     /// Segments of the shell that were looked at.
     pub segments: usize,
@@ -98,11 +99,12 @@ impl Target {
         clear
     }
 
-    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to the flight's.
+    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to
+    /// the projectile's.
     pub fn forces(
         &self,
         object: &Object,
-        flight: &mut Flight,
+        projectile: &mut MovingObject,
         (x, r): (&[f64], &[f64]),
         (vx, vr): (&[f64], &[f64]),
         (fx, fr): (&mut [f64], &mut [f64]),
@@ -117,7 +119,7 @@ impl Target {
             loss: 0.0,
             segments: 0,
         };
-        let centre = flight.x[0];
+        let centre = projectile.x[0];
         let near = object.near();
         let front = centre + object.reach() + near;
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
@@ -136,7 +138,7 @@ impl Target {
                 }
                 let pressed = object.surface.at(gap.max(0.0));
                 let speed = |v: &[f64]| v[i] + s * (v[i + 1] - v[i]);
-                let closing = (flight.v[0] - speed(vx)) * nx - speed(vr) * nr;
+                let closing = (projectile.v[0] - speed(vx)) * nx - speed(vr) * nr;
                 let slope = object.surface.steepest(gap, pressed.slope, closing);
                 steepest = steepest.max(slope);
                 whole_slope += area * slope;
@@ -149,7 +151,7 @@ impl Target {
                 let force = area * pressed.traction * left;
                 let lossy = area * pressed.traction * (left - 1.0);
                 touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
-                flight.lossy[0] -= lossy * nx;
+                projectile.lossy[0] -= lossy * nx;
                 touch.energy += area * pressed.energy;
                 touch.traction = touch.traction.max(pressed.traction * left);
                 touch.used_up = touch.used_up.max(object.surface.used_up(gap));
@@ -169,15 +171,15 @@ impl Target {
         }
         // The object's own mass may be less than that of what it presses.
         if whole_slope > 0.0 {
-            let stable = (flight.mass[0] / whole_slope).sqrt();
+            let stable = (projectile.mass[0] / whole_slope).sqrt();
             touch.limit = touch.limit.min(COURANT * stable);
         }
         if whole_damping > 0.0 {
-            touch.limit = touch.limit.min(DAMPED * flight.mass[0] / whole_damping);
+            touch.limit = touch.limit.min(DAMPED * projectile.mass[0] / whole_damping);
         }
-        flight.force[0] -= touch.force;
+        projectile.force[0] -= touch.force;
         if let Some(face) = &self.face {
-            let push = face.push(object, flight);
+            let push = face.push(object, projectile);
             touch.rim = -push.force;
             touch.energy += push.energy;
             touch.limit = touch.limit.min(push.limit);

@@ -1,14 +1,18 @@
 //! Bone beyond the opening: what stops an object that is larger than the orbit.
 //!
-//! A rigid plane across the blow from the wall's front edge outward, in rings. A body without a spring is pressed there
-//! as the eye presses it, by its own foundation. A ball on a spring comes to rest on bone with its surface, and
-//! loses what that had of its energy, while its core goes on.
+//! A rigid plane across the blow from the wall's front edge outward, in rings. A body without a
+//! spring is pressed there as the eye presses it, by its own foundation. A ball on a spring comes
+//! to rest on bone with its surface, and loses what that had of its energy, while its core goes
+//! on.
 //!
-//! A ball that is squeezed by c gets wider: a = R + (pi/2 - 1) c/2, so that its wall, pressed flat, has kept the length
-//! of its meridian. So what fits the opening as it arrives (a squash ball) is caught by bone once it is flat.
-//! Left out: skin and muscle on the bone, and that a face is no plane.
+//! A ball that is squeezed by c gets wider: a = R + (pi/2 - 1) c/2, so that its wall, pressed
+//! flat, has kept the length of its meridian. So what fits the opening as it arrives (a squash
+//! ball) is caught by bone once it is flat. Left out: skin and muscle on the bone, and that a face
+//! is no plane.
 
-use crate::models::axisymmetric::forces::object::{Flight, Object, Outline, Surface};
+use crate::models::axisymmetric::forces::object::{
+    MovingObject, Object, ObjectOutline, ObjectSurface,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of each ring over that of the one within.
@@ -25,7 +29,7 @@ const COURANT: f64 = 0.4 / 0.6;
 /// A plane of rings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Face {
-    /// Where it stands, m.
+    /// Place of the face along the line of the blow, m.
     x: f64,
     /// Radius (m) and area (m2) of each ring, from the innermost outward.
     rings: Vec<(f64, f64)>,
@@ -34,9 +38,9 @@ pub(crate) struct Face {
 /// What it does to an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Push {
-    /// Against the flight, N.
+    /// Force against the way of the projectile, N.
     pub force: f64,
-    /// Stored, J.
+    /// Energy stored in the contact, J.
     pub energy: f64,
     /// Longest stable step, s.
     pub limit: f64,
@@ -76,10 +80,11 @@ impl Face {
             .any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
     }
 
-    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the core's centres move.
+    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the
+    /// core's centres move.
     fn gap(&self, object: &Object, centres: [f64; 2], r: f64) -> (f64, [f64; 2]) {
         let squeeze = (centres[1] - centres[0]).max(0.0);
-        let Outline::Sphere(radius) = object.outline else {
+        let ObjectOutline::Sphere(radius) = object.outline else {
             let (gap, nx, _) = object.gap(self.x - centres[0], r);
             return (gap, [nx, 0.0]);
         };
@@ -95,8 +100,8 @@ impl Face {
         (gap, [nx - widening, widening])
     }
 
-    /// Pushes the object back, and adds what its surface loses to the flight's.
-    pub fn push(&self, object: &Object, flight: &mut Flight) -> Push {
+    /// Pushes the object back, and adds what its surface loses to the projectile's.
+    pub fn push(&self, object: &Object, projectile: &mut MovingObject) -> Push {
         let mut push = Push {
             force: 0.0,
             energy: 0.0,
@@ -104,21 +109,21 @@ impl Face {
         };
         let surface = match (object.spring, object.surface.cap) {
             (None, _) => object.surface,
-            (Some(_), None) => Surface::foundation(BONE, object.outline.radius()).losing(0.0),
-            (Some(_), Some(_)) => Surface {
+            (Some(_), None) => ObjectSurface::foundation(BONE, object.outline.radius()).losing(0.0),
+            (Some(_), Some(_)) => ObjectSurface {
                 cap: None,
                 ..object.surface
             },
         };
         let (mut slope, mut damping) = (0.0, 0.0);
         for &(r, area) in &self.rings {
-            let (gap, ways) = self.gap(object, flight.x, r);
+            let (gap, ways) = self.gap(object, projectile.x, r);
             // What is pressed shrinks outward.
             if gap <= -object.near() {
                 break;
             }
             let pressed = surface.at(gap.max(0.0));
-            let closing = ways[0] * flight.v[0] + ways[1] * flight.v[1];
+            let closing = ways[0] * projectile.v[0] + ways[1] * projectile.v[1];
             slope += area * surface.steepest(gap, pressed.slope, closing);
             if gap <= 0.0 {
                 continue;
@@ -127,15 +132,15 @@ impl Face {
             let force = area * pressed.traction;
             for (i, way) in ways.into_iter().enumerate() {
                 push.force += force * left * way;
-                flight.force[i] -= force * left * way;
-                flight.lossy[i] += force * (1.0 - left) * way;
+                projectile.force[i] -= force * left * way;
+                projectile.lossy[i] += force * (1.0 - left) * way;
             }
             push.energy += area * pressed.energy;
             damping += force * change;
         }
         if slope > 0.0 {
-            let stable = (flight.mass[0] / slope).sqrt();
-            let damped = flight.mass[0] / damping.max(f64::MIN_POSITIVE);
+            let stable = (projectile.mass[0] / slope).sqrt();
+            let damped = projectile.mass[0] / damping.max(f64::MIN_POSITIVE);
             push.limit = COURANT * stable.min(damped);
         }
         push

@@ -5,14 +5,14 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use crate::models::axisymmetric::forces::rows::{Rows, Run};
-use crate::models::axisymmetric::forces::state::State;
+use crate::models::axisymmetric::forces::rows::{CellRows, RowRun};
+use crate::models::axisymmetric::forces::state::NodeState;
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Simd, SimdBase};
 
 /// What the four cells around each node have left for it.
 #[inline(always)]
-pub(crate) fn gather<S: Simd>(simd: S, rows: &Rows, run: Run, state: &mut State) {
+pub(crate) fn gather<S: Simd>(simd: S, rows: &CellRows, run: RowRun, state: &mut NodeState) {
     let [c0, c1, c2, c3] = &rows.corners;
     for i in (0..run.node_places).step_by(V::<S>::LEN) {
         let at = run.corners + i;
@@ -31,7 +31,7 @@ fn around<S: Simd>(simd: S, of: [&[f64]; 4], at: usize, columns: usize) -> V<S> 
 
 /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
 #[inline(always)]
-pub(crate) fn advance<S: Simd>(simd: S, state: &mut State, kick: f64, drift: f64) {
+pub(crate) fn advance<S: Simd>(simd: S, state: &mut NodeState, kick: f64, drift: f64) {
     let by = (kick, drift);
     move_along(
         simd,

@@ -1,24 +1,26 @@
 //! What hits the eye: its outline, how its surface gives way, and its mass on a spring.
 //!
-//! The surface is an elastic foundation (Winkler; Johnson 1985, section 4.3): the traction depends on
-//! the gap at that point alone. A plain foundation would let light soft things fly through the eye, so
-//! it stiffens as its depth h is used up: k g/(1 - g/h), with h = 0.7 R. A hollow ball holds its gas pressure up
-//! against the eye, foam and cork their stress of collapse, a liquid nothing; to each of them comes half the density times
-//! the square of the speed, since what is flattened has to be stopped. The traction then saturates at that cap p,
+//! The surface is an elastic foundation (Winkler; Johnson 1985, section 4.3): the traction depends
+//! on the gap at that point alone. A plain foundation would let light soft things fly through the
+//! eye, so it stiffens as its depth h is used up: k g/(1 - g/h), with h = 0.7 R. A hollow ball
+//! holds its gas pressure up against the eye, foam and cork their stress of collapse, a liquid
+//! nothing; to each of them comes half the density times the square of the speed, since what is
+//! flattened has to be stopped. The traction then saturates at that cap p,
 //!
 //!   k g/(1 + k g/p) + p w^2/(1 - w),   w = (g/h - 0.6)/0.4 where that is positive,
 //!
-//! and only the last part, once most of h = 0.9 R is used up, takes it above the cap. Beyond 0.98 h = e both end in a
-//! hard core: their tangent and K (g - e)^2/(h - e), with the K of hard things, so that nothing is pressed through itself.
-//! Force and slope have no jump.
-//! Left out: that the gas of a ball is pressed together as a whole, and that inertia falls as it slows down.
+//! and only the last part, once most of h = 0.9 R is used up, takes it above the cap. Beyond 0.98
+//! h = e both end in a hard core: their tangent and K (g - e)^2/(h - e), with the K of hard
+//! things, so that nothing is pressed through itself. Force and slope have no jump. Left out: that
+//! the gas of a ball is pressed together as a whole, and that inertia falls as it slows down.
 //!
-//! The whole ball is a core on a spring behind a surface of a twentieth of its mass; the spring stiffens
-//! where the ball comes to be flat.
+//! The whole ball is a core on a spring behind a surface of a twentieth of its mass; the spring
+//! stiffens where the ball comes to be flat.
 //!
-//! Both give back the square of the coefficient of restitution e of the energy they took, as against a rigid
-//! wall: while they open, the force is e^2 of what it was at the same place while they closed, and near the
-//! turning point it goes smoothly from one to the other. A ball that bursts or flows (e = 0) gives back nothing.
+//! Both give back the square of the coefficient of restitution e of the energy they took, as
+//! against a rigid wall: while they open, the force is e^2 of what it was at the same place while
+//! they closed, and near the turning point it goes smoothly from one to the other. A ball that
+//! bursts or flows (e = 0) gives back nothing.
 
 use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
 
@@ -26,16 +28,17 @@ use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
 pub const HARD: f64 = 2e12;
 /// Share of the mass that is the surface of an object on a spring.
 const SURFACE_SHARE: f64 = 0.05;
-/// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so that
-/// the middle of a ball stays in front of the eye.
+/// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so
+/// that the middle of a ball stays in front of the eye.
 const SOLID_DEPTH: f64 = 0.7;
 const CAPPED_DEPTH: f64 = 0.9;
 /// Share of its depth up to which a surface with a cap presses no harder than that.
 const PLATEAU: f64 = 0.6;
 /// Share of a foundation's depth beyond which lies a hard core.
 const CORE_BEYOND: f64 = 0.98;
-/// Contact shortens the step when the surface comes this near, in m, or will be here within this time, in s, at
-/// the speed of arrival: a fast light object would else be deep below the surface at the first step of contact.
+/// Contact shortens the step when the surface comes this near, in m, or will be here within this
+/// time, in s, at the speed of arrival: a fast light object would else be deep below the surface
+/// at the first step of contact.
 const NEAR: f64 = 2e-5;
 const SOON: f64 = 1e-6;
 /// How far ahead the step looks where a depth is nearly used up, in s, and which share that is.
@@ -47,8 +50,8 @@ const SPLASH: f64 = 0.05;
 /// Speed of opening over the speed of arrival at which all of the loss is felt.
 const FULL_LOSS: f64 = 0.1;
 
-/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the share `kept` of
-/// its energy and came at `speed`; and how fast that changes with closing, in s/m.
+/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the
+/// share `kept` of its energy and came at `speed`; and how fast that changes with closing, in s/m.
 #[inline]
 fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
     let full = FULL_LOSS * speed;
@@ -60,16 +63,16 @@ fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
     }
 }
 
-/// Outline, with the axis of revolution along the flight.
+/// Outline, with the axis of symmetry along its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Outline {
+pub enum ObjectOutline {
     /// A ball of this radius, in m.
     Sphere(f64),
     /// A flat cylinder of this radius with an edge rounded by this radius, in m.
     Cylinder(f64, f64),
 }
 
-impl Outline {
+impl ObjectOutline {
     /// Largest distance from the axis, m.
     pub fn radius(&self) -> f64 {
         match *self {
@@ -80,7 +83,7 @@ impl Outline {
 
 /// How a surface gives way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface {
+pub struct ObjectSurface {
     /// At small gaps, in Pa/m.
     pub stiffness: f64,
     /// Depth of the foundation, in m; `None` is as deep as it needs to be.
@@ -93,7 +96,7 @@ pub struct Surface {
 
 /// Traction of a foundation at some gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pressed {
+pub(crate) struct PressedSurface {
     /// J/m2.
     pub energy: f64,
     /// Pa.
@@ -102,7 +105,7 @@ pub(crate) struct Pressed {
     pub slope: f64,
 }
 
-impl Surface {
+impl ObjectSurface {
     /// A surface that hardly gives way.
     pub const RIGID: Self = Self {
         stiffness: HARD,
@@ -111,8 +114,8 @@ impl Surface {
         restitution: 1.0,
     };
 
-    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E, and
-    /// a depth of 0.7 R.
+    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E,
+    /// and a depth of 0.7 R.
     pub fn elastic(modulus: f64, radius: f64) -> Self {
         Self::foundation(modulus / radius, radius)
     }
@@ -127,8 +130,8 @@ impl Surface {
         }
     }
 
-    /// A wall around gas or a foam that crushes: a foundation of this stiffness (Pa/m) on a body of this radius (m) that
-    /// gives way at `cap` Pa.
+    /// A wall around gas or a foam that crushes: a foundation of this stiffness (Pa/m) on a body of
+    /// this radius (m) that gives way at `cap` Pa.
     pub fn capped(stiffness: f64, cap: f64, radius: f64) -> Self {
         Self {
             cap: Some(cap),
@@ -137,13 +140,13 @@ impl Surface {
         }
     }
 
-    /// Liquid that presses on a body of this radius (m) as a jet does, with `pressure` Pa, for as long as there
-    /// is some of it left.
+    /// Liquid that presses on a body of this radius (m) as a jet does, with `pressure` Pa, for as
+    /// long as there is some of it left.
     pub fn splashing(pressure: f64, radius: f64) -> Self {
         Self::capped(pressure / (SPLASH * radius), pressure, radius)
     }
 
-    /// The same, giving back the square of `restitution` of its energy.
+    /// This surface, giving back the square of `restitution` of its energy.
     #[must_use]
     pub fn losing(self, restitution: f64) -> Self {
         Self {
@@ -157,8 +160,8 @@ impl Surface {
         hysteresis(self.restitution * self.restitution, speed, closing)
     }
 
-    /// The slope of the traction at a gap, or shortly after if it closes at `closing` m/s on a depth that is nearly
-    /// used up: for the step.
+    /// The slope of the traction at a gap, or shortly after if it closes at `closing` m/s on a
+    /// depth that is nearly used up: for the step.
     #[inline]
     pub(crate) fn steepest(&self, gap: f64, slope: f64, closing: f64) -> f64 {
         let soon = gap + AHEAD * closing.max(0.0);
@@ -168,12 +171,13 @@ impl Surface {
         }
     }
 
-    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as the core behind it.
+    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as the core
+    /// behind it.
     pub(crate) fn used_up(&self, gap: f64) -> f64 {
         self.depth.map_or(0.0, |depth| gap / (CORE_BEYOND * depth))
     }
 
-    pub(crate) fn at(&self, gap: f64) -> Pressed {
+    pub(crate) fn at(&self, gap: f64) -> PressedSurface {
         let Some(depth) = self.depth else {
             return self.within(gap);
         };
@@ -183,32 +187,32 @@ impl Surface {
         }
         let (at, beyond) = (self.within(end), gap - end);
         let core = HARD / (depth - end) * beyond;
-        Pressed {
+        PressedSurface {
             energy: at.energy + beyond * (at.traction + beyond * (0.5 * at.slope + core / 3.0)),
             traction: at.traction + beyond * (at.slope + core),
             slope: at.slope + 2.0 * core,
         }
     }
 
-    fn within(&self, gap: f64) -> Pressed {
+    fn within(&self, gap: f64) -> PressedSurface {
         let k = self.stiffness;
         let Some(cap) = self.cap else {
             let Some(depth) = self.depth else {
-                return Pressed {
+                return PressedSurface {
                     energy: 0.5 * k * gap * gap,
                     traction: k * gap,
                     slope: k,
                 };
             };
             let left = 1.0 - gap / depth;
-            return Pressed {
+            return PressedSurface {
                 energy: k * depth * depth * (left - 1.0 - libm::log(left)),
                 traction: k * gap / left,
                 slope: k / (left * left),
             };
         };
         let over = 1.0 + k * gap / cap;
-        let mut pressed = Pressed {
+        let mut pressed = PressedSurface {
             energy: cap * (gap - cap / k * libm::log(over)),
             traction: k * gap / over,
             slope: k / (over * over),
@@ -241,13 +245,13 @@ pub struct BallSpring {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Object {
     /// Outline.
-    pub outline: Outline,
+    pub outline: ObjectOutline,
     /// kg.
     pub mass: f64,
     /// Towards the eye, in m/s.
     pub speed: f64,
     /// How its surface gives way.
-    pub surface: Surface,
+    pub surface: ObjectSurface,
     /// How the whole gives way, if it does.
     pub spring: Option<BallSpring>,
 }
@@ -256,8 +260,8 @@ impl Object {
     /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in m.
     pub fn reach(&self) -> f64 {
         match self.outline {
-            Outline::Sphere(radius) => radius,
-            Outline::Cylinder(..) => 0.0,
+            ObjectOutline::Sphere(radius) => radius,
+            ObjectOutline::Cylinder(..) => 0.0,
         }
     }
 
@@ -269,13 +273,14 @@ impl Object {
     /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
     /// the way that the depth decreases there.
     ///
-    /// Below the surface of a ball that gives way lie balls that touch it at the back of its flight: what is
-    /// left of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core, which goes through
-    /// the eye.) On the axis both are the same, and on the surface the normals are.
+    /// Below the surface of a ball that gives way lie balls that touch it at its back: what is left
+    /// of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core,
+    /// which goes through the eye.) On the axis both are the same, and on the surface the normals
+    /// are.
     #[inline]
     pub(crate) fn gap(&self, x: f64, r: f64) -> (f64, f64, f64) {
         match self.outline {
-            Outline::Sphere(radius) if self.surface.depth.is_some() => {
+            ObjectOutline::Sphere(radius) if self.surface.depth.is_some() => {
                 let behind = x + radius;
                 if behind <= 0.0 {
                     return (-radius, 1.0, 0.0);
@@ -287,11 +292,11 @@ impl Object {
                     2.0 * slope,
                 )
             }
-            Outline::Sphere(radius) => {
+            ObjectOutline::Sphere(radius) => {
                 let distance = (x * x + r * r).sqrt();
                 (radius - distance, x / distance, r / distance)
             }
-            Outline::Cylinder(radius, edge) => {
+            ObjectOutline::Cylinder(radius, edge) => {
                 let (x, r) = (x + edge, r - (radius - edge));
                 if r <= 0.0 {
                     (edge - x, 1.0, 0.0)
@@ -308,7 +313,7 @@ impl Object {
 
 /// The moving object: surface and core.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Flight {
+pub(crate) struct MovingObject {
     /// Place of the surface's and the core's centre, m.
     pub x: [f64; 2],
     /// m/s, half a step before.
@@ -320,13 +325,13 @@ pub(crate) struct Flight {
     /// kg.
     pub mass: [f64; 2],
     spring: Option<(ObjectSpring, f64)>,
-    /// Of arrival, m/s.
+    /// Speed of arrival, m/s.
     speed: f64,
     /// Longest stable step of the spring, s.
     pub limit: f64,
 }
 
-impl Flight {
+impl MovingObject {
     /// An object whose frontmost point is at `front`.
     pub fn new(object: &Object, front: f64) -> Self {
         let spring = object.spring.map(|spring| {

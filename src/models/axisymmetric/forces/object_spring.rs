@@ -1,12 +1,12 @@
 //! The spring of a soft object, between its mass and its surface.
 //!
-//! It is linear, F = k c, up to a compression of half the diameter. Beyond that the walls of a real
-//! ball come to meet, and with u = c - D/2 and the room W that is left
+//! It is linear, F = k c, up to a compression of half the diameter. Beyond that the walls of a
+//! real ball come to meet, and with u = c - D/2 and the room W that is left
 //!
 //! F = k D/2 + k u / (1 - u/W)^2,
 //!
-//! which grows without end as u comes to W, so that the object stays [`LEAST`] of its diameter thick
-//! at least, whatever its speed. Force and slope have no jump.
+//! which grows without end as u comes to W, so that the object stays [`LEAST`] of its diameter
+//! thick at least, whatever its speed. Force and slope have no jump.
 //!
 //! Left out: loss (a real ball gives back a half to three quarters of its energy), and a wall that
 //! buckles and so softens before it stiffens (Cross 1999 for tennis balls).

@@ -1,21 +1,22 @@
-//! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`] and the baseline of the benchmarks.
+//! The cells one by one: the tested reference of [`crate::models::axisymmetric::forces::quads`]
+//! and the baseline of the benchmarks.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Region};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::cell::Rest;
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor;
 
 /// Cells with lists of corners.
 #[derive(Debug, Clone)]
-pub(crate) struct Plain {
+pub(crate) struct PlainCells {
     eye: AxisymmetricEye,
     cells: Vec<(Rest, [usize; 4])>,
-    /// Of each cell in the mean pressure and in the sensor's.
+    /// Weight of each cell in the mean pressure and in the sensor's.
     weights: Vec<(f64, f64)>,
     pressures: Vec<f64>,
 }
 
-impl Plain {
+impl PlainCells {
     pub fn new(eye: &AxisymmetricEye) -> Self {
         let cells: Vec<_> = eye
             .cells
@@ -31,7 +32,7 @@ impl Plain {
     }
 }
 
-impl Plain {
+impl PlainCells {
     /// Elastic energy with node n at `at(n)`, J.
     pub fn energy(&self, at: impl Fn(usize) -> (f64, f64)) -> f64 {
         let stored = |(rest, corners): &(Rest, [usize; 4])| rest.energy(corners.map(&at));
@@ -39,8 +40,8 @@ impl Plain {
     }
 }
 
-impl Cells for Plain {
-    fn rest(&self) -> State {
+impl Cells for PlainCells {
+    fn rest(&self) -> NodeState {
         let mesh = &self.eye.mesh;
         let free = |i: usize| {
             if self.eye.fixed[i] {
@@ -50,7 +51,7 @@ impl Cells for Plain {
             }
         };
         let n = mesh.x.len();
-        State {
+        NodeState {
             x: mesh.x.clone(),
             r: mesh.r.clone(),
             vx: vec![0.0; n],
@@ -69,8 +70,8 @@ impl Cells for Plain {
         node
     }
 
-    fn forces(&mut self, state: &mut State) -> Sums {
-        let mut sums = Sums {
+    fn forces(&mut self, state: &mut NodeState) -> CellSums {
+        let mut sums = CellSums {
             limit: f64::INFINITY,
             loss: 0.0,
             pressure: 0.0,
@@ -93,7 +94,7 @@ impl Cells for Plain {
             let (mean, sensor) = self.weights[i];
             sums.pressure += mean * response.pressure;
             sums.sensor += sensor * response.pressure;
-            if self.eye.cells[i].region == Region::Globe {
+            if self.eye.cells[i].region == Tissue::Globe {
                 sums.volume += response.volume;
             }
             sums.limit = sums.limit.min(response.limit);
@@ -103,7 +104,7 @@ impl Cells for Plain {
         sums
     }
 
-    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+    fn advance(&self, state: &mut NodeState, kick: f64, drift: f64) {
         state.advance(kick, drift);
     }
 

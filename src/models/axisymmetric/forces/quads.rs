@@ -1,10 +1,10 @@
 //! The mechanics of [`crate::models::axisymmetric::forces::cell`] for many cells at once.
 //!
-//! All volumes come from the edges: with w = (xb - xa)(ra^2 + ra rb + rb^2), the quad's volume is minus
-//! the sum over its four edges and a corner triangle's that over two edges and a diagonal, in units
-//! of pi/3. So forces follow from one coefficient an edge, the sum of the pressures of all that it
-//! bounds. Eight divisions become one by way of the product. No operation is fused and sums are kept by place,
-//! so every vector width gives the same bits.
+//! All volumes come from the edges: with w = (xb - xa)(ra^2 + ra rb + rb^2), the quad's volume is
+//! minus the sum over its four edges and a corner triangle's that over two edges and a diagonal,
+//! in units of pi/3. So forces follow from one coefficient an edge, the sum of the pressures of
+//! all that it bounds. Eight divisions become one by way of the product. No operation is fused and
+//! sums are kept by place, so every vector width gives the same bits.
 
 #![allow(
     clippy::inline_always,
@@ -13,9 +13,10 @@
 
 use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
 use crate::models::axisymmetric::forces::nodes;
-use crate::models::axisymmetric::forces::rows::{Group, LANES, Lane, Rows, Run, field};
-use crate::models::axisymmetric::forces::state::{State, Sums};
+use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
+use crate::models::axisymmetric::forces::state::{CellSums, NodeState};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
+use crate::models::paper::forces::layout::{LANES, Lane};
 use fearless_simd::{Bytes, Simd, SimdBase, SimdFloat};
 use std::f64::consts::FRAC_PI_3;
 
@@ -92,7 +93,8 @@ impl<S: Simd> Edge<S> {
     }
 }
 
-/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third order.
+/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third
+/// order.
 #[inline(always)]
 fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     /// Bits of 1 times 4/3, less what makes the largest error of the first guess least.
@@ -130,7 +132,7 @@ fn add<S: Simd>(simd: S, to: &mut Lane, lane: usize, value: V<S>) {
 
 /// Forces of all cells on the nodes, and what else they say.
 #[inline(always)]
-pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Sums {
+pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellSums {
     let mut totals = Totals {
         loss: [0.0; LANES],
         mean: [0.0; LANES],
@@ -164,7 +166,7 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
         nodes::gather(simd, rows, run, state);
     }
     let sum = |of: Lane| of.iter().sum::<f64>();
-    Sums {
+    CellSums {
         limit: 1.0 / totals.rate.iter().copied().fold(0.0, f64::max),
         loss: sum(totals.loss),
         pressure: sum(totals.mean),
@@ -187,10 +189,10 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut Rows, state: &mut State) -> Su
 #[inline(always)]
 fn cells<S: Simd>(
     simd: S,
-    constants: &Group,
+    constants: &CellGroup,
     lane: usize,
-    state: &State,
-    run: Run,
+    state: &NodeState,
+    run: RowRun,
     at: usize,
     pressures: &mut [f64],
     totals: &mut Totals,

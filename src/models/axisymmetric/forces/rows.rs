@@ -1,35 +1,31 @@
 //! The cells laid out in rows, so that their corners are neighbours in memory.
 //!
-//! Each block of the mesh is one run of places, row after row. The cell at place s has its corners at
-//! s, s + 1, s + 1 + c and s + c, where c is the number of nodes in a row; so a vector of cells loads
-//! vectors of nodes and no list of corners is needed. Where a row ends, the cell that would span to
-//! the next is absent: all of its stiffness is zero. Cells store the forces on their corners by place, and
-//! each node then adds what the four cells around it left.
+//! Each block of the mesh is one run of places, row after row. The cell at place s has its corners
+//! at s, s + 1, s + 1 + c and s + c, where c is the number of nodes in a row; so a vector of cells
+//! loads vectors of nodes and no list of corners is needed. Where a row ends, the cell that would
+//! span to the next is absent: all of its stiffness is zero. Cells store the forces on their
+//! corners by place, and each node then adds what the four cells around it left.
 //!
-//! A node on the border of two blocks has a place in both. Its forces are added up, and both places move alike.
+//! A node on the border of two blocks has a place in both. Its forces are added up, and both
+//! places move alike.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Region};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::cell;
 use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::quads;
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
+use crate::models::paper::forces::layout::{LANES, Lane};
 use fearless_simd::{Level, dispatch};
 use std::f64::consts::FRAC_PI_3;
-
-/// Places that a group of constants covers.
-pub(crate) const LANES: usize = 8;
-
-/// Eight neighbouring values.
-pub(crate) type Lane = [f64; LANES];
 
 /// What is constant of a cell.
 pub(crate) mod field {
     /// m3 over pi/3.
     pub const VOLUME: usize = 0;
-    /// Of the corner triangles, m3 over pi/3.
+    /// Volumes of the four corner triangles, m3 over pi/3.
     pub const TRIANGLE: usize = 1;
     pub const INVERSE_TRIANGLE: usize = 5;
     /// Inverse of the matrix of the diagonals, row by row.
@@ -48,7 +44,7 @@ pub(crate) mod field {
     pub const SUBZONAL: usize = 19;
     /// Artificial viscosity per length and rate.
     pub const LINEAR: usize = 20;
-    /// The same per square of each.
+    /// Artificial viscosity per square of length and of rate.
     pub const QUADRATIC: usize = 21;
     /// Half the viscosity of the corners per length.
     pub const CORNER: usize = 22;
@@ -60,7 +56,7 @@ pub(crate) mod field {
     pub const CONSTANT_SPEED: usize = 25;
     /// Kinematic viscosity.
     pub const KINEMATIC: usize = 26;
-    /// Of the viscous speed, per length and rate.
+    /// Part of the viscous speed per length and rate.
     pub const QUADRATIC_SPEED: usize = 27;
     /// Weight in the mean pressure of the globe.
     pub const MEAN: usize = 28;
@@ -81,11 +77,11 @@ type Constants = [f64; field::COUNT];
 /// The constants of eight neighbouring cells, by [`field`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Group(pub [Lane; field::COUNT]);
+pub(crate) struct CellGroup(pub [Lane; field::COUNT]);
 
 /// A run of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Run {
+pub(crate) struct RowRun {
     /// First place of the nodes.
     pub nodes: usize,
     /// First place of the cells in the constants and in the pressures.
@@ -105,14 +101,14 @@ pub(crate) type Corners = [(Aligned, Aligned); 4];
 
 /// The cells of an eye in rows.
 #[derive(Debug, Clone)]
-pub(crate) struct Rows {
-    pub runs: Vec<Run>,
-    pub groups: Vec<Group>,
+pub(crate) struct CellRows {
+    pub runs: Vec<RowRun>,
+    pub groups: Vec<CellGroup>,
     pub corners: Corners,
     pub pressures: Aligned,
     /// The machine's vectors.
     level: Level,
-    rest: State,
+    rest: NodeState,
     /// Place of each node, the last one where there are two.
     places: Vec<usize>,
     /// Place of each cell.
@@ -121,7 +117,7 @@ pub(crate) struct Rows {
     twins: Vec<(usize, usize)>,
 }
 
-impl Rows {
+impl CellRows {
     pub fn new(eye: &AxisymmetricEye) -> Self {
         Self::with_level(eye, Level::new())
     }
@@ -133,7 +129,7 @@ impl Rows {
         let mut owners = Vec::new();
         for (index, block) in eye.mesh.blocks.iter().enumerate() {
             let columns = block.columns;
-            let run = Run {
+            let run = RowRun {
                 nodes,
                 cells,
                 corners: corners + (columns + 1).next_multiple_of(LANES),
@@ -181,7 +177,7 @@ impl Rows {
 
     /// Brings both places of a node together.
     #[cfg(test)]
-    pub fn share(&self, state: &mut State) {
+    pub fn share(&self, state: &mut NodeState) {
         for &(twin, place) in &self.twins {
             for of in [&mut state.x, &mut state.r, &mut state.vx, &mut state.vr] {
                 of[twin] = of[place];
@@ -193,7 +189,7 @@ impl Rows {
         let weights = sensor::weights(eye);
         // A place without a cell has the shape of some cell, so that all stays finite.
         let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
-        let group = Group(std::array::from_fn(|f| [empty[f]; LANES]));
+        let group = CellGroup(std::array::from_fn(|f| [empty[f]; LANES]));
         self.groups = vec![group; self.pressures.len() / LANES];
         let mut cell = 0;
         for (run, block) in self.runs.iter().zip(&eye.mesh.blocks) {
@@ -204,7 +200,7 @@ impl Rows {
                 let place = run.cells + low;
                 let mut one = constants(&Rest::new(eye, &eye.cells[cell]));
                 (one[field::MEAN], one[field::SENSOR]) = weights[cell];
-                if eye.cells[cell].region == Region::Globe {
+                if eye.cells[cell].region == Tissue::Globe {
                     one[field::GLOBE] = FRAC_PI_3;
                 }
                 for (lanes, value) in self.groups[place / LANES].0.iter_mut().zip(one) {
@@ -247,7 +243,7 @@ fn constants(rest: &Rest) -> Constants {
     c
 }
 
-/// The same shape with nothing in it.
+/// Constants of a place without a cell: the given shape without stiffness.
 fn absent(mut c: Constants) -> Constants {
     for value in &mut c[field::BULK..] {
         *value = 0.0;
@@ -259,7 +255,7 @@ fn absent(mut c: Constants) -> Constants {
     c
 }
 
-fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State {
+fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> NodeState {
     let mesh = &eye.mesh;
     let read = |of: &dyn Fn(usize) -> f64, none: f64| {
         owners
@@ -270,7 +266,7 @@ fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State 
     let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
     let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
     let zeros = vec![0.0; owners.len()];
-    State {
+    NodeState {
         x: read(&|i| mesh.x[i], 0.0),
         // Off the axis, as radii are divided by.
         r: read(&|i| mesh.r[i], eye.parameters.radius),
@@ -284,8 +280,8 @@ fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> State 
     }
 }
 
-impl Cells for Rows {
-    fn rest(&self) -> State {
+impl Cells for CellRows {
+    fn rest(&self) -> NodeState {
         self.rest.clone()
     }
 
@@ -293,7 +289,7 @@ impl Cells for Rows {
         self.places[node]
     }
 
-    fn forces(&mut self, state: &mut State) -> Sums {
+    fn forces(&mut self, state: &mut NodeState) -> CellSums {
         let level = self.level;
         let sums = dispatch!(level, simd => quads::forces(simd, self, state));
         for &(twin, place) in &self.twins {
@@ -303,7 +299,7 @@ impl Cells for Rows {
         sums
     }
 
-    fn advance(&self, state: &mut State, kick: f64, drift: f64) {
+    fn advance(&self, state: &mut NodeState, kick: f64, drift: f64) {
         for &(twin, place) in &self.twins {
             state.fx[twin] = state.fx[place];
             state.fr[twin] = state.fr[place];

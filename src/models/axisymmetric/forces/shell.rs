@@ -1,15 +1,15 @@
 //! Cornea and sclera: a membrane with some bending stiffness, a chain of cones.
 //!
-//! With the stretches e1 along the meridian and e2 around the axis, a segment stores
-//! A0 t E/(2 (1 - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2), where A0 is its area at rest. Between two segments
-//! it stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear across
-//! the thickness, and bending around the axis.
+//! With the stretches e1 along the meridian and e2 around the axis, a segment stores A0 t E/(2 (1
+//! - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2), where A0 is its area at rest. Between two segments it
+//! stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear
+//! across the thickness, and bending around the axis.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use std::f64::consts::PI;
 
-/// Share of the mass of the cells beside the shell that moves with it, per length of a segment: the
-/// bound of the step counts on it.
+/// Share of the mass of the cells beside the shell that moves with it, per length of a segment:
+/// the bound of the step counts on it.
 const ENTRAINED: f64 = 0.2;
 /// Courant number of the shell over that of the cells.
 const COURANT: f64 = 0.5 / 0.6;
@@ -20,8 +20,9 @@ struct Piece {
     radius: f64,
     /// A0 t E/(1 - nu^2), N m.
     membrane: f64,
-    /// E/(1 - nu^2) of the sclera, Pa, times its share of the ring: under a blow at an angle rings hold cornea too,
-    /// and the sclera must not take all of their tension as soon as a little of it is there.
+    /// E/(1 - nu^2) of the sclera, Pa, times its share of the ring: under a blow at an angle rings
+    /// hold cornea too, and the sclera must not take all of their tension as soon as a little of it
+    /// is there.
     sclera: f64,
 }
 
@@ -109,8 +110,9 @@ impl Shell {
         }
     }
 
-    /// Adds the forces of a shell whose nodes are at `x`, `r` to `fx`, `fr`, all from front to back, and puts the
-    /// tension of the sclera in each segment, along and around, in Pa, into `tension`.
+    /// Adds the forces of a shell whose nodes are at `x`, `r` to `fx`, `fr`, all from front to
+    /// back, and puts the tension of the sclera in each segment, along and around, in Pa, into
+    /// `tension`.
     pub fn forces(
         &self,
         (x, r): (&[f64], &[f64]),

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-/// The moving eye. Positions belong to full steps, velocities to half steps.
+/// The nodes of the moving eye. Positions belong to full steps, velocities to half steps.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct State {
+pub(crate) struct NodeState {
     /// m.
     pub x: Vec<f64>,
     pub r: Vec<f64>,
@@ -23,10 +23,10 @@ pub(crate) struct State {
 
 /// What the cells say at some instant, beside their forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sums {
+pub(crate) struct CellSums {
     /// Longest stable step, s.
     pub limit: f64,
-    /// Lost to viscosity, W.
+    /// Power lost to viscosity, W.
     pub loss: f64,
     /// Mean pressure of the globe, Pa.
     pub pressure: f64,
@@ -41,18 +41,18 @@ pub(crate) struct Sums {
 /// The cells of an eye, in one form of computing them or another.
 pub(crate) trait Cells {
     /// A state at rest.
-    fn rest(&self) -> State;
+    fn rest(&self) -> NodeState;
     /// Where a node of the eye is found in the state.
     fn place(&self, node: usize) -> usize;
     /// Sets the forces of all nodes to those of the cells.
-    fn forces(&mut self, state: &mut State) -> Sums;
+    fn forces(&mut self, state: &mut NodeState) -> CellSums;
     /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
-    fn advance(&self, state: &mut State, kick: f64, drift: f64);
+    fn advance(&self, state: &mut NodeState, kick: f64, drift: f64);
     /// Pressure of each cell of the eye after `forces`, Pa.
     fn pressures(&self) -> Vec<f64>;
 }
 
-impl State {
+impl NodeState {
     /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
     pub fn advance(&mut self, kick: f64, drift: f64) {
         for i in 0..self.x.len() {

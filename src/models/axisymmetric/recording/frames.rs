@@ -1,9 +1,10 @@
 //! The eye at chosen instants.
 //!
-//! From step to step a leapfrog moves every node at one velocity, so that the places in between are its own.
-//! The force of a node is 75 mg times the mean of its acceleration over the 20 us before, as it is for the
-//! monitored places. Pressures are those at the beginning of the step.
+//! From step to step a leapfrog moves every node at one velocity, so that the places in between
+//! are its own. The force of a node is 75 mg times the mean of its acceleration over the 20 us
+//! before, as it is for the monitored places. Pressures are those at the beginning of the step.
 
+use crate::models::axisymmetric::forces::object::MovingObject;
 use crate::models::axisymmetric::forces::state::Cells;
 use crate::models::axisymmetric::recording::record::NODE_MASS;
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
@@ -14,15 +15,15 @@ use std::collections::VecDeque;
 
 /// Which frames are due, and the velocities that their forces are reckoned from.
 #[derive(Debug, Clone)]
-pub(crate) struct FrameTaker {
+pub(crate) struct FramesDue {
     spacing: Spacing,
     taken: usize,
     marked: usize,
-    /// Of each node 20 us before the frames to come, in m/s; none before the start.
+    /// Velocities of each node 20 us before the frames to come, in m/s; none before the start.
     before: VecDeque<Vec<(f64, f64)>>,
 }
 
-impl FrameTaker {
+impl FramesDue {
     pub fn new(spacing: Spacing) -> Self {
         Self {
             spacing,
@@ -87,7 +88,7 @@ impl<C: Cells> Motion<'_, C> {
                 NODE_MASS * change / SMOOTHING_S
             }
         };
-        let flight = self.object.as_ref().map(|(_, flight)| flight);
+        let projectile = self.object.as_ref().map(|(_, projectile)| projectile);
         Frame {
             time: due,
             positions: (0..eye.mass.len()).map(position).collect(),
@@ -98,11 +99,8 @@ impl<C: Cells> Motion<'_, C> {
                 .map(force)
                 .collect(),
             cells: self.cells.pressures(),
-            projectile: flight.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
-            squeezed: flight.map_or(
-                0.0,
-                crate::models::axisymmetric::forces::object::Flight::squeezed,
-            ),
+            projectile: projectile.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
+            squeezed: projectile.map_or(0.0, MovingObject::squeezed),
             pressure: Some(self.filters[0].now),
         }
     }

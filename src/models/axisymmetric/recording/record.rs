@@ -2,7 +2,7 @@
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::cell;
-use crate::models::axisymmetric::forces::state::{Cells, State};
+use crate::models::axisymmetric::forces::state::{Cells, NodeState};
 use crate::models::axisymmetric::recording::sensor::LowPass;
 use crate::models::axisymmetric::time::run::{Instant, Motion};
 
@@ -10,8 +10,9 @@ use crate::models::axisymmetric::time::run::{Instant, Motion};
 pub(crate) const NODE_MASS: f64 = 75e-6;
 
 impl<C: Cells> Motion<'_, C> {
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored nodes.
-    pub fn look(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
+    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
+    /// nodes.
+    pub fn offer_readings(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
         let e = &mut self.extremes;
         e.force.offer(now.force, time);
@@ -51,9 +52,9 @@ impl<C: Cells> Motion<'_, C> {
             .offer(now.shell.length / self.shell.rest_length - 1.0, time);
         e.apex.offer(shape.apex, time);
         e.lens.offer(shape.lens, time);
-        if let Some((object, flight)) = &self.object {
+        if let Some((object, projectile)) = &self.object {
             let touched = -self.eye.parameters.radius - object.reach();
-            e.intrusion.offer(flight.x[0] - touched, time);
+            e.intrusion.offer(projectile.x[0] - touched, time);
         }
         let volume = now.sums.volume / self.globe_volume;
         e.least_volume = e.least_volume.min(volume);
@@ -64,7 +65,7 @@ impl<C: Cells> Motion<'_, C> {
             let place = cells.place(node);
             (state.x[place], state.r[place])
         };
-        self.fold.look(
+        self.fold.record(
             time,
             now.sums.least_triangle,
             |cell| cell::least_triangle(eye, &eye.cells[cell].corners, at),
@@ -94,15 +95,16 @@ impl<C: Cells> Motion<'_, C> {
             })
             .sum();
         let (mut object, mut given) = (0.0, self.energy.work);
-        if let Some((_, flight)) = &self.object {
-            object = flight.kinetic(kick) + flight.stored();
+        if let Some((_, projectile)) = &self.object {
+            object = projectile.kinetic(kick) + projectile.stored();
             given = self.energy_before - object - self.energy.lost_in_object - self.energy.contact;
         }
         self.energy.object = object;
         self.extremes.energy_imparted = given;
     }
 
-    /// Compares the energies of the last balance. How often that is done must not depend on what is kept.
+    /// Compares the energies of the last balance. How often that is done must not depend on what is
+    /// kept.
     pub fn audit(&mut self) {
         self.came = self.came.max(self.energy_before + self.energy.work.abs());
         let missing = (self.energy.total() - self.energy_before).abs();
@@ -130,12 +132,12 @@ impl<C: Cells> Motion<'_, C> {
         t.scleral_stress.push(self.stress);
         t.shortening.push(shape.shortening);
         t.lens.push(shape.lens);
-        if let Some((object, flight)) = &self.object {
+        if let Some((object, projectile)) = &self.object {
             t.contact_force.push(self.force_mean.now);
             t.intrusion
-                .push(flight.x[0] + self.eye.parameters.radius + object.reach());
-            t.projectile.push(flight.middle());
-            t.projectile_velocity.push(flight.velocity());
+                .push(projectile.x[0] + self.eye.parameters.radius + object.reach());
+            t.projectile.push(projectile.middle());
+            t.projectile_velocity.push(projectile.velocity());
         }
     }
 }
@@ -149,7 +151,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(eye: &AxisymmetricEye, state: &State, lens: &[(usize, f64)], lens_rest: f64) -> Self {
+    fn of(eye: &AxisymmetricEye, state: &NodeState, lens: &[(usize, f64)], lens_rest: f64) -> Self {
         let shell = state.shell.clone();
         let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
         let radius = eye.parameters.radius;

@@ -4,11 +4,11 @@ use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Peak, Traces};
 
 /// Largest values over every step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extremes {
     /// Force of contact or of the pulse on the eye, along the blow, N.
     pub force: Peak,
-    /// Its mean over the 100 us before, N.
+    /// Mean of that force over the 100 us before, N.
     pub mean_force: Peak,
     /// Force of the orbit's front edge on the object, N.
     pub rim_force: Peak,
@@ -16,9 +16,10 @@ pub struct Extremes {
     pub pressure: Peak,
     /// Pressure at the back, through the same, Pa, as a sensor may show it.
     pub back_pressure: Peak,
-    /// The same as a mean over the 150 us before, Pa.
+    /// Pressure at the back as a mean over the 150 us before, Pa.
     pub mean_back_pressure: Peak,
-    /// Tension of the sclera, along or around, whichever is larger, each through a low pass of 20 us, Pa.
+    /// Tension of the sclera, along or around, whichever is larger, each through a low pass of 20
+    /// us, Pa.
     pub scleral_stress: Peak,
     /// Front angle of the place of that stress, rad.
     pub stress_angle: f64,
@@ -36,13 +37,13 @@ pub struct Extremes {
     pub lens: Peak,
     /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
     pub node_force: [Peak; 4],
-    /// Volume of the globe over that at rest.
+    /// Least volume of the globe over that at rest.
     pub least_volume: f64,
-    /// Volume of the globe over that at rest.
+    /// Largest volume of the globe over that at rest.
     pub most_volume: f64,
     /// Smallest corner triangle over its volume at rest: below 0 the mesh has folded.
     pub least_triangle: f64,
-    /// Of cells with such a triangle.
+    /// How the mesh folded: cells with such a triangle.
     pub fold: Option<Fold>,
     /// Energy that the eye was given, J.
     pub energy_imparted: f64,
@@ -57,34 +58,13 @@ pub struct Extremes {
 }
 
 impl Extremes {
-    /// Of an eye that nothing has happened to.
+    /// The extremes of an eye that nothing has happened to.
     pub fn at_rest() -> Self {
-        let zero = Peak::default();
         Self {
-            force: zero,
-            mean_force: zero,
-            rim_force: zero,
-            pressure: zero,
-            back_pressure: zero,
-            mean_back_pressure: zero,
-            scleral_stress: zero,
-            stress_angle: 0.0,
-            shortening: zero,
-            equator_growth: zero,
-            shell_growth: zero,
-            intrusion: zero,
-            apex: zero,
-            lens: zero,
-            node_force: [zero; 4],
             least_volume: 1.0,
             most_volume: 1.0,
             least_triangle: 1.0,
-            fold: None,
-            energy_imparted: 0.0,
-            crushed_at: None,
-            touching: false,
-            rebound: None,
-            energy_residual: 0.0,
+            ..Self::default()
         }
     }
 
@@ -97,24 +77,24 @@ impl Extremes {
 /// Where the energy is at some instant, in J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
-    /// Of the nodes.
+    /// Kinetic energy of the nodes.
     pub kinetic: f64,
-    /// In cells and shell.
+    /// Elastic energy of cells and shell.
     pub elastic: f64,
-    /// In the contact.
+    /// Energy stored in the contact.
     pub contact: f64,
-    /// Kinetic and in the spring of the object.
+    /// Energy of the object: kinetic and in its spring.
     pub object: f64,
-    /// Lost to all viscosities of the eye so far.
+    /// Energy lost to all viscosities of the eye so far.
     pub lost: f64,
-    /// Lost within the object so far.
+    /// Energy lost within the object so far.
     pub lost_in_object: f64,
     /// Work of a pulse so far.
     pub work: f64,
 }
 
 impl Energy {
-    /// All of it, less what a pulse put in.
+    /// Sum of all energies less the work of a pulse, J: constant but for rounding and steps.
     pub fn total(&self) -> f64 {
         self.kinetic + self.elastic + self.contact + self.object + self.lost + self.lost_in_object
             - self.work
@@ -124,21 +104,22 @@ impl Energy {
 /// What the engine gives of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EngineRun {
-    /// Over every step.
+    /// Largest values over every step.
     pub extremes: Extremes,
-    /// If they were asked for.
+    /// Traces, if they were asked for.
     pub traces: Option<Traces>,
-    /// If they were asked for.
+    /// Frames, if they were asked for.
     pub frames: Vec<Frame>,
-    /// At the end.
+    /// Energies at the end.
     pub energy: Energy,
-    /// Along the blow at the end, of eye and object, kg m/s.
+    /// Momentum of eye and object along the blow at the end, kg m/s.
     pub momentum: f64,
     /// Steps taken.
     pub steps: usize,
     /// Simulated time, s.
     pub simulated: f64,
-    /// Whether the run ended before its window because nothing had grown for long: a rule, not a proof.
+    /// Whether the run ended before its window because nothing had grown for long: a rule, not a
+    /// proof.
     pub settled: bool,
     /// Evaluations of cells.
     pub cell_evaluations: usize,

@@ -1,8 +1,8 @@
 //! What is read off the moving eye as instruments would: a pressure sensor at the back, and
 //! accelerometers at the four monitored places.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Region, volume};
-use crate::models::axisymmetric::forces::state::State;
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue, volume};
+use crate::models::axisymmetric::forces::state::NodeState;
 use std::collections::VecDeque;
 
 /// Where the sensor sits, on the axis behind the centre, and how far around it takes a mean, in m.
@@ -10,11 +10,12 @@ const SENSOR_X: f64 = 8e-3;
 const SENSOR_REACH: f64 = 3e-3;
 /// Time constant of the sensor, and time over which accelerations are averaged, in s.
 pub const SMOOTHING_S: f64 = 20e-6;
-/// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are those of the
-/// piece of shell that is hit first, so of the mesh.
+/// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are
+/// those of the piece of shell that is hit first, so of the mesh.
 pub(crate) const FORCE_MEAN_S: f64 = 100e-6;
-/// The same for the pressure at the back: sound in the globe, slowed by a bulk modulus of 100 `MPa`, goes to the back
-/// and returns in this time. What is shorter is an echo of it, and of the focus of a perfectly round eye.
+/// Length of the mean of the pressure at the back, in s: sound in the globe, slowed by a bulk
+/// modulus of 100 `MPa`, goes to the back and returns in this time. What is shorter is an echo of
+/// it, and of the focus of a perfectly round eye.
 pub(crate) const BACK_MEAN_S: f64 = 150e-6;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.
@@ -43,7 +44,7 @@ pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
         .map(|cell| {
             let p = cell.corners.map(|n| eye.at(n));
             let volume = volume(&p);
-            let globe = if cell.region == Region::Globe {
+            let globe = if cell.region == Tissue::Globe {
                 volume
             } else {
                 0.0
@@ -85,7 +86,7 @@ impl LowPass {
 #[derive(Debug, Clone)]
 pub(crate) struct RunningMean {
     pub now: f64,
-    /// Of how long, in s.
+    /// Length of the mean, in s.
     over: f64,
     integral: f64,
     before: f64,
@@ -104,7 +105,7 @@ impl RunningMean {
         }
     }
 
-    /// With `value` now, at `time`, `step` s after the one before.
+    /// The mean with `value` now, at `time`, `step` s after the one before.
     pub fn pass(&mut self, value: f64, time: f64, step: f64) -> f64 {
         self.integral += 0.5 * (self.before + value) * step;
         self.before = value;
@@ -141,9 +142,9 @@ pub fn monitored(eye: &AxisymmetricEye) -> [usize; 4] {
     places(eye, |node| node).map(nearest)
 }
 
-/// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell 5 degrees
-/// above the front pole, 5 degrees above the back pole, and 5 degrees behind the top. Between nodes, the
-/// velocity is linear.
+/// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell
+/// 5 degrees above the front pole, 5 degrees above the back pole, and 5 degrees behind the top.
+/// Between nodes, the velocity is linear.
 fn places(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
     let on_shell = |angle: f64| {
         let fronts: Vec<f64> = eye
@@ -179,7 +180,7 @@ impl Accelerometers {
     }
 
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
-    pub fn read(&mut self, state: &State, time: f64) -> [f64; 4] {
+    pub fn read(&mut self, state: &NodeState, time: f64) -> [f64; 4] {
         let now = std::array::from_fn(|i| {
             self.places[i]
                 .iter()

@@ -1,26 +1,27 @@
 //! Through the window: a leapfrog whose step follows the stability bounds.
 //!
-//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2) h(n).
-//! Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most. Semi-implicit Euler, for
-//! comparison, kicks by h(n) instead.
+//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2)
+//! h(n). Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most.
+//! Semi-implicit Euler, for comparison, kicks by h(n) instead.
 //!
-//! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of the whole is
-//! above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s), which a test compares
-//! with the eigenvalues of every cell at rest, and l^2/(4 nu) of its viscosity. Half of the time in which a
-//! corner triangle would be gone at its present rate: the stiffness of a squeezed corner is not in the
-//! bound, so none is passed over in a step. Of each segment of the shell, and of each segment in contact, a
-//! Courant number with the mass that moves along with it, which was found by trial; random objects, their
-//! balance of energy and a quarter of the step watch over it.
+//! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of
+//! the whole is above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s),
+//! which a test compares with the eigenvalues of every cell at rest, and l^2/(4 nu) of its
+//! viscosity. Half of the time in which a corner triangle would be gone at its present rate: the
+//! stiffness of a squeezed corner is not in the bound, so none is passed over in a step. Of each
+//! segment of the shell, and of each segment in contact, a Courant number with the mass that moves
+//! along with it, which was found by trial; random objects, their balance of energy and a quarter
+//! of the step watch over it.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
-use crate::models::axisymmetric::forces::object::{Flight, Object};
-use crate::models::axisymmetric::forces::plain::Plain;
-use crate::models::axisymmetric::forces::rows::Rows;
+use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
+use crate::models::axisymmetric::forces::plain::PlainCells;
+use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::frames::FrameTaker;
+use crate::models::axisymmetric::recording::frames::FramesDue;
 use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
@@ -41,29 +42,30 @@ const GROWTH: f64 = 1.05;
 const BALANCES: f64 = 100.0;
 /// Values of a trace that a window is divided into.
 const TRACE_POINTS: f64 = 1000.0;
-/// A run may end when nothing has grown for a whole swing of the eye after its object has gone this far, in
-/// m, or its pulse is over.
+/// A run may end when nothing has grown for a whole swing of the eye after its object has gone
+/// this far, in m, or its pulse is over.
 const GONE: f64 = 0.5e-3;
 /// Steps between two looks at the watch.
 const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Blow {
+pub enum AxisymmetricLoad {
     /// It touches the front pole at the start, or the rim if that is nearer.
     Object(Object),
-    /// A force against time, as a uniform traction along the axis on the area within a front angle (rad).
+    /// A force against time, as a uniform traction along the axis on the area within a front angle
+    /// (rad).
     Pulse(Pulse, f64),
 }
 
 /// How the cells are computed.
 #[derive(Debug, Clone, Copy)]
-pub enum Form {
+pub enum CellLoop {
     /// One by one.
     Plain,
-    /// In rows, many at once.
+    /// In rows, many at once, by the widest vectors of the machine.
     Rows,
-    /// The same with certain vectors.
+    /// In rows, by these vectors.
     Vectors(Level),
 }
 
@@ -123,35 +125,35 @@ impl Steps {
 pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
-pub fn step_limit(eye: &AxisymmetricEye, blow: &Blow) -> f64 {
-    let mut motion = Motion::new(eye, Rows::new(eye), blow, Keep::default(), 1.0);
+pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
+    let mut motion = Motion::new(eye, CellRows::new(eye), blow, Keep::default(), 1.0);
     motion.forces(0.0).limit
 }
 
-/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a share
-/// of the stability bound.
+/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a
+/// share of the stability bound.
 ///
-/// # Errors
-/// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch stops.
+/// # Errors Motion that leaves the finite numbers, an object that goes through the eye, and what
+/// the watch stops.
 pub fn run(
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
 ) -> Result<EngineRun, Stop> {
-    run_as(Form::Rows, eye, blow, window, steps, keep, watch)
+    run_as(CellLoop::Rows, eye, blow, window, steps, keep, watch)
 }
 
-/// The same with the cells computed in a certain form.
+/// [`run`] with the cells computed by `form`.
 ///
 /// # Errors
 /// See [`run`].
 pub fn run_as(
-    form: Form,
+    form: CellLoop,
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     keep: Keep,
@@ -164,23 +166,25 @@ pub fn run_as(
         ControlFlow::Continue(())
     };
     let run = match form {
-        Form::Plain => Motion::new(eye, Plain::new(eye), blow, keep, window).go(steps, watch, take),
-        Form::Rows => Motion::new(eye, Rows::new(eye), blow, keep, window).go(steps, watch, take),
-        Form::Vectors(level) => {
-            let rows = Rows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).go(steps, watch, take)
+        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window)
+            .run_through_window(steps, watch, take),
+        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window)
+            .run_through_window(steps, watch, take),
+        CellLoop::Vectors(level) => {
+            let rows = CellRows::with_level(eye, level);
+            Motion::new(eye, rows, blow, keep, window).run_through_window(steps, watch, take)
         }
     };
     Ok(EngineRun { frames, ..run? })
 }
 
-/// The same as [`run`], with each frame handed on when it is due and nothing kept.
+/// [`run`] that hands on each frame when it is due and keeps nothing.
 ///
 /// # Errors
 /// See [`run`]; stopped by `take` too.
 pub fn run_through(
     eye: &AxisymmetricEye,
-    blow: &Blow,
+    blow: &AxisymmetricLoad,
     window: f64,
     steps: impl Into<Steps>,
     spacing: Spacing,
@@ -191,19 +195,22 @@ pub fn run_through(
         frames: Some(spacing),
     };
     let watch = &mut |_| ControlFlow::Continue(());
-    let motion = Motion::new(eye, Rows::new(eye), blow, keep, window);
-    motion.go(steps.into(), watch, take).map(|_| ())
+    let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window);
+    motion
+        .run_through_window(steps.into(), watch, take)
+        .map(|_| ())
 }
 
-/// When one of the readings, or a force or pressure that some of them are means of, last grew, in s.
+/// When one of the readings, or a force or pressure that some of them are means of, last grew, in
+/// s.
 fn last_growth(extremes: &Extremes) -> f64 {
     let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
     readings::of(extremes).last_peak().max(unfiltered)
 }
 
-/// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor near 1,
-/// in s. What a blow left then is smaller by what viscosity took: a rule, which tests compare with whole
-/// windows, not a proof.
+/// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor
+/// near 1, in s. What a blow left then is smaller by what viscosity took: a rule, which tests
+/// compare with whole windows, not a proof.
 fn swing(eye: &AxisymmetricEye) -> f64 {
     let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
     let stiffness = stiffness / eye.segments.len() as f64;
@@ -232,12 +239,12 @@ pub(crate) struct Motion<'a, C> {
     pub eye: &'a AxisymmetricEye,
     pub cells: C,
     /// For the elastic energy.
-    pub balance: Plain,
+    pub balance: PlainCells,
     pub mass: Vec<f64>,
-    pub state: State,
+    pub state: NodeState,
     pub shell: Shell,
     pub target: Target,
-    pub object: Option<(Object, Flight)>,
+    pub object: Option<(Object, MovingObject)>,
     pub load: Option<Load>,
     /// Node and share of the lens's mass.
     pub lens: Vec<(usize, f64)>,
@@ -253,7 +260,7 @@ pub(crate) struct Motion<'a, C> {
     pub tension_passed: Vec<[LowPass; 2]>,
     /// The largest of those that passed, Pa.
     pub stress: f64,
-    /// Of the mean pressure and of that at the back.
+    /// Low passes of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
     pub window: f64,
     /// When what acts was last seen to be gone, s.
@@ -268,12 +275,12 @@ pub(crate) struct Motion<'a, C> {
     pub extremes: Extremes,
     pub fold: FoldWatch,
     pub traces: Traces,
-    pub frame_taker: Option<FrameTaker>,
+    pub frame_taker: Option<FramesDue>,
 }
 
 /// What all parts say at some instant.
 pub(crate) struct Instant {
-    pub sums: Sums,
+    pub sums: CellSums,
     pub shell: ShellState,
     pub touch: Option<Touch>,
     pub force: f64,
@@ -282,15 +289,21 @@ pub(crate) struct Instant {
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
-    fn new(eye: &'a AxisymmetricEye, cells: C, blow: &Blow, keep: Keep, window: f64) -> Self {
+    fn new(
+        eye: &'a AxisymmetricEye,
+        cells: C,
+        blow: &AxisymmetricLoad,
+        keep: Keep,
+        window: f64,
+    ) -> Self {
         let target = Target::new(eye);
         let (object, load) = match blow {
-            Blow::Object(object) => {
+            AxisymmetricLoad::Object(object) => {
                 let front = target.first_touch(object, -eye.parameters.radius);
-                let flight = Flight::new(object, front);
-                (Some((*object, flight)), None)
+                let projectile = MovingObject::new(object, front);
+                (Some((*object, projectile)), None)
             }
-            Blow::Pulse(pulse, half_width) => {
+            AxisymmetricLoad::Pulse(pulse, half_width) => {
                 let shares = Target::shares(eye, *half_width);
                 let pulse = pulse.clone();
                 let load = Load {
@@ -319,7 +332,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         for (node, m) in eye.mass.iter().enumerate() {
             mass[cells.place(node)] = *m;
         }
-        let mut balance = Plain::new(eye);
+        let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut balance.rest()).volume;
         Self {
             lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
@@ -353,11 +366,16 @@ impl<'a, C: Cells> Motion<'a, C> {
             extremes: Extremes::at_rest(),
             fold: FoldWatch::new(eye.cells.len()),
             traces: Traces::default(),
-            frame_taker: keep.frames.map(FrameTaker::new),
+            frame_taker: keep.frames.map(FramesDue::new),
         }
     }
 
-    fn go(mut self, by: Steps, watch: Watch, take: Take) -> Result<EngineRun, Stop> {
+    fn run_through_window(
+        mut self,
+        by: Steps,
+        watch: Watch,
+        take: Take,
+    ) -> Result<EngineRun, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
@@ -374,7 +392,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                 most.min(GROWTH * before)
             };
             let kick = by.kick(before, step);
-            let forces = self.look(&now, time, before);
+            let forces = self.offer_readings(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
             let last = time >= self.window || settled;
             let due = |next: &mut f64, every: Option<f64>| match every {
@@ -401,7 +419,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             if !step.is_finite() || step <= 0.0 {
                 return Err(Stop::NotFinite { time, step: steps });
             }
-            self.through(time)?;
+            self.refuse_if_gone_through(time)?;
             if last {
                 let settled = time < self.window;
                 return Ok(self.finish(time, steps, settled));
@@ -424,8 +442,8 @@ impl<'a, C: Cells> Motion<'a, C> {
                 self.energy.work += now.force * speed * kick;
             }
             self.cells.advance(&mut self.state, kick, step);
-            if let Some((_, flight)) = &mut self.object {
-                self.energy.lost_in_object += flight.advance(kick, step);
+            if let Some((_, projectile)) = &mut self.object {
+                self.energy.lost_in_object += projectile.advance(kick, step);
             }
             time += step;
             steps += 1;
@@ -451,11 +469,11 @@ impl<'a, C: Cells> Motion<'a, C> {
         let mut limit = sums.limit.min(self.shell.limit);
         let (mut force, mut loss_in_object) = (0.0, 0.0);
         let mut touch = None;
-        if let Some((object, flight)) = &mut self.object {
-            flight.inner();
-            let touched = self.target.forces(object, flight, (x, r), v, (fx, fr));
+        if let Some((object, projectile)) = &mut self.object {
+            projectile.inner();
+            let touched = self.target.forces(object, projectile, (x, r), v, (fx, fr));
             loss_in_object = touched.loss;
-            limit = limit.min(flight.limit).min(touched.limit);
+            limit = limit.min(projectile.limit).min(touched.limit);
             force = touched.force;
             self.contact_evaluations += touched.segments;
             touch = Some(touched);
@@ -476,16 +494,17 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole window.
+    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
+    /// window.
     fn settled(&mut self, time: f64) -> bool {
         if self.keep != Keep::default() {
             return false;
         }
         let over = match (&self.object, &self.load) {
-            (Some((object, flight)), _) => {
+            (Some((object, projectile)), _) => {
                 let apex = self.state.shell.start;
-                let away = self.state.x[apex] - flight.x[0] - object.reach();
-                let slowest = flight.velocity().max(flight.v[0]);
+                let away = self.state.x[apex] - projectile.x[0] - object.reach();
+                let slowest = projectile.velocity().max(projectile.v[0]);
                 away > GONE && slowest < self.state.vx[apex].min(0.0)
             }
             (_, Some(load)) => load
@@ -505,16 +524,14 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
-    fn through(&self, time: f64) -> Result<(), Stop> {
-        let Some((object, flight)) = &self.object else {
+    fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
+        let Some((object, projectile)) = &self.object else {
             return Ok(());
         };
         let apex = self.state.x[self.state.shell.start];
         let centre = match object.outline {
-            crate::models::axisymmetric::forces::object::Outline::Sphere(_) => flight.x[0],
-            crate::models::axisymmetric::forces::object::Outline::Cylinder(radius, _) => {
-                flight.x[0] - radius
-            }
+            ObjectOutline::Sphere(_) => projectile.x[0],
+            ObjectOutline::Cylinder(radius, _) => projectile.x[0] - radius,
         };
         if centre > apex {
             return Err(Stop::WentThrough(time));

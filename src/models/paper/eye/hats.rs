@@ -1,12 +1,13 @@
 //! What a node of the paper's mesh stands for on a finer one: a hat of nodes around it.
 //!
-//! A finer mesh has lighter nodes, so what a single node feels depends on the mesh and has no limit.
-//! The tissue that a node of level 1 stands for is the same at every level. At level k it is the nodes
-//! less than k places away, with the weight (1 - |u|/k)(1 - |v|/k) at u columns and v rows from the
-//! middle: the bilinear hat of level 1. Along the shell it is (1 - |o|/k)/k at o shell nodes away. At
-//! level 1 a hat is its middle node with weight 1, so the paper's own measures come out to the last bit.
+//! A finer mesh has lighter nodes, so what a single node feels depends on the mesh and has no
+//! limit. The tissue that a node of level 1 stands for is the same at every level. At level k it
+//! is the nodes less than k places away, with the weight (1 - |u|/k)(1 - |v|/k) at u columns and v
+//! rows from the middle: the bilinear hat of level 1. Along the shell it is (1 - |o|/k)/k at o
+//! shell nodes away. At level 1 a hat is its middle node with weight 1, so the paper's own
+//! measures come out to the last bit.
 
-use crate::models::paper::eye::mesh::{Mesh, Node};
+use crate::models::paper::eye::mesh::{Node, SectionMesh};
 
 /// Nodes with weights.
 pub type Hat = Vec<(usize, f64)>;
@@ -16,9 +17,9 @@ fn weight(away: isize, k: isize) -> f64 {
     1.0 - away.abs() as f64 / k as f64
 }
 
-/// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for a
-/// sum of forces.
-pub(crate) fn of_force(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
+/// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for
+/// a sum of forces.
+pub(crate) fn of_force(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let middle = (grid.0.cast_signed() * k, grid.1.cast_signed() * k);
     let reach = 1 - k..k;
     let places = reach
@@ -32,7 +33,7 @@ pub(crate) fn of_force(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
 }
 
 /// The same within the globe, by mass and with a sum of 1: weights for a mean of displacements.
-pub(crate) fn of_displacement(mesh: &Mesh, k: isize, grid: (usize, usize)) -> Hat {
+pub(crate) fn of_displacement(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let mut hat = of_force(mesh, k, grid);
     let node = |i: usize| -> &Node { &mesh.nodes[i] };
     hat.retain(|&(i, _)| node(i).region.in_globe());

@@ -1,10 +1,12 @@
-//! The places that results refer to: the shell in order, the apex, the meridian, the monitored nodes.
+//! The places that results refer to: the shell in order, the apex, the meridian, the monitored
+//! nodes.
 //!
 //! All are nodes of level 1, so they exist at every level (level k has the node (i, j) of level 1
-//! at (k i, k j)). What is measured at them is measured over their hats, see [`crate::models::paper::eye::hats`].
+//! at (k i, k j)). What is measured at them is measured over their hats, see
+//! [`crate::models::paper::eye::hats`].
 
 use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
-use crate::models::paper::eye::mesh::Mesh;
+use crate::models::paper::eye::mesh::SectionMesh;
 use crate::run::places::Monitor;
 
 /// Column and row of a monitored node in the mesh of level 1.
@@ -38,7 +40,7 @@ pub struct Landmarks {
     pub meridian_hats: [Hat; 2],
 }
 
-pub(crate) fn find(mesh: &Mesh, level: u32) -> Landmarks {
+pub(crate) fn find(mesh: &SectionMesh, level: u32) -> Landmarks {
     let k = level as usize;
     let at = |(i, j): (usize, usize)| {
         mesh.node_at(i * k, j * k)

@@ -1,12 +1,13 @@
 //! The lens: an ellipse in the section, and how much of a triangle lies in it.
 //!
-//! On the paper's mesh five nodes lie in the ellipse and three springs join them: by nodes, the lens
-//! is these three. As the mesh gets finer such a lens grows towards its full size like 1/k, and every
-//! result follows it slowly. By area a spring takes the lens modulus for the share of its triangles that
-//! lies in the ellipse, so that the lens has its size at every level.
+//! On the paper's mesh five nodes lie in the ellipse and three springs join them: by nodes, the
+//! lens is these three. As the mesh gets finer such a lens grows towards its full size like 1/k,
+//! and every result follows it slowly. By area a spring takes the lens modulus for the share of
+//! its triangles that lies in the ellipse, so that the lens has its size at every level.
 //!
-//! The area is exact: scaled, the ellipse is the unit circle, and each edge of the triangle adds the
-//! area between it and the centre, a triangle where it runs inside and a sector where it runs outside.
+//! The area is exact: scaled, the ellipse is the unit circle, and each edge of the triangle adds
+//! the area between it and the centre, a triangle where it runs inside and a sector where it runs
+//! outside.
 
 use nalgebra::{Point2, Vector2};
 
@@ -33,7 +34,8 @@ pub(crate) fn area_within(corners: [Point2<f64>; 3]) -> f64 {
     (0.5 * swept * HALF_THICKNESS_M * HALF_HEIGHT_M).abs()
 }
 
-/// Twice the signed area of the part of the unit circle between the centre and the line from `a` to `b`.
+/// Twice the signed area of the part of the unit circle between the centre and the line from `a`
+/// to `b`.
 fn swept_by(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
     let along = b - a;
     let sector = |p: Vector2<f64>, q: Vector2<f64>| libm::atan2(p.perp(&q), p.dot(&q));

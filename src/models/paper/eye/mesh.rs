@@ -1,9 +1,9 @@
 //! Nodes: a square mesh mapped to a disc, cut into globe, shell, fat and orbit.
 //!
 //! Node (i, j) of the square has u = i - (n-1)/2, v = j - (n-1)/2 and ring r = max(|u|, |v|). The
-//! concentric map puts it at radius r d and angle pi/4 v/u (where |u| >= |v|, plus pi for u < 0) or
-//! pi/2 - pi/4 u/v (plus pi for v < 0), with d = 12 mm / (4.5 k). Level k has n = 15k + 1, so level
-//! 1 is the paper's 16 x 16 mesh and every level holds the nodes of level 1.
+//! concentric map puts it at radius r d and angle pi/4 v/u (where |u| >= |v|, plus pi for u < 0)
+//! or pi/2 - pi/4 u/v (plus pi for v < 0), with d = 12 mm / (4.5 k). Level k has n = 15k + 1, so
+//! level 1 is the paper's 16 x 16 mesh and every level holds the nodes of level 1.
 //!
 //! The paper draws the mapping without a formula; the concentric map keeps rings of the square as
 //! circles, which its figure 5 shows.
@@ -56,7 +56,7 @@ pub fn side_at_level(level: u32) -> usize {
     15 * level as usize + 1
 }
 
-pub(crate) struct Mesh {
+pub(crate) struct SectionMesh {
     pub side: usize,
     pub nodes: Vec<Node>,
     pub quads: Vec<[usize; 4]>,
@@ -64,7 +64,7 @@ pub(crate) struct Mesh {
     pub at: Vec<Option<usize>>,
 }
 
-impl Mesh {
+impl SectionMesh {
     pub fn node_at(&self, i: usize, j: usize) -> Option<usize> {
         self.at[j * self.side + i]
     }
@@ -90,7 +90,7 @@ fn to_disc_symmetric(u: f64, v: f64) -> Point2<f64> {
     Point2::new(p.x.copysign(u), p.y.copysign(v))
 }
 
-pub(crate) fn build(input: &EyeInput) -> Mesh {
+pub(crate) fn build(input: &EyeInput) -> SectionMesh {
     let k = f64::from(input.level);
     let side = side_at_level(input.level);
     let spacing = GLOBE_RADIUS_M / (SHELL_RING * k);
@@ -145,7 +145,7 @@ pub(crate) fn build(input: &EyeInput) -> Mesh {
         }
     }
 
-    let mut mesh = Mesh {
+    let mut mesh = SectionMesh {
         side,
         nodes,
         quads: Vec::new(),

@@ -11,8 +11,8 @@
 
 use crate::models::paper::eye::cross;
 use crate::models::paper::eye::lens::area_within;
-use crate::models::paper::eye::mesh::Mesh;
 use crate::models::paper::eye::mesh::Node;
+use crate::models::paper::eye::mesh::SectionMesh;
 use crate::run::places::Region;
 use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ fn kind_of(a: &Node, b: &Node, lens: bool) -> SpringKind {
     }
 }
 
-pub(crate) fn build(input: &EyeInput, mesh: &Mesh, shell: &[usize]) -> Vec<Spring> {
+pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Vec<Spring> {
     let k = f64::from(input.level);
     let position = |i: usize| mesh.nodes[i].position;
     let (by_nodes, by_area) = match input.lens {

@@ -8,7 +8,7 @@ use std::ops::{Deref, DerefMut};
 const LINE_BYTES: usize = 64;
 
 /// A fixed-length run of `f64`, aligned to 64 bytes.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Aligned {
     data: Vec<f64>,
     start: usize,

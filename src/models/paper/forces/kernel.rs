@@ -1,27 +1,30 @@
 //! The force kernel: springs, filaments and load, fused with the update of each node.
 //!
-//! The force of a spring with ends a and b is k (1 - l0/l) (b - a) on a. The ring goes first, as it
-//! needs all shell nodes where they are; then one sweep computes the grid springs and at once kicks
-//! and drifts the nodes.
+//! The force of a spring with ends a and b is k (1 - l0/l) (b - a) on a. The ring goes first, as
+//! it needs all shell nodes where they are; then one sweep computes the grid springs and at once
+//! kicks and drifts the nodes.
 //!
 //! Two forms of 1/l are compiled. The portable one is square root and division without fused
 //! multiply-add, which IEEE 754 rounds alike on every machine and at every vector width. The quick
-//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a series,
-//! on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the machine.
+//! one fuses and, on AVX-512, takes 14 bits of 1/sqrt from an instruction and the rest from a
+//! series, on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the
+//! machine.
 
 #![allow(
     clippy::inline_always,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
+use crate::models::paper::forces::filaments::{ring_forces, shell_length};
 use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::lanes::{
     Pair, Sums, V, fused, load, load_pair, splat, store, total,
 };
-use crate::models::paper::forces::ring::{ring_forces, shell_length};
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SHIFT};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::sweep::{Nodes, Update, sweep};
-use crate::models::paper::forces::system::{DIRECTIONS, LANES, SHIFT, System};
+use crate::models::paper::forces::system::System;
+use crate::models::pulse::Piece;
 use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
 /// One kick and one drift of a composition: v += kick a; x += r(v); v *= keep.
@@ -274,6 +277,14 @@ pub(crate) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64
         dispatch!(level, simd => evaluate_as::<_, false>(simd, system, state, force, kick))
     } else {
         dispatch!(level, simd => evaluate_as::<_, true>(simd, system, state, force, kick))
+    }
+}
+
+impl State {
+    /// Brings the acceleration up to date by the load law `piece`.
+    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
+        let force = system.load().pulse.force(piece, self.time);
+        evaluate(system, self, force, 0.0)
     }
 }
 

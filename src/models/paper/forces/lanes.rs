@@ -8,7 +8,7 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use crate::models::paper::forces::system::{DIRECTIONS, LANES};
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES};
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, SimdInto, f64x4, f64x8};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
@@ -107,8 +107,8 @@ fearless_simd::kernel!(
     }
 );
 
-/// The first bits of 1/sqrt, where the machine has an instruction for them: 14 of AVX-512; else 11.4 in
-/// single precision, whose range holds every length squared.
+/// The first bits of 1/sqrt, where the machine has an instruction for them: 14 of AVX-512; else
+/// 11.4 in single precision, whose range holds every length squared.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn seed<S: Simd>(simd: S, square: V<S>) -> Option<V<S>> {
@@ -143,9 +143,9 @@ pub(crate) fn inverse_root<S: Simd, const QUICK: bool>(simd: S, square: V<S>) ->
     }
 }
 
-/// How many of the four springs of a node take their roots from seeds in the quick form. Of AVX2 the
-/// series takes the multipliers as long as square root and division take the divider, so that half
-/// by each keeps both busy.
+/// How many of the four springs of a node take their roots from seeds in the quick form. Of AVX2
+/// the series takes the multipliers as long as square root and division take the divider, so that
+/// half by each keeps both busy.
 #[inline(always)]
 pub(crate) fn by_seeds<S: Simd>(simd: S) -> usize {
     match seed(simd, splat(simd, 1.0)) {

@@ -1,37 +1,28 @@
-//! Forces of the filaments, which join shell nodes a fixed number of hops apart, and of the load.
+//! The filaments, which join shell nodes a fixed number of hops apart, compiled.
 //!
 //! The shell is gathered into a run with ghosts at both ends, so that the springs of one hop count
 //! are vectors as well: place o against place o + hop.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::springs::SpringKind;
-use crate::models::paper::forces::lanes::{
-    Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store, total, zeros,
-};
-use crate::models::paper::forces::state::{Scratch, State};
-use crate::models::paper::forces::system::{LANES, Lane, Rows, System};
-use fearless_simd::{Simd, SimdBase};
+use crate::models::paper::forces::layout::{LANES, Lane, MovedRows};
 use std::collections::HashMap;
 
-/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has stiffness 0.
+/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has
+/// stiffness 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(crate) struct Strip {
-    stiffness: Lane,
-    tension: Lane,
-    half_compliance: Lane,
-    inverse_tension: Lane,
+    pub stiffness: Lane,
+    pub tension: Lane,
+    pub half_compliance: Lane,
+    pub inverse_tension: Lane,
     /// Gathered place of the first end of the first one.
-    first: usize,
+    pub first: usize,
     /// Distance along the ring between the two ends.
-    hop: usize,
+    pub hop: usize,
     /// Where the forces on the first ends go.
-    into: usize,
+    pub into: usize,
 }
 
 /// The ring of shell nodes, unrolled, with ghosts at both ends.
@@ -49,7 +40,7 @@ pub(crate) struct Ring {
     /// The hop counts.
     pub hops: Vec<usize>,
     /// All filaments.
-    strips: Vec<Strip>,
+    pub strips: Vec<Strip>,
 }
 
 impl Ring {
@@ -71,7 +62,7 @@ impl Ring {
 }
 
 /// The filaments of `eye` for the moved rows.
-pub(crate) fn compile(eye: &Eye, rows: &Rows) -> Ring {
+pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
     let shell = &eye.landmarks.shell;
     let count = shell.len();
     // The upper half starts just above the posterior pole, or on it.
@@ -163,111 +154,4 @@ pub(crate) fn compile(eye: &Eye, rows: &Rows) -> Ring {
         })
         .collect();
     ring
-}
-
-/// Length of the closed shell as it was last gathered, in m.
-#[inline(always)]
-pub(crate) fn shell_length<S: Simd, const QUICK: bool>(
-    simd: S,
-    system: &System,
-    state: &State,
-) -> f64 {
-    let ring = &system.ring;
-    let (x, y): (&[f64], &[f64]) = (&state.scratch.ring_x, &state.scratch.ring_y);
-    let mut sum = splat(simd, 0.0);
-    let shortest = splat(simd, system.shortest_squared);
-    for o in (0..ring.neighbours.len()).step_by(V::<S>::LEN) {
-        let g = ring.ghosts - 1 + o;
-        let (a, b) = (load_pair(simd, x, y, g), load_pair(simd, x, y, g + 1));
-        let square = Springs::<S>::new::<QUICK>(a, b, shortest).square;
-        let length = square * inverse_root::<S, QUICK>(simd, square);
-        sum = fused::<S, QUICK>(length, load(simd, &ring.neighbours, o), sum);
-    }
-    total::<S>(sum)
-}
-
-/// Forces of filaments and load on the shell, into the extra forces.
-#[inline(always)]
-pub(crate) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
-    simd: S,
-    system: &System,
-    state: &mut State,
-    force: f64,
-    sums: &mut Sums<S>,
-) {
-    let ring = &system.ring;
-    let s = &mut state.scratch;
-    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
-    let len = ring.gather.len();
-    let (ring_x, ring_y) = (&mut s.ring_x[..len], &mut s.ring_y[..len]);
-    for ((to_x, to_y), &(slot, sign)) in ring_x.iter_mut().zip(ring_y).zip(&ring.gather) {
-        *to_x = x[slot as usize];
-        *to_y = sign * y[slot as usize];
-    }
-    filament_forces::<S, QUICK, SURVEY>(simd, system, s, sums);
-    let (extra_x, extra_y): (&mut [f64], &mut [f64]) = (&mut s.extra_x, &mut s.extra_y);
-    let (hop_fx, hop_fy): (&[f64], &[f64]) = (&s.hop_fx, &s.hop_fy);
-    let run = ring.padded_len();
-    let owned = &ring.gather[ring.ghosts..ring.ghosts + ring.owned];
-    for (o, places) in owned.chunks(V::<S>::LEN).enumerate() {
-        let on_first = ring.ghosts + o * V::<S>::LEN;
-        let mut total = zeros(simd);
-        for (n, hop) in ring.hops.iter().enumerate() {
-            let pulled = load_pair(simd, hop_fx, hop_fy, n * run + on_first);
-            let pulling = load_pair(simd, hop_fx, hop_fy, n * run + on_first - hop);
-            total.0 += pulled.0 - pulling.0;
-            total.1 += pulled.1 - pulling.1;
-        }
-        for ((&(slot, _), x), y) in places
-            .iter()
-            .zip(total.0.as_slice())
-            .zip(total.1.as_slice())
-        {
-            extra_x[slot as usize] = *x;
-            extra_y[slot as usize] = *y;
-        }
-    }
-    for &(slot, px, py) in &system.load().shares {
-        extra_x[slot] += px * force;
-        extra_y[slot] += py * force;
-    }
-}
-
-/// Forces of all filaments on their first ends.
-#[inline(always)]
-fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
-    simd: S,
-    system: &System,
-    s: &mut Scratch,
-    sums: &mut Sums<S>,
-) {
-    let shortest = splat(simd, system.shortest_squared);
-    let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
-    let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
-    let hop_fy = &mut hop_fy[..hop_fx.len()];
-    let ring_y = &ring_y[..ring_x.len()];
-    for strip in &system.ring.strips {
-        for lane in (0..LANES).step_by(V::<S>::LEN) {
-            let a = strip.first + lane;
-            let springs = Springs::<S>::new::<QUICK>(
-                load_pair(simd, ring_x, ring_y, a),
-                load_pair(simd, ring_x, ring_y, a + strip.hop),
-                shortest,
-            );
-            let inverse = inverse_root::<S, QUICK>(simd, springs.square);
-            let stiffness = load(simd, &strip.stiffness, lane);
-            let tension = load(simd, &strip.tension, lane);
-            let (pull, (fx, fy)) = springs.force::<QUICK>(inverse, stiffness, tension);
-            if SURVEY {
-                sums.add::<QUICK>(
-                    pull * (springs.square * inverse),
-                    load(simd, &strip.half_compliance, lane),
-                    load(simd, &strip.inverse_tension, lane),
-                );
-            }
-            let into = strip.into + lane;
-            store::<S>(hop_fx, into, fx);
-            store::<S>(hop_fy, into, fy);
-        }
-    }
 }

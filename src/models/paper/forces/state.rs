@@ -1,14 +1,12 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::kernel;
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::system::{LANES, Place, System};
-use crate::models::pulse::Piece;
+use crate::models::paper::forces::layout::{LANES, RowPlace};
+use crate::models::paper::forces::system::System;
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct State {
     /// Time, in s.
     pub time: f64,
@@ -27,7 +25,7 @@ pub struct State {
 }
 
 /// Space that the kernel writes before it reads.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Forces from the row below.
     pub up_x: Aligned,
@@ -51,15 +49,12 @@ impl State {
         let ring = || Aligned::zeros(system.ring.padded_len());
         let hops = || Aligned::zeros(system.ring.hops_len());
         Self {
-            time: 0.0,
             x: system.rest_x.clone(),
             y: system.rest_y.clone(),
             vx: zeros(),
             vy: zeros(),
             ax: zeros(),
             ay: zeros(),
-            work: 0.0,
-            dissipated: 0.0,
             scratch: Scratch {
                 up_x: zeros(),
                 up_y: zeros(),
@@ -70,32 +65,7 @@ impl State {
                 hop_fx: hops(),
                 hop_fy: hops(),
             },
-        }
-    }
-
-    /// A state of nothing, to stand in while another is moved out.
-    pub fn empty() -> Self {
-        let none = || Aligned::zeros(0);
-        Self {
-            time: 0.0,
-            x: none(),
-            y: none(),
-            vx: none(),
-            vy: none(),
-            ax: none(),
-            ay: none(),
-            work: 0.0,
-            dissipated: 0.0,
-            scratch: Scratch {
-                up_x: none(),
-                up_y: none(),
-                extra_x: none(),
-                extra_y: none(),
-                ring_x: none(),
-                ring_y: none(),
-                hop_fx: none(),
-                hop_fy: none(),
-            },
+            ..Self::default()
         }
     }
 
@@ -116,24 +86,18 @@ impl State {
         }
     }
 
-    /// Brings the acceleration up to date by the load law `piece`.
-    pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
-        let force = system.load().pulse.force(piece, self.time);
-        kernel::evaluate(system, self, force, 0.0)
-    }
-
     /// Position of the node at `place`, in m.
-    pub fn position(&self, place: Place) -> Point2<f64> {
+    pub fn position(&self, place: RowPlace) -> Point2<f64> {
         Point2::new(self.x[place.slot], place.sign() * self.y[place.slot])
     }
 
     /// Velocity of the node at `place`, in m/s.
-    pub fn velocity(&self, place: Place) -> Vector2<f64> {
+    pub fn velocity(&self, place: RowPlace) -> Vector2<f64> {
         Vector2::new(self.vx[place.slot], place.sign() * self.vy[place.slot])
     }
 
     /// Acceleration of the node at `place`, drag included, in m/s^2.
-    pub fn acceleration(&self, system: &System, place: Place) -> Vector2<f64> {
+    pub fn acceleration(&self, system: &System, place: RowPlace) -> Vector2<f64> {
         let drag = system.decay_at(place.slot);
         Vector2::new(
             self.ax[place.slot] - drag * self.vx[place.slot],
@@ -142,7 +106,7 @@ impl State {
     }
 
     /// Moves the node at `place` and sets its velocity: for tests and for starting off rest.
-    pub fn set(&mut self, place: Place, position: Point2<f64>, velocity: Vector2<f64>) {
+    pub fn set(&mut self, place: RowPlace, position: Point2<f64>, velocity: Vector2<f64>) {
         self.x[place.slot] = position.x;
         self.y[place.slot] = place.sign() * position.y;
         self.vx[place.slot] = velocity.x;

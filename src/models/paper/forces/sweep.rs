@@ -16,36 +16,18 @@
 use crate::models::paper::forces::lanes::{
     Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
+use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, SurveyGroup};
 use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::{DIRECTIONS, Group, LANES, SurveyGroup, System};
+use crate::models::paper::forces::system::System;
 use fearless_simd::{Simd, SimdBase};
 
-/// First slots of the vectors that a sweep goes through.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Active {
-    /// From below; the last one twice, because the sweep looks one ahead.
-    slots: Vec<u32>,
-    last: usize,
-}
-
-impl Active {
-    /// The vectors that start at `slots`.
-    pub fn new(slots: impl Iterator<Item = usize>) -> Self {
-        let mut slots: Vec<u32> = slots.map(|slot| slot as u32).collect();
-        let last = slots.iter().copied().max().unwrap_or(0);
-        slots.extend(slots.last().copied());
-        let last = last as usize;
-        Self { slots, last }
-    }
-}
-
-/// What an update may read and write of some neighbouring nodes: of each run as many values as a vector
-/// holds.
+/// What an update may read and write of some neighbouring nodes: of each run as many values as a
+/// vector holds.
 pub(crate) struct Nodes<'a, S: Simd> {
     pub simd: S,
     /// Place of the first node in its group.
     pub lane: usize,
-    pub group: &'a Group,
+    pub group: &'a SpringGroup,
     pub position: Pair<S>,
     pub vx: &'a mut [f64],
     pub vy: &'a mut [f64],
@@ -73,7 +55,7 @@ unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
     unsafe { run.get_unchecked(at..at + len) }
 }
 
-/// The same to write.
+/// [`part`] of a run that may be written.
 ///
 /// # Safety
 /// As [`part`].
@@ -99,8 +81,8 @@ unsafe fn around<'a>(
     unsafe { (part(x, slot as usize, reach), part(y, slot as usize, reach)) }
 }
 
-/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`, what
-/// `update` returns becomes their position.
+/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`,
+/// what `update` returns becomes their position.
 #[inline(always)]
 pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
     simd: S,

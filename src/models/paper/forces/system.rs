@@ -1,88 +1,34 @@
 //! The eye and its load compiled into rows for the force kernel.
 //!
-//! The mesh stays a grid: row j holds the nodes of that row side by side, padded to whole groups of
-//! eight, and every grid spring belongs to one of four directions (right, up, up-right, and from
-//! above-left to below-right), stored with the node at its lower left. The kernel then needs no
-//! index lists. Filaments live on the ring of shell nodes, which is gathered into a run of its own
-//! with ghosts at both ends.
+//! The mesh stays a grid: row j holds the nodes of that row side by side, padded to whole groups
+//! of eight, and every grid spring belongs to one of four directions (right, up, up-right, and
+//! from above-left to below-right), stored with the node at its lower left. The kernel then needs
+//! no index lists. Filaments live on the ring of shell nodes, which is gathered into a run of its
+//! own with ghosts at both ends.
 //!
 //! A place of the grid that has no node, and a spring that has no moving end, has stiffness 0.
 //!
-//! When the load is symmetric about the visual axis, only the upper half is compiled. The row below
-//! it is a ghost that mirrors the row above; each node then stands for itself and its image, which
-//! the weights in the energy sums account for. The motion is the whole eye's to round-off.
+//! When the load is symmetric about the visual axis, only the upper half is compiled. The row
+//! below it is a ghost that mirrors the row above; each node then stands for itself and its image,
+//! which the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
 use crate::models::paper::eye::Eye;
+use crate::models::paper::eye::frequency;
 use crate::models::paper::eye::springs::SpringKind;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::lanes;
+use crate::models::paper::forces::layout::{
+    Active, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
+};
 use crate::models::paper::forces::load::ArcLoad;
 use crate::models::paper::forces::ring;
 use crate::models::paper::forces::ring::Ring;
-use crate::models::paper::forces::sweep::Active;
-use crate::models::paper::time::stability;
 use crate::models::pulse::Pulse;
 use fearless_simd::{Level, dispatch};
 
-/// Nodes that the kernel handles at once.
-pub const LANES: usize = 8;
-/// Places by which the rows start late. At level 1 most rows then fill whole vectors of four. Where
-/// no padding is left, the last place of a row is the first of the next, which is never used.
-pub(crate) const SHIFT: usize = 1;
-/// Grid directions a node owns springs in.
-pub(crate) const DIRECTIONS: usize = 4;
 /// A spring shorter than this share of the shortest rest length is treated as that long, so that
 /// its direction stays defined: the force is continuous and no NaN can arise.
 const SHORTEST_SHARE: f64 = 1e-6;
-
-/// Eight neighbouring values.
-pub(crate) type Lane = [f64; LANES];
-
-/// What the kernel needs of eight neighbouring nodes.
-#[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
-pub(crate) struct Group {
-    /// Stiffness of the springs in each direction, N/m.
-    pub stiffness: [Lane; DIRECTIONS],
-    /// Stiffness times rest length, N.
-    pub tension: [Lane; DIRECTIONS],
-    /// 1/mass of nodes that move, else 0.
-    pub inverse_mass: Lane,
-    /// 1 for fat, 0 for globe.
-    pub fat: Lane,
-    /// Half the mass times the number of nodes it stands for.
-    pub half_mass: Lane,
-}
-
-/// What the survey needs beside a [`Group`].
-#[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
-pub(crate) struct SurveyGroup {
-    /// The number of springs it stands for over twice the stiffness, 0 where there is no spring.
-    pub half_compliance: [Lane; DIRECTIONS],
-    /// 1/(stiffness times rest length), 0 where there is no spring.
-    pub inverse_tension: [Lane; DIRECTIONS],
-    /// 1/(twice the rest area) of the quad at the upper right, 0 where there is none.
-    pub inverse_area: Lane,
-    /// 1 where there is no quad, else 0.
-    pub no_quad: Lane,
-}
-
-/// Where a node of the eye is found in the rows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
-    /// Index into the rows.
-    pub slot: usize,
-    /// Whether the slot holds its mirror image.
-    pub mirrored: bool,
-}
-
-impl Place {
-    /// Sign of the y components read at the slot.
-    pub fn sign(self) -> f64 {
-        if self.mirrored { -1.0 } else { 1.0 }
-    }
-}
 
 /// The load as the kernel applies it.
 #[derive(Debug, Clone)]
@@ -104,7 +50,7 @@ pub struct System {
     pub(crate) first_row: usize,
     /// Row that the ghost mirrors.
     pub(crate) mirror_row: Option<usize>,
-    pub(crate) groups: Vec<Group>,
+    pub(crate) groups: Vec<SpringGroup>,
     pub(crate) survey: Vec<SurveyGroup>,
     pub(crate) ring: Ring,
     pub(crate) shortest_squared: f64,
@@ -118,7 +64,7 @@ pub struct System {
     pub(crate) level: Level,
     /// The vectors that hold anything that moves.
     pub(crate) active: Active,
-    places: Vec<Place>,
+    places: Vec<RowPlace>,
     load: NodeLoad,
     omega_bound: f64,
     springs_per_evaluation: usize,
@@ -131,15 +77,19 @@ impl System {
         let mirrored = !whole && load.direction.y == 0.0 && load.arc.0 == -load.arc.1;
         let side = eye.side;
         let stride = side.next_multiple_of(LANES);
-        let rows = Rows::new(side, stride, mirrored);
+        let rows = MovedRows::new(side, stride, mirrored);
 
+        let no_quads = SurveyGroup {
+            no_quad: [1.0; LANES],
+            ..SurveyGroup::default()
+        };
         let mut system = Self {
             side,
             stride,
             first_row: rows.first,
             mirror_row: rows.mirror,
-            groups: vec![EMPTY_GROUP; (side + 1) * stride / LANES],
-            survey: vec![EMPTY_SURVEY; (side + 1) * stride / LANES],
+            groups: vec![SpringGroup::default(); (side + 1) * stride / LANES],
+            survey: vec![no_quads; (side + 1) * stride / LANES],
             ring: Ring::default(),
             shortest_squared: shortest_squared(eye),
             rest_x: Aligned::zeros((side + 1) * stride + LANES),
@@ -154,7 +104,7 @@ impl System {
                 shares: Vec::new(),
                 work: Vec::new(),
             },
-            omega_bound: stability::omega_bound(eye),
+            omega_bound: frequency::omega_bound(eye),
             springs_per_evaluation: 0,
         };
         system.put_nodes(eye, &rows);
@@ -178,7 +128,7 @@ impl System {
         system
     }
 
-    fn put_nodes(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_nodes(&mut self, eye: &Eye, rows: &MovedRows) {
         // Places without a node get distinct positions too, so that no length there is zero.
         for j in 0..self.side {
             for i in 0..self.stride {
@@ -201,7 +151,7 @@ impl System {
         }
     }
 
-    fn put_springs(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_springs(&mut self, eye: &Eye, rows: &MovedRows) {
         for spring in &eye.springs {
             let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
             if spring.kind == SpringKind::Filament || (a.fixed() && b.fixed()) {
@@ -231,7 +181,7 @@ impl System {
         }
     }
 
-    fn put_quads(&mut self, eye: &Eye, rows: &Rows) {
+    fn put_quads(&mut self, eye: &Eye, rows: &MovedRows) {
         for quad in &eye.quads {
             let p = quad.map(|i| eye.nodes[i].position);
             let (i, j) = eye.nodes[quad[0]].grid;
@@ -261,7 +211,7 @@ impl System {
     }
 
     /// Where node `node` of the eye is found.
-    pub fn place(&self, node: usize) -> Place {
+    pub fn place(&self, node: usize) -> RowPlace {
         self.places[node]
     }
 
@@ -271,7 +221,7 @@ impl System {
     }
 
     /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
-    /// rad/s; see [`crate::models::paper::time::stability`].
+    /// rad/s; see [`crate::models::paper::eye::frequency`].
     pub fn omega_bound(&self) -> f64 {
         self.omega_bound
     }
@@ -284,73 +234,6 @@ impl System {
     /// Whether only the upper half is moved.
     pub fn mirrored(&self) -> bool {
         self.mirror_row.is_some()
-    }
-}
-
-const EMPTY_GROUP: Group = Group {
-    stiffness: [[0.0; LANES]; DIRECTIONS],
-    tension: [[0.0; LANES]; DIRECTIONS],
-    inverse_mass: [0.0; LANES],
-    fat: [0.0; LANES],
-    half_mass: [0.0; LANES],
-};
-
-const EMPTY_SURVEY: SurveyGroup = SurveyGroup {
-    half_compliance: [[0.0; LANES]; DIRECTIONS],
-    inverse_tension: [[0.0; LANES]; DIRECTIONS],
-    inverse_area: [0.0; LANES],
-    no_quad: [1.0; LANES],
-};
-
-/// Which rows are moved, and what each stands for.
-pub(crate) struct Rows {
-    side: usize,
-    stride: usize,
-    first: usize,
-    mirror: Option<usize>,
-}
-
-impl Rows {
-    fn new(side: usize, stride: usize, mirrored: bool) -> Self {
-        // An even side has the axis between two rows, an odd one has a row on the axis.
-        let (first, mirror) = if mirrored {
-            let ghost = side.div_ceil(2) - 1 - side % 2;
-            (ghost, Some(side - 1 - ghost))
-        } else {
-            (0, None)
-        };
-        Self {
-            side,
-            stride,
-            first,
-            mirror,
-        }
-    }
-
-    pub fn owns(&self, row: usize) -> bool {
-        self.mirror.is_none() || row > self.first
-    }
-
-    /// How many rows of the whole eye row `row` stands for.
-    pub fn weight(&self, row: usize) -> f64 {
-        if self.mirror.is_none() {
-            1.0
-        } else if !self.owns(row) {
-            0.0
-        } else if 2 * row + 1 == self.side {
-            1.0
-        } else {
-            2.0
-        }
-    }
-
-    pub fn place(&self, (i, j): (usize, usize)) -> Place {
-        let mirrored = !self.owns(j);
-        let row = if mirrored { self.side - 1 - j } else { j };
-        Place {
-            slot: row * self.stride + i + SHIFT,
-            mirrored,
-        }
     }
 }
 

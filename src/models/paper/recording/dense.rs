@@ -1,8 +1,8 @@
 //! Dense output: the motion between two step ends, by quintic Hermite interpolation.
 //!
-//! Position, velocity and acceleration at both ends fix a polynomial of degree five, whose error is
-//! of sixth order in the step. Forces in between are evaluated afresh at interpolated positions,
-//! which keeps the peak of a force far more accurate than the largest sample.
+//! Position, velocity and acceleration at both ends fix a polynomial of degree five, whose error
+//! is of sixth order in the step. Forces in between are evaluated afresh at interpolated
+//! positions, which keeps the peak of a force far more accurate than the largest sample.
 //!
 //! An interval never spans a break of the load, where the acceleration jumps.
 
@@ -28,7 +28,8 @@ impl Path {
         Self::of(system, before, after, &[(node, 1.0)])
     }
 
-    /// The path of the sum of some nodes, each times its weight: of their mean, if the weights add up to 1.
+    /// The path of the sum of some nodes, each times its weight: of their mean, if the weights add
+    /// up to 1.
     pub fn of(system: &System, before: &State, after: &State, nodes: &[(usize, f64)]) -> Self {
         let h = after.time - before.time;
         let mut ends = [[Vector2::zeros(); 3]; 2];
@@ -144,13 +145,14 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
     top
 }
 
-/// The resultant of everything that acts on the tissue around a node: the sum of w m a over its hat.
+/// The resultant of everything that acts on the tissue around a node: the sum of w m a over its
+/// hat.
 ///
-/// Only springs that leave the hat or change the weight within it count; at level 1 these are those of
-/// the node.
+/// Only springs that leave the hat or change the weight within it count; at level 1 these are
+/// those of the node.
 #[derive(Debug, Clone)]
 pub struct NodeForce {
-    /// Of the node in the middle.
+    /// Mass of the node in the middle, in kg.
     mass: f64,
     /// Each node's weight times its mass, as a share of `mass`.
     nodes: Vec<(usize, f64)>,
@@ -160,8 +162,8 @@ pub struct NodeForce {
     ends: Vec<usize>,
     /// Places in `ends`, the heavier first; stiffness times difference of weights; rest length.
     springs: Vec<((usize, usize), f64, f64)>,
-    /// Paths of the drags' nodes, of all ends, and of the springs from end to end; kept so that no step
-    /// allocates.
+    /// Paths of the drags' nodes, of all ends, and of the springs from end to end; kept so that no
+    /// step allocates.
     dragged: Vec<(f64, Path)>,
     paths: Vec<Path>,
     spans: Vec<Path>,

@@ -10,7 +10,7 @@ use crate::models::paper::recording::dense::Path;
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
-/// Collects frames during a march.
+/// Collects frames during a run.
 #[derive(Debug, Clone)]
 pub struct FrameTaker {
     spacing: Spacing,
@@ -56,7 +56,7 @@ impl FrameTaker {
         // The frame at the end of the window must not be lost to rounding.
         while self.due() <= after.time + 1e-9 * self.spacing.every {
             let share = ((self.due() - before.time) / h).min(1.0);
-            let mut probe = std::mem::replace(&mut self.probe, State::empty());
+            let mut probe = std::mem::take(&mut self.probe);
             probe.time = before.time + share * h;
             for node in 0..self.nodes {
                 let place = system.place(node);

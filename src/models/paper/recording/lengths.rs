@@ -19,7 +19,7 @@ const NEAR: f64 = 0.9;
 
 /// What is measured of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum LengthKind {
     /// Length of the closed line through them.
     Ring,
     /// Distance between two.
@@ -30,14 +30,14 @@ pub enum Kind {
 
 /// A point that moves with some nodes.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct LinePoint {
     /// Where it is when the weighted sum of the nodes' positions is 0, in m.
     base: Vector2<f64>,
     /// Nodes with weights that add up to 1.
     nodes: Hat,
 }
 
-impl Point {
+impl LinePoint {
     /// The mean position of the nodes.
     pub fn mean(nodes: Hat) -> Self {
         Self {
@@ -66,11 +66,11 @@ fn sum(nodes: &[(usize, f64)], of: impl Fn(usize) -> Vector2<f64>) -> Vector2<f6
 }
 
 /// The measure of points at `point`, in order.
-fn value(kind: Kind, mut points: impl ExactSizeIterator<Item = Vector2<f64>>) -> f64 {
+fn value(kind: LengthKind, mut points: impl ExactSizeIterator<Item = Vector2<f64>>) -> f64 {
     let count = points.len();
     match kind {
-        Kind::MeanX => points.map(|p| p.x).sum::<f64>() / count as f64,
-        Kind::Ring | Kind::Span => {
+        LengthKind::MeanX => points.map(|p| p.x).sum::<f64>() / count as f64,
+        LengthKind::Ring | LengthKind::Span => {
             let Some(first) = points.next() else {
                 return 0.0;
             };
@@ -79,7 +79,7 @@ fn value(kind: Kind, mut points: impl ExactSizeIterator<Item = Vector2<f64>>) ->
                 length += (point - before).norm();
                 before = point;
             }
-            if kind == Kind::Ring {
+            if kind == LengthKind::Ring {
                 length += (first - before).norm();
             }
             length
@@ -89,7 +89,7 @@ fn value(kind: Kind, mut points: impl ExactSizeIterator<Item = Vector2<f64>>) ->
 
 /// Its rate of change, from positions and velocities.
 fn rate(
-    kind: Kind,
+    kind: LengthKind,
     mut points: impl ExactSizeIterator<Item = (Vector2<f64>, Vector2<f64>)>,
 ) -> f64 {
     let count = points.len();
@@ -104,8 +104,8 @@ fn rate(
         }
     };
     match kind {
-        Kind::MeanX => points.map(|(_, v)| v.x).sum::<f64>() / count as f64,
-        Kind::Ring | Kind::Span => {
+        LengthKind::MeanX => points.map(|(_, v)| v.x).sum::<f64>() / count as f64,
+        LengthKind::Ring | LengthKind::Span => {
             let Some(first) = points.next() else {
                 return 0.0;
             };
@@ -114,7 +114,7 @@ fn rate(
                 rate += between(before, point);
                 before = point;
             }
-            if kind == Kind::Ring {
+            if kind == LengthKind::Ring {
                 rate += between(before, first);
             }
             rate
@@ -125,8 +125,8 @@ fn rate(
 /// Follows one measure and keeps its largest growth over the value at rest.
 #[derive(Debug, Clone)]
 pub struct Growth {
-    kind: Kind,
-    points: Vec<Point>,
+    kind: LengthKind,
+    points: Vec<LinePoint>,
     rest: f64,
     last: f64,
     /// Largest growth, in m; 0 if it never grows.
@@ -138,7 +138,7 @@ pub struct Growth {
 
 impl Growth {
     /// Follows `kind` of `points` from the shape that `state` has.
-    pub fn new(kind: Kind, points: Vec<Point>, system: &System, state: &State) -> Self {
+    pub fn new(kind: LengthKind, points: Vec<LinePoint>, system: &System, state: &State) -> Self {
         let mut growth = Self {
             kind,
             points,
@@ -226,12 +226,12 @@ impl Growth {
     fn rate(&self, system: &System, state: &State) -> f64 {
         let position = |n| state.position(system.place(n)).coords;
         let velocity = |n| state.velocity(system.place(n));
-        let moving = |p: &Point| (p.base + sum(&p.nodes, position), sum(&p.nodes, velocity));
+        let moving = |p: &LinePoint| (p.base + sum(&p.nodes, position), sum(&p.nodes, velocity));
         rate(self.kind, self.points.iter().map(moving))
     }
 
     fn search(&mut self, system: &System, before: &State, after: &State) {
-        let path = |p: &Point| (p.base, Path::of(system, before, after, &p.nodes));
+        let path = |p: &LinePoint| (p.base, Path::of(system, before, after, &p.nodes));
         let paths: Vec<(Vector2<f64>, Path)> = self.points.iter().map(path).collect();
         let (found, share) = maximum(SCAN, f64::NEG_INFINITY, |s| {
             let points = paths.iter().map(|(base, p)| base + p.position(s).coords);

@@ -1,4 +1,4 @@
-//! What a march leaves behind: extremes over every step, traces, frames.
+//! What a run leaves behind: extremes over every step, traces, frames.
 //!
 //! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
 
@@ -14,7 +14,7 @@ use crate::run::plan::Cost;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extremes {
+pub struct PaperExtremes {
     /// |sum w m a| over the hats of the monitored nodes, in N; at level 1 |m a| of the node.
     pub force: [Peak; 4],
     /// Corneal apex displacement, in m.
@@ -31,7 +31,7 @@ pub struct Extremes {
     pub strain: Peak,
     /// Smallest ratio of a quad's signed area to its area at rest.
     pub least_quad_ratio: f64,
-    /// Of quads whose signed area reached zero.
+    /// How the mesh folded: quads whose signed area reached zero.
     pub fold: Option<Fold>,
     /// Largest |work in - kinetic - elastic - dissipated| as a share of the work in.
     pub energy_residual: f64,
@@ -44,7 +44,7 @@ pub struct Extremes {
     pub lost_in_rounding: bool,
 }
 
-impl Extremes {
+impl PaperExtremes {
     /// Nothing acted on the eye: what it seems to have done is rounding.
     fn forget_rounding(&mut self) {
         let nothing = Peak::floor(0.0);
@@ -59,11 +59,11 @@ impl Extremes {
     }
 }
 
-/// Everything kept of one march.
+/// Everything kept of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Largest values over every step.
-    pub extremes: Extremes,
+    pub extremes: PaperExtremes,
     /// Values at step ends, if they were asked for.
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.

@@ -1,4 +1,4 @@
-//! The observer that turns a march into a recording.
+//! The observer that turns a run into a recording.
 
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::hats::Hat;
@@ -8,9 +8,9 @@ use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::NodeForce;
 use crate::models::paper::recording::frames::FrameTaker;
-use crate::models::paper::recording::lengths::{Growth, Kind, Point};
-use crate::models::paper::recording::settling::{Bend, Bounds, ShellBound};
-use crate::models::paper::recording::{Extremes, Recording};
+use crate::models::paper::recording::lengths::{Growth, LengthKind, LinePoint};
+use crate::models::paper::recording::settling::{Bend, RiseBounds, ShellBound};
+use crate::models::paper::recording::{PaperExtremes, Recording};
 use crate::models::paper::time::march::Observer;
 use crate::models::pulse::Piece;
 use crate::run::fold::FoldWatch;
@@ -85,10 +85,11 @@ fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
 
 /// What rounding does to a position some 10 mm away from the middle, in m.
 const ROUNDING_M: f64 = 2e-18;
-/// A blow that gives less than so many times the energy of springs strained by that is rounding itself.
+/// A blow that gives less than so many times the energy of springs strained by that is rounding
+/// itself.
 const LOST: f64 = 1e4;
 
-/// Watches a march and records it.
+/// Watches a run and records it.
 #[derive(Debug)]
 pub struct Recorder {
     before: State,
@@ -100,7 +101,7 @@ pub struct Recorder {
     shell: Growth,
     meridian: Growth,
     apex: Growth,
-    bounds: Bounds,
+    bounds: RiseBounds,
     bend: Bend,
     energy: f64,
     loaded: bool,
@@ -148,23 +149,31 @@ impl Recorder {
         let displaced = |middles: [usize; 2], hats: &[Hat; 2]| {
             let points = middles.into_iter().zip(hats);
             points
-                .map(|(n, hat)| Point::displaced(eye, n, hat.clone()))
+                .map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone()))
                 .collect()
         };
-        let ring = marks.shell_hats.iter().cloned().map(Point::mean).collect();
+        let ring = marks
+            .shell_hats
+            .iter()
+            .cloned()
+            .map(LinePoint::mean)
+            .collect();
         Self {
             monitors: std::array::from_fn(monitor),
             forces: [Peak::floor(0.0); 4],
             last_forces: [0.0; 4],
-            bounds: Bounds::new(eye),
+            bounds: RiseBounds::new(eye),
             bend: Bend::UNKNOWN,
             energy: 0.0,
             loaded: true,
             window,
             surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
-            shell: growth(Kind::Ring, ring),
-            meridian: growth(Kind::Span, displaced(marks.meridian, &marks.meridian_hats)),
-            apex: growth(Kind::MeanX, displaced(marks.apex, &marks.apex_hats)),
+            shell: growth(LengthKind::Ring, ring),
+            meridian: growth(
+                LengthKind::Span,
+                displaced(marks.meridian, &marks.meridian_hats),
+            ),
+            apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
@@ -191,7 +200,7 @@ impl Recorder {
         }
     }
 
-    fn look(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+    fn record(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
         let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
         self.last_forces = forces;
         for (peak, force) in self.forces.iter_mut().zip(forces) {
@@ -201,7 +210,7 @@ impl Recorder {
         self.strain.offer(survey.strain, state.time);
         self.least_quad = self.least_quad.min(survey.quad_ratio);
         let quads = &self.quads;
-        self.fold.look(
+        self.fold.record(
             state.time,
             survey.quad_ratio,
             |quad| quads[quad].ratio(|node| state.position(system.place(node))),
@@ -266,7 +275,7 @@ impl Recorder {
                 <= self.meridian.peak.value
     }
 
-    /// The recording, once the march has ended at `state` and cost so much.
+    /// The recording, once the run has ended at `state` and cost so much.
     pub fn finish(self, state: &State, cost: Cost) -> Recording {
         let relative = |growth: &Growth| Peak {
             value: growth.peak.value / growth.rest(),
@@ -277,7 +286,7 @@ impl Recorder {
             .any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
         let open = self.loaded || !self.forces_are_final(0.0);
-        let mut extremes = Extremes {
+        let mut extremes = PaperExtremes {
             force: self.forces,
             apex: self.apex.peak,
             shell_growth: relative(&self.shell),
@@ -312,7 +321,7 @@ impl Recorder {
 
 impl Observer for Recorder {
     fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.look(system, state, piece, survey);
+        self.record(system, state, piece, survey);
         self.before.copy_motion(system, state);
         if let Some(frames) = &mut self.frames {
             frames.begin(system, state);
@@ -326,7 +335,7 @@ impl Observer for Recorder {
         self.meridian.step(system, &self.before, state, None);
         self.apex.step(system, &self.before, state, None);
         let before = self.last_forces;
-        self.look(system, state, piece, survey);
+        self.record(system, state, piece, survey);
         let periods = system.omega_bound() * (state.time - self.before.time) / TAU;
         let points = ((POINTS_PER_PERIOD * periods).ceil() as usize).max(FEWEST_POINTS);
         for ((monitor, peak), (earlier, now)) in self

@@ -4,19 +4,20 @@
 //!
 //! * by Cauchy-Schwarz the springs at a node pull with at most `sqrt(sum k) sqrt(2 E_elastic)` and
 //!   its drag with `c sqrt(2 E_kinetic / m)`, together at most `sqrt(sum k + c^2/m) sqrt(2 E)`;
-//! * the shell is longer than at rest by at most `sqrt(sum 1/k) sqrt(2 E)` over the springs along it;
+//! * the shell is longer than at rest by at most `sqrt(sum 1/k) sqrt(2 E)` over the springs along
+//!   it;
 //! * no spring is strained by more than `sqrt(2 E / (k l0^2))`.
 //!
-//! Of a hat with weights w the force is at most `sqrt(sum k d^2 + sum w^2 c^2/m) sqrt(2 E)`, with d the
-//! difference of the weights at the ends of a spring.
+//! Of a hat with weights w the force is at most `sqrt(sum k d^2 + sum w^2 c^2/m) sqrt(2 E)`, with
+//! d the difference of the weights at the ends of a spring.
 //!
-//! Drag takes the integral of c v^2 from that energy, so over the time T that is left the weighted sum
-//! of some displacements changes by at most the integral of sum w |v| <= `sqrt(sum w^2/c) sqrt(T E)`.
-//! The line through the hats along the shell can grow without any spring along the shell being stretched,
-//! where bends straighten out. Its rate of growth is the sum over its corners of v . (e - e'), with e and e'
-//! the directions of the sides before and after; |e - e'| is now at most some b, and with every corner
-//! moving by less than D it stays below b + 8 D over the shortest side.
-//! This holds in any shape, without linearising.
+//! Drag takes the integral of c v^2 from that energy, so over the time T that is left the weighted
+//! sum of some displacements changes by at most the integral of sum w |v| <= `sqrt(sum w^2/c)
+//! sqrt(T E)`. The line through the hats along the shell can grow without any spring along the
+//! shell being stretched, where bends straighten out. Its rate of growth is the sum over its
+//! corners of v . (e - e'), with e and e' the directions of the sides before and after; |e - e'|
+//! is now at most some b, and with every corner moving by less than D it stays below b + 8 D over
+//! the shortest side. This holds in any shape, without linearising.
 //!
 //! Once all of it stays below what has been recorded, the rest of the window need not be computed.
 //! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
@@ -52,10 +53,10 @@ impl Travel {
 /// A bound of the growth of the shell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum ShellBound {
-    /// Of its growth over its length at rest, where every node is a corner.
+    /// Bound of its growth over its length at rest, where every node is a corner.
     Stretch(Reach),
-    /// Of its growth from now on, where its corners are hats: of the sum of the ways of all corners, and
-    /// of the way of any one.
+    /// Bounds of its growth from now on, where its corners are hats: of the sum of the ways of
+    /// all corners, and of the way of any one.
     Change(Travel, Travel),
 }
 
@@ -85,7 +86,7 @@ impl Bend {
 
 /// The bounds of all results of one eye.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Bounds {
+pub(crate) struct RiseBounds {
     /// Force at each monitored node, N.
     pub force: [Reach; 4],
     /// Growth of the shell, m.
@@ -98,7 +99,7 @@ pub(crate) struct Bounds {
     pub meridian: Travel,
 }
 
-impl Bounds {
+impl RiseBounds {
     pub fn new(eye: &Eye) -> Self {
         let marks = &eye.landmarks;
         let weakest = eye

@@ -5,15 +5,14 @@
 //! composition kick b1, drift a1, kick b2, ... has even order. The last kick of a step and the
 //! first of the next share one force evaluation.
 //!
-//! The Runge-Kutta-Nystrom conditions of Blanes and Moan hold with linear drag in the drift, because
-//! the kick depends on positions alone.
+//! The Runge-Kutta-Nystrom conditions of Blanes and Moan hold with linear drag in the drift,
+//! because the kick depends on positions alone.
 
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
 use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
-use crate::models::paper::time::method::Drag;
-use crate::models::paper::time::stepper::{EqualSteps, Stepper};
+use crate::models::paper::time::stepper::{Drag, EqualSteps, Stepper};
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 

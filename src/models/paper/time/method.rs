@@ -1,10 +1,10 @@
 //! What each integrator is: one row each, coefficients included.
 //!
-//! Everything that asks something of an integrator asks its row: the march, the stability limit, the
-//! command line, the forms, the plots of accuracy and the tests. A further one is a name in
-//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability and
-//! energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta method
-//! needs a [`Stepper`] of its own as well.
+//! Everything that asks something of an integrator asks its row: the march, the stability limit,
+//! the command line, the forms, the plots of accuracy and the tests. A further one is a name in
+//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability
+//! and energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta
+//! method needs a [`Stepper`] of its own as well.
 //!
 //! The paper prints v = (a - `a_previous`) dt, which gives zero under constant acceleration; its
 //! scheme is read as v += a dt, x += v dt.
@@ -15,7 +15,7 @@
 use crate::models::paper::forces::system::System;
 use crate::models::paper::time::composition::Composition;
 use crate::models::paper::time::runge_kutta::{RungeKutta, Tableau};
-use crate::models::paper::time::stepper::Stepper;
+use crate::models::paper::time::stepper::{Drag, Stepper};
 use crate::run::plan::Plan;
 use crate::scenario::Integrator;
 
@@ -38,24 +38,12 @@ pub struct Method {
     /// How drag is treated.
     pub drag: Drag,
     /// How a step is made.
-    pub(crate) scheme: Scheme,
-}
-
-/// How a method treats the drag, which decides what it costs in step length; see
-/// [`crate::models::paper::time::stability`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drag {
-    /// Solved exactly within each drift.
-    Exact,
-    /// Added to the kick at the start of the step.
-    WithKick,
-    /// Part of the acceleration at every stage.
-    InRates,
+    pub(crate) scheme: MethodKind,
 }
 
 /// How a step is made.
 #[derive(Debug)]
-pub(crate) enum Scheme {
+pub(crate) enum MethodKind {
     /// Kicks and drifts in turn, in shares of the step; the kicks are one more than the drifts.
     Composition {
         kicks: &'static [f64],
@@ -69,14 +57,14 @@ impl Method {
     /// Force evaluations a step, with one that consecutive steps share counted once.
     pub fn evaluations(&self) -> usize {
         match &self.scheme {
-            Scheme::Composition { drifts, .. } => drifts.len(),
-            Scheme::RungeKutta(tableau) => tableau.nodes.len(),
+            MethodKind::Composition { drifts, .. } => drifts.len(),
+            MethodKind::RungeKutta(tableau) => tableau.nodes.len(),
         }
     }
 
-    /// Whether it chooses its own steps.
+    /// Whether the method chooses its own step lengths.
     pub fn adaptive(&self) -> bool {
-        matches!(&self.scheme, Scheme::RungeKutta(tableau) if !tableau.error.is_empty())
+        matches!(&self.scheme, MethodKind::RungeKutta(tableau) if !tableau.error.is_empty())
     }
 
     /// A stepper for `system` by this method.
@@ -86,10 +74,10 @@ impl Method {
         plan: &Plan,
     ) -> Box<dyn Stepper + 'a> {
         match &self.scheme {
-            Scheme::Composition { kicks, drifts } => {
+            MethodKind::Composition { kicks, drifts } => {
                 Box::new(Composition::new(system, kicks, drifts, self.drag))
             }
-            Scheme::RungeKutta(tableau) => Box::new(RungeKutta::new(system, tableau, plan)),
+            MethodKind::RungeKutta(tableau) => Box::new(RungeKutta::new(system, tableau, plan)),
         }
     }
 }
@@ -121,7 +109,7 @@ static SEMI_IMPLICIT_EULER: Method = Method {
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::WithKick,
-    scheme: Scheme::Composition {
+    scheme: MethodKind::Composition {
         kicks: &[1.0, 0.0],
         drifts: &[1.0],
     },
@@ -135,7 +123,7 @@ static VELOCITY_VERLET: Method = Method {
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::Exact,
-    scheme: Scheme::Composition {
+    scheme: MethodKind::Composition {
         kicks: &[0.5, 0.5],
         drifts: &[1.0],
     },
@@ -158,7 +146,7 @@ static SRKN6B: Method = Method {
         const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
         const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
         const A3: f64 = 0.5 - A[0] - A[1];
-        Scheme::Composition {
+        MethodKind::Composition {
             kicks: &[B[0], B[1], B[2], B4, B[2], B[1], B[0]],
             drifts: &[A[0], A[1], A3, A3, A[1], A[0]],
         }
@@ -190,7 +178,7 @@ static SRKN11B: Method = Method {
         ];
         const B6: f64 = 0.5 - (B[0] + B[1] + B[2] + B[3] + B[4]);
         const A6: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2] + A[3] + A[4]);
-        Scheme::Composition {
+        MethodKind::Composition {
             kicks: &[
                 B[0], B[1], B[2], B[3], B[4], B6, B6, B[4], B[3], B[2], B[1], B[0],
             ],
@@ -209,7 +197,7 @@ static RK4: Method = Method {
     stability_limit: 2.828,
     first_gap: None,
     drag: Drag::InRates,
-    scheme: Scheme::RungeKutta(Tableau {
+    scheme: MethodKind::RungeKutta(Tableau {
         nodes: &[0.0, 0.5, 0.5, 1.0],
         stages: &[&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
         weights: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
@@ -225,7 +213,7 @@ static DOPRI5: Method = Method {
     stability_limit: 0.997,
     first_gap: None,
     drag: Drag::InRates,
-    scheme: Scheme::RungeKutta(Tableau {
+    scheme: MethodKind::RungeKutta(Tableau {
         nodes: &[0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0],
         stages: &[
             &[],
@@ -280,11 +268,11 @@ mod tests {
             }
             let whole = |shares: &[f64]| (shares.iter().sum::<f64>() - 1.0).abs() < 1e-14;
             match &row.scheme {
-                Scheme::Composition { kicks, drifts } => {
+                MethodKind::Composition { kicks, drifts } => {
                     assert_eq!(kicks.len(), drifts.len() + 1);
                     assert!(whole(kicks) && whole(drifts), "{}", row.name);
                 }
-                Scheme::RungeKutta(tableau) => {
+                MethodKind::RungeKutta(tableau) => {
                     assert!(whole(tableau.weights), "{}", row.name);
                     for (node, stage) in tableau.nodes.iter().zip(tableau.stages) {
                         assert!((stage.iter().sum::<f64>() - node).abs() < 1e-13);

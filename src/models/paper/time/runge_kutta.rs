@@ -1,12 +1,13 @@
 //! Explicit Runge-Kutta methods on the motion in first-order form, x' = v, v' = F/m - c v/m.
 //!
-//! Some take equal steps. An embedded pair compares its two solutions and chooses the step: the error
-//! is measured in the energy norm, `sqrt(sum m (|e_v|^2 + w^2 |e_x|^2) / 2E)` with w the frequency
-//! bound and E the largest energy so far, and kept below the local tolerance.
+//! Some take equal steps. An embedded pair compares its two solutions and chooses the step: the
+//! error is measured in the energy norm, `sqrt(sum m (|e_v|^2 + w^2 |e_x|^2) / 2E)` with w the
+//! frequency bound and E the largest energy so far, and kept below the local tolerance.
 //!
 //! They are here to be compared with the compositions, which win on this problem: the spectrum is
-//! nearly imaginary, so stability per evaluation decides. For the comparison to be fair they use the
-//! same force kernel, update their nodes by the same vectors, and allocate nothing after the start.
+//! nearly imaginary, so stability per evaluation decides. For the comparison to be fair they use
+//! the same force kernel, update their nodes by the same vectors, and allocate nothing after the
+//! start.
 
 #![allow(
     clippy::inline_always,
@@ -17,8 +18,9 @@ use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Survey, by_tissue};
 use crate::models::paper::forces::lanes::{V, fused, load, splat, store, total};
+use crate::models::paper::forces::layout::LANES;
 use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::{LANES, System};
+use crate::models::paper::forces::system::System;
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
 use crate::models::pulse::{Piece, Segment};
 use crate::run::plan::{Cost, Plan};
@@ -50,8 +52,8 @@ const LEAST_ENERGY_J: f64 = 1e-14;
 /// Rates that a sum may be of: stages, and the end of the step.
 const MAX_RATES: usize = 8;
 
-/// Positions and speeds of all nodes with the energies that came and went, or the rates of change of
-/// all these.
+/// Positions and speeds of all nodes with the energies that came and went, or the rates of change
+/// of all these.
 struct Phase {
     x: Aligned,
     y: Aligned,
@@ -186,7 +188,7 @@ macro_rules! on_vectors {
     }};
 }
 
-/// A Runge-Kutta method in the middle of a march.
+/// A Runge-Kutta method in the middle of a run.
 pub(crate) struct RungeKutta<'a> {
     system: &'a System,
     tableau: &'static Tableau,

@@ -1,4 +1,4 @@
-//! The second run that tells the step error of a march; the idea is in [`crate::run::rules`].
+//! The second run that tells the step error of a run; the idea is in [`crate::run::rules`].
 
 use crate::models::paper::case::PaperCase;
 use crate::models::paper::rules::RULES;

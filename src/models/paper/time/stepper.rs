@@ -1,11 +1,23 @@
-//! What makes the steps of a march.
+//! What makes the steps of a run.
 
 use crate::models::paper::forces::kernel::Survey;
 use crate::models::paper::forces::state::State;
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 
-/// Makes the steps of one march, segment by segment, without allocating.
+/// How a method treats the drag, which decides what it costs in step length; see
+/// [`crate::models::paper::time::stability`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drag {
+    /// Solved exactly within each drift.
+    Exact,
+    /// Added to the kick at the start of the step.
+    WithKick,
+    /// Part of the acceleration at every stage.
+    InRates,
+}
+
+/// Makes the steps of one run, segment by segment, without allocating.
 pub(crate) trait Stepper {
     /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration is
     /// evaluated afresh by the segment's law.

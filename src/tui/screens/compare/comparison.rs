@@ -11,10 +11,10 @@ use crate::many::comparison::Found;
 use crate::many::comparison::columns;
 use crate::many::comparison::order;
 use crate::report;
-use crate::run::course::{Beside, Course};
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
+use crate::run::trace::{OtherTrace, Trace};
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::request::Question;
@@ -111,7 +111,7 @@ impl Alignment {
 
 /// The last time before anything acts on the eye, in s.
 fn first_contact(traces: &Traces) -> f64 {
-    let drive = Course::Beside(Beside::Drive).values(traces);
+    let drive = Trace::Other(OtherTrace::Drive).values(traces);
     let first = drive.iter().position(|force| *force > 0.0);
     let before = first.unwrap_or(0).saturating_sub(1);
     traces.time.get(before).copied().unwrap_or(0.0)
@@ -134,7 +134,7 @@ pub struct Comparison {
     /// The column that sorts the table, and whether the largest comes first.
     pub sort: Option<(Column, bool)>,
     /// The curve below the table, once one was chosen.
-    pub curve: Option<Course>,
+    pub curve: Option<Trace>,
     /// What stands at the same time in all of them.
     pub alignment: Alignment,
     /// The entry that is being simulated.
@@ -271,12 +271,12 @@ impl Comparison {
     }
 
     /// The curve below the table: by itself the pressure, where there is one.
-    pub fn curve(&self) -> Course {
+    pub fn curve(&self) -> Trace {
         let pressure = |entry: &Marked| entry.answer()?.result(Quantity::Pressure);
         let own = if self.entries.iter().any(|entry| pressure(entry).is_some()) {
-            Course::Of(Quantity::Pressure)
+            Trace::Of(Quantity::Pressure)
         } else {
-            Course::default()
+            Trace::default()
         };
         self.curve.unwrap_or(own)
     }

@@ -12,8 +12,8 @@ use ratatui::layout::Rect;
 use crate::answer::mesh_error::MeshQuery;
 use crate::many::comparison::Found;
 use crate::plain_text::quoted;
-use crate::run::course::Course;
 use crate::run::kept::Traces;
+use crate::run::trace::Trace;
 use crate::scenario::Scenario;
 use crate::tui::choices::Choice;
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
@@ -237,7 +237,7 @@ impl Screen for Comparison {
         first.zip(self.window()).or_else(|| model.timed())
     }
 
-    fn courses(&self, _: &Model) -> Vec<Course> {
+    fn courses(&self, _: &Model) -> Vec<Trace> {
         match self.pane {
             REPLAYS => Vec::new(),
             _ => vec![self.curve()],
@@ -283,7 +283,7 @@ impl Comparison {
 
     /// Takes the next curve that any of the answers has.
     fn next_curve(&mut self) {
-        let there = |course: &Course| {
+        let there = |course: &Trace| {
             let has = |traces: &Traces| !course.values(traces).is_empty();
             let mut answers = self.entries.iter().filter_map(|entry| entry.answer());
             answers.any(|answer| answer.run.traces.as_ref().is_some_and(has))

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::run::course::Course;
+use crate::run::trace::Trace;
 use crate::tui::model::Model;
 use crate::tui::screens::compare::comparison::{Alignment, Comparison};
 use crate::tui::view::chart::mark;
@@ -16,7 +16,7 @@ use crate::tui::view::theme::Theme;
 pub(super) fn overlaid(
     compare: &Comparison,
     model: &Model,
-    course: Course,
+    course: Trace,
     area: Rect,
     buffer: &mut Buffer,
 ) {

@@ -5,9 +5,9 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
-use crate::run::course::{Beside, Course};
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
+use crate::run::trace::{OtherTrace, Trace};
 use crate::tui::model::Model;
 use crate::tui::screens::injury;
 use crate::tui::screens::main::form::DIAL;
@@ -143,18 +143,18 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let courses = [
-        Course::Of(Quantity::Pressure),
-        Course::Beside(Beside::Drive),
+        Trace::Of(Quantity::Pressure),
+        Trace::Other(OtherTrace::Drive),
     ];
-    let recorded = |course: &&Course| !course.values(traces).is_empty();
+    let recorded = |course: &&Trace| !course.values(traces).is_empty();
     let Some(&course) = courses.iter().find(recorded) else {
         return;
     };
     let (row, values) = (course.row(), course.values(traces));
     let window = shown.answer.window();
     let reading = match course {
-        Course::Of(of) => Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}")),
-        Course::Beside(_) => None,
+        Trace::Of(of) => Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}")),
+        Trace::Other(_) => None,
     };
     Chart {
         title: &format!("{}, {}", course.label(traces), row.unit),
@@ -294,7 +294,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let sparks = sparks(&shown.answer);
-    let values = |of: &Quantity| Course::Of(*of).values(recorded);
+    let values = |of: &Quantity| Trace::Of(*of).values(recorded);
     let drawn = sparks.iter().map(|(of, _)| values(of));
     let window = shown.answer.window();
     // What comes before is little, and the eye beside it begins at rest.

@@ -1,20 +1,20 @@
-//! The body of revolution against published experiments, and against an independent prototype of it.
+//! The axisymmetric eye against published experiments, and against an independent prototype of it.
 
 use contrecoup::models::axisymmetric::eye::AxisymmetricEye;
 use contrecoup::models::axisymmetric::eye::mesh::Layers;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
-use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
+use contrecoup::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
-use contrecoup::models::axisymmetric::time::run::{Blow, STEP_SHARE, run};
+use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, STEP_SHARE, run};
 use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
     Object {
-        outline: Outline::Sphere(0.5e-3 * diameter_mm),
+        outline: ObjectOutline::Sphere(0.5e-3 * diameter_mm),
         mass: mass_g * 1e-3,
         speed,
-        surface: Surface::RIGID,
+        surface: ObjectSurface::RIGID,
         spring: None,
     }
 }
@@ -22,7 +22,7 @@ fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
 /// A heavy flat impactor of 20 mm.
 fn flat(speed: f64) -> Object {
     Object {
-        outline: Outline::Cylinder(10e-3, 2e-3),
+        outline: ObjectOutline::Cylinder(10e-3, 2e-3),
         mass: 1.0,
         ..ball(1.0, 1.0, speed)
     }
@@ -48,7 +48,7 @@ fn hit(eye: &AxisymmetricEye, object: Object, window_ms: f64) -> EngineRun {
         traces: true,
         frames: None,
     };
-    let blow = Blow::Object(object);
+    let blow = AxisymmetricLoad::Object(object);
     let mut watch = |_| ControlFlow::Continue(());
     run(eye, &blow, window_ms * 1e-3, STEP_SHARE, keep, &mut watch).expect("a run")
 }
@@ -67,7 +67,8 @@ fn force_at(run: &EngineRun, mm: f64) -> f64 {
     panic!("the object did not come {mm} mm in")
 }
 
-/// What the prototype gave at 4, 6, 8 and 12 cells in half a side of the core, and how near to come, in %.
+/// What the prototype gave at 4, 6, 8 and 12 cells in half a side of the core, and how near to
+/// come, in %.
 struct Table {
     column: usize,
     half: usize,
@@ -131,8 +132,8 @@ fn compare(column: usize) {
     table.row("BB 56 m/s, MPa", mean, [0.82, 0.82, 0.84, 0.83], 10.0);
     let mean = fast.pressure.value * 1e-6;
     table.row("BB 92 m/s, MPa", mean, [1.45, 1.33, 1.37, 1.34], 10.0);
-    // The prototype took the sharpest instant, this engine a low pass of 20 us; the sharpest instant of the
-    // coarsest mesh is a fifth above that of finer ones.
+    // The prototype took the sharpest instant, this engine a low pass of 20 us; the sharpest
+    // instant of the coarsest mesh is a fifth above that of finer ones.
     let stress = slow.scleral_stress.value * 1e-6;
     let prototype = [15.3, 15.6, 15.7, 15.9];
     table.row("BB 56 m/s, stress, MPa", stress, prototype, 10.0);

@@ -1,12 +1,13 @@
-//! Speed of the body of revolution against its plain loop, in one run, interleaved.
+//! Speed of the axisymmetric eye against its plain loop, in one run, interleaved.
 //!
-//! `cargo bench --bench revolution` prints the fastest of many interleaved rounds and their ratios.
+//! `cargo bench --bench axisymmetric` prints the fastest of many interleaved rounds and their
+//! ratios.
 
 use contrecoup::models::axisymmetric::eye::AxisymmetricEye;
 use contrecoup::models::axisymmetric::eye::parameters::Parameters;
-use contrecoup::models::axisymmetric::forces::object::{Object, Outline, Surface};
+use contrecoup::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
-use contrecoup::models::axisymmetric::time::run::{Blow, Form, STEP_SHARE, run_as};
+use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, CellLoop, STEP_SHARE, run_as};
 use contrecoup::models::paper::forces::kernel::vector_sets;
 use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
@@ -18,12 +19,12 @@ const ROUNDS: usize = 3;
 /// Simulated time, in s.
 const WINDOW: f64 = 3e-3;
 
-fn bb() -> Blow {
-    Blow::Object(Object {
-        outline: Outline::Sphere(2.25e-3),
+fn bb() -> AxisymmetricLoad {
+    AxisymmetricLoad::Object(Object {
+        outline: ObjectOutline::Sphere(2.25e-3),
         mass: 0.345e-3,
         speed: 60.0,
-        surface: Surface::RIGID,
+        surface: ObjectSurface::RIGID,
         spring: None,
     })
 }
@@ -37,7 +38,7 @@ fn cpu_seconds() -> f64 {
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-fn hit(form: Form, eye: &AxisymmetricEye) -> (f64, EngineRun) {
+fn hit(form: CellLoop, eye: &AxisymmetricEye) -> (f64, EngineRun) {
     let start = cpu_seconds();
     let mut watch = |_| ControlFlow::Continue(());
     let run = run_as(
@@ -53,7 +54,7 @@ fn hit(form: Form, eye: &AxisymmetricEye) -> (f64, EngineRun) {
 }
 
 /// Fastest time of each form, in s, and its run.
-fn fastest(forms: &[Form], eye: &AxisymmetricEye) -> Vec<(f64, EngineRun)> {
+fn fastest(forms: &[CellLoop], eye: &AxisymmetricEye) -> Vec<(f64, EngineRun)> {
     let mut best: Vec<_> = forms.iter().map(|&form| hit(form, eye)).collect();
     for _ in 1..ROUNDS {
         for (best, &form) in best.iter_mut().zip(forms) {
@@ -64,8 +65,8 @@ fn fastest(forms: &[Form], eye: &AxisymmetricEye) -> Vec<(f64, EngineRun)> {
 }
 
 fn main() {
-    let mut forms = vec![Form::Plain];
-    forms.extend(vector_sets().into_iter().map(Form::Vectors));
+    let mut forms = vec![CellLoop::Plain];
+    forms.extend(vector_sets().into_iter().map(CellLoop::Vectors));
     println!("BB at 60 m/s, orbit, 3 ms: the run, and its time a cell and step");
     for level in 1..=AxisymmetricEye::FINEST {
         let eye = AxisymmetricEye::new(&Parameters::default(), level);

@@ -1,13 +1,15 @@
-//! What must hold of the body of revolution whatever its parameters are.
+//! What must hold of the axisymmetric eye whatever its parameters are.
 
 use contrecoup::injury::DamageIndex;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
-use contrecoup::models::axisymmetric::eye::{AxisymmetricEye, Region};
-use contrecoup::models::axisymmetric::forces::object::{BallSpring, Object, Outline, Surface};
+use contrecoup::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
+use contrecoup::models::axisymmetric::forces::object::{
+    BallSpring, Object, ObjectOutline, ObjectSurface,
+};
 use contrecoup::models::axisymmetric::readings;
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
 use contrecoup::models::axisymmetric::time::run::{
-    Blow, Form, STEP_SHARE, Scheme, Steps, Stop, run, run_as,
+    AxisymmetricLoad, CellLoop, STEP_SHARE, Scheme, Steps, Stop, run, run_as,
 };
 use contrecoup::run::kept::{Keep, Spacing};
 use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
@@ -15,16 +17,16 @@ use std::ops::ControlFlow;
 
 fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
     Object {
-        outline: Outline::Sphere(0.5e-3 * diameter_mm),
+        outline: ObjectOutline::Sphere(0.5e-3 * diameter_mm),
         mass: mass_g * 1e-3,
         speed,
-        surface: Surface::RIGID,
+        surface: ObjectSurface::RIGID,
         spring: None,
     }
 }
 
 fn soft(object: Object, stiffness: f64) -> Object {
-    let surface = Surface::foundation(stiffness, object.reach());
+    let surface = ObjectSurface::foundation(stiffness, object.reach());
     Object { surface, ..object }
 }
 
@@ -43,7 +45,7 @@ fn try_hit(
     share: f64,
 ) -> Result<EngineRun, Stop> {
     let mut watch = |_| ControlFlow::Continue(());
-    let blow = Blow::Object(object);
+    let blow = AxisymmetricLoad::Object(object);
     run(
         eye,
         &blow,
@@ -179,8 +181,8 @@ fn nothing_hard_folds_a_cell_at_any_level_or_goes_through() {
 #[test]
 fn the_plain_loop_and_the_rows_give_the_same_run() {
     let eye = eye(1, Some(Surround::orbit()));
-    let blow = Blow::Object(ball(0.345, 4.5, 60.0));
-    let runs = [Form::Plain, Form::Rows].map(|form| {
+    let blow = AxisymmetricLoad::Object(ball(0.345, 4.5, 60.0));
+    let runs = [CellLoop::Plain, CellLoop::Rows].map(|form| {
         let mut watch = |_| ControlFlow::Continue(());
         run_as(
             form,
@@ -202,8 +204,8 @@ fn the_plain_loop_and_the_rows_give_the_same_run() {
 fn soft_objects() -> Vec<(&'static str, Object)> {
     let surface = |object: Object, stiffness: f64, cap: Option<f64>, restitution: f64| {
         let surface = match cap {
-            Some(cap) => Surface::capped(stiffness, cap, object.reach()),
-            None => Surface::foundation(stiffness, object.reach()),
+            Some(cap) => ObjectSurface::capped(stiffness, cap, object.reach()),
+            None => ObjectSurface::foundation(stiffness, object.reach()),
         };
         Object {
             surface: surface.losing(restitution),
@@ -341,7 +343,7 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
             let mut watch = |_| ControlFlow::Continue(());
             run(
                 &eye,
-                &Blow::Object(object),
+                &AxisymmetricLoad::Object(object),
                 4e-3,
                 STEP_SHARE,
                 keep,
@@ -368,7 +370,7 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
 
 #[test]
 fn a_scene_is_computed_for_what_it_has_alone() {
-    let count = |surround, blow: &Blow| {
+    let count = |surround, blow: &AxisymmetricLoad| {
         let eye = eye(1, surround);
         let mut watch = |_| ControlFlow::Continue(());
         let run = run(&eye, blow, 0.3e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run");
@@ -377,8 +379,8 @@ fn a_scene_is_computed_for_what_it_has_alone() {
         (cells, run.contact_evaluations)
     };
     let pulse = contrecoup::models::pulse::Pulse::new(&ForcePulse::default());
-    let pulse = Blow::Pulse(pulse, 20f64.to_radians());
-    let shot = Blow::Object(ball(0.345, 4.5, 60.0));
+    let pulse = AxisymmetricLoad::Pulse(pulse, 20f64.to_radians());
+    let shot = AxisymmetricLoad::Object(ball(0.345, 4.5, 60.0));
     // A pulse meets nothing, and a free eye has nothing around it.
     assert_eq!(count(Some(Surround::orbit()), &pulse).1, 0);
     let (held, touched) = count(Some(Surround::orbit()), &shot);
@@ -386,14 +388,14 @@ fn a_scene_is_computed_for_what_it_has_alone() {
     assert!(touched > 0 && free < held);
     let alone = eye(1, None).cells;
     assert_eq!(free, alone.len());
-    assert!(alone.iter().all(|cell| cell.region == Region::Globe));
+    assert!(alone.iter().all(|cell| cell.region == Tissue::Globe));
 }
 
 #[test]
 fn another_integrator_comes_to_the_same_as_steps_get_shorter_and_is_worse_at_long_ones() {
     let eye = eye(1, Some(Surround::orbit()));
     let at = |scheme, share| {
-        let blow = Blow::Object(ball(0.345, 4.5, 60.0));
+        let blow = AxisymmetricLoad::Object(ball(0.345, 4.5, 60.0));
         let steps = Steps { share, scheme };
         let mut watch = |_| ControlFlow::Continue(());
         run(&eye, &blow, 0.5e-3, steps, Keep::default(), &mut watch).expect("a run")
@@ -420,7 +422,7 @@ fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
     let eye = eye(1, Some(Surround::orbit()));
     for restitution in [0.3, 0.8] {
         let object = Object {
-            surface: Surface::capped(1e9, 110e3, 0.11).losing(restitution),
+            surface: ObjectSurface::capped(1e9, 110e3, 0.11).losing(restitution),
             ..ball(430.0, 220.0, 25.0)
         };
         let rebound = hit(&eye, object, 15.0).extremes.rebound.expect("an object");
@@ -439,7 +441,7 @@ fn a_pulse_gives_the_eye_its_work_and_balances() {
         duration_ms: 0.2,
         ..ForcePulse::default()
     });
-    let blow = Blow::Pulse(pulse, 20f64.to_radians());
+    let blow = AxisymmetricLoad::Pulse(pulse, 20f64.to_radians());
     let mut watch = |_| ControlFlow::Continue(());
     let run = run(&eye, &blow, 1.5e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run");
     let e = &run.extremes;
@@ -482,10 +484,10 @@ fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
         let (radius, stiffness) = (object.reach(), between(1e4, 1e11, 4));
         // Hard, solid, hollow or crushable, liquid: a third of the last three on a spring.
         let surface = match (4.0 * share(i, 3)) as usize {
-            0 => Surface::RIGID,
-            1 => Surface::foundation(stiffness, radius),
-            2 => Surface::capped(stiffness, between(1e3, 1e8, 1), radius),
-            _ => Surface::splashing(500.0 * density * speed * speed, radius),
+            0 => ObjectSurface::RIGID,
+            1 => ObjectSurface::foundation(stiffness, radius),
+            2 => ObjectSurface::capped(stiffness, between(1e3, 1e8, 1), radius),
+            _ => ObjectSurface::splashing(500.0 * density * speed * speed, radius),
         };
         let restitution = share(i, 1);
         let spring = (i % 3 == 0 && surface.depth.is_some()).then_some(BallSpring {

@@ -6,12 +6,12 @@ use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
 use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
-    BallSpring, Flight, HARD, Object, Outline, Surface,
+    BallSpring, HARD, MovingObject, Object, ObjectOutline, ObjectSurface,
 };
-use crate::models::axisymmetric::forces::plain::Plain;
-use crate::models::axisymmetric::forces::rows::Rows;
+use crate::models::axisymmetric::forces::plain::PlainCells;
+use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::Shell;
-use crate::models::axisymmetric::forces::state::{Cells, State, Sums};
+use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::paper::forces::kernel::vector_sets;
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -24,9 +24,9 @@ fn free_eye(level: u32) -> AxisymmetricEye {
     AxisymmetricEye::new(&parameters, level)
 }
 
-fn sphere(surface: Surface) -> Object {
+fn sphere(surface: ObjectSurface) -> Object {
     Object {
-        outline: Outline::Sphere(5e-3),
+        outline: ObjectOutline::Sphere(5e-3),
         mass: 1e-3,
         speed: 10.0,
         surface,
@@ -132,30 +132,34 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
         .map(|&node| eye.at(node).0)
         .chain(eye.mesh.shell.iter().map(|&node| eye.at(node).1))
         .collect();
-    let cylinder = Outline::Cylinder(5e-3, 1e-3);
-    let soft = Surface::foundation(1e9, 5e-3);
-    for outline in [Outline::Sphere(5e-3), cylinder] {
-        for surface in [Surface::RIGID, soft, Surface::capped(1e9, 2e5, 5e-3)] {
+    let cylinder = ObjectOutline::Cylinder(5e-3, 1e-3);
+    let soft = ObjectSurface::foundation(1e9, 5e-3);
+    for outline in [ObjectOutline::Sphere(5e-3), cylinder] {
+        for surface in [
+            ObjectSurface::RIGID,
+            soft,
+            ObjectSurface::capped(1e9, 2e5, 5e-3),
+        ] {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
                 let object = Object {
                     outline,
                     ..sphere(surface)
                 };
                 let respond = |at: &[f64]| {
-                    let mut flight = Flight::new(&object, -12e-3 + depth);
-                    flight.v = [0.0; 2];
-                    flight.inner();
+                    let mut projectile = MovingObject::new(&object, -12e-3 + depth);
+                    projectile.v = [0.0; 2];
+                    projectile.inner();
                     let mut f = vec![0.0; 2 * n];
                     let (fx, fr) = f.split_at_mut(n);
                     let touch = target.forces(
                         &object,
-                        &mut flight,
+                        &mut projectile,
                         (&at[..n], &at[n..]),
                         (&still, &still),
                         (fx, fr),
                     );
                     let sum: f64 = fx.iter().sum();
-                    assert!((sum + flight.force[0]).abs() <= 1e-9 * sum.abs());
+                    assert!((sum + projectile.force[0]).abs() <= 1e-9 * sum.abs());
                     assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
                     (touch.energy, f)
                 };
@@ -168,10 +172,10 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
 
 #[test]
 fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up() {
-    let soft = Surface::foundation(1e8, 20e-3);
-    let hollow = Surface::capped(1e8, 1.5e5, 20e-3);
-    let liquid = Surface::splashing(1.5e6, 20e-3);
-    for surface in [soft, hollow, liquid, Surface::elastic(50e6, 36e-3)] {
+    let soft = ObjectSurface::foundation(1e8, 20e-3);
+    let hollow = ObjectSurface::capped(1e8, 1.5e5, 20e-3);
+    let liquid = ObjectSurface::splashing(1.5e6, 20e-3);
+    for surface in [soft, hollow, liquid, ObjectSurface::elastic(50e6, 36e-3)] {
         let depth = surface.depth.unwrap();
         for share in [1e-3, 0.1, 0.4, 0.61, 0.9, 0.97, 0.99, 1.1] {
             let (gap, h) = (share * depth, 1e-9);
@@ -195,29 +199,29 @@ fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up()
         }
     }
     assert!(soft.at(0.0126).traction > 9.0 * 1e8 * 0.0126);
-    assert_eq!(Surface::RIGID.stiffness, HARD);
+    assert_eq!(ObjectSurface::RIGID.stiffness, HARD);
 }
 
-/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its greatest force,
-/// and the error of its balance of energy over what it brought.
+/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its
+/// greatest force, and the error of its balance of energy over what it brought.
 fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
-    let mut flight = Flight::new(object, 0.0);
+    let mut projectile = MovingObject::new(object, 0.0);
     let face = Face::wall(0.0, object.outline.radius(), rings);
-    let brought = flight.kinetic(0.0);
+    let brought = projectile.kinetic(0.0);
     let (mut lost, mut strongest, mut missing): (f64, f64, f64) = (0.0, 0.0, 0.0);
     loop {
-        flight.inner();
-        let push = face.push(object, &mut flight);
+        projectile.inner();
+        let push = face.push(object, &mut projectile);
         strongest = strongest.max(push.force);
         let longest = 1e-3 * object.outline.radius() / object.speed;
-        let step = (0.03 * flight.limit.min(push.limit)).min(longest);
-        let total = flight.kinetic(step) + flight.stored() + push.energy + lost;
+        let step = (0.03 * projectile.limit.min(push.limit)).min(longest);
+        let total = projectile.kinetic(step) + projectile.stored() + push.energy + lost;
         missing = missing.max((total - brought).abs());
-        lost += flight.advance(step, step);
-        let gone = flight.x[0] + object.reach() < -0.1 * object.reach();
-        if gone && flight.velocity() < 0.0 {
+        lost += projectile.advance(step, step);
+        let gone = projectile.x[0] + object.reach() < -0.1 * object.reach();
+        if gone && projectile.velocity() < 0.0 {
             return (
-                -flight.velocity() / object.speed,
+                -projectile.velocity() / object.speed,
                 strongest,
                 missing / brought,
             );
@@ -229,12 +233,12 @@ fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
 fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
     for restitution in [1.0, 0.8, 0.5, 0.3] {
         for surface in [
-            Surface::foundation(1e9, 20e-3),
-            Surface::capped(1e9, 2e5, 20e-3),
-            Surface::splashing(1e5, 20e-3),
+            ObjectSurface::foundation(1e9, 20e-3),
+            ObjectSurface::capped(1e9, 2e5, 20e-3),
+            ObjectSurface::splashing(1e5, 20e-3),
         ] {
             let object = Object {
-                outline: Outline::Sphere(20e-3),
+                outline: ObjectOutline::Sphere(20e-3),
                 mass: 20e-3,
                 speed: 15.0,
                 surface: surface.losing(restitution),
@@ -253,10 +257,10 @@ fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
 #[test]
 fn a_surface_that_gives_nothing_back_keeps_a_thirtieth_of_its_energy_at_most() {
     let object = Object {
-        outline: Outline::Sphere(20e-3),
+        outline: ObjectOutline::Sphere(20e-3),
         mass: 20e-3,
         speed: 15.0,
-        surface: Surface::capped(1e9, 2e5, 20e-3).losing(0.0),
+        surface: ObjectSurface::capped(1e9, 2e5, 20e-3).losing(0.0),
         spring: None,
     };
     let (back, ..) = bounce(&object, 200);
@@ -268,28 +272,28 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
     let (stiffness, mass, speed) = (2e4, 58e-3, 15.0);
     for restitution in [1.0, 0.6] {
         let object = Object {
-            outline: Outline::Sphere(33e-3),
+            outline: ObjectOutline::Sphere(33e-3),
             mass,
             speed,
-            surface: Surface::RIGID,
+            surface: ObjectSurface::RIGID,
             spring: Some(BallSpring {
                 stiffness,
                 restitution,
             }),
         };
         // The surface itself, a twentieth of the mass, stays where it strikes.
-        let mut flight = Flight::new(&object, 0.0);
+        let mut projectile = MovingObject::new(&object, 0.0);
         let (mut strongest, mut lost, mut time): (f64, f64, f64) = (0.0, 0.0, 0.0);
-        let brought = flight.kinetic(0.0);
+        let brought = projectile.kinetic(0.0);
         let face = Face::wall(0.0, 33e-3, 200);
         while time < 6e-3 {
-            flight.inner();
-            strongest = strongest.max(flight.force[0]);
-            let push = face.push(&object, &mut flight);
-            let step = 0.1 * flight.limit.min(push.limit).min(1e-5);
-            lost += flight.advance(step, step);
+            projectile.inner();
+            strongest = strongest.max(projectile.force[0]);
+            let push = face.push(&object, &mut projectile);
+            let step = 0.1 * projectile.limit.min(push.limit).min(1e-5);
+            lost += projectile.advance(step, step);
             time += step;
-            let total = flight.kinetic(0.0) + flight.stored() + push.energy + lost;
+            let total = projectile.kinetic(0.0) + projectile.stored() + push.energy + lost;
             assert!((total / brought - 1.0).abs() < 0.01, "{time} {total}");
         }
         let core = 0.95 * mass;
@@ -298,7 +302,7 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
             (strongest / expected - 1.0).abs() < 0.01,
             "{strongest} {expected}"
         );
-        let back = -flight.velocity() / speed;
+        let back = -projectile.velocity() / speed;
         assert!((back - 0.95 * restitution).abs() < 0.03, "{back}");
     }
 }
@@ -363,7 +367,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
 }
 
 /// A state that is far from rest and moves, the same for every form of the cells.
-fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> State {
+fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> NodeState {
     let mut state = cells.rest();
     for (node, &fixed) in eye.fixed.iter().enumerate() {
         let wave = |k: f64| (k * (node as f64 + 1.0)).sin();
@@ -381,7 +385,7 @@ fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> State {
     state
 }
 
-fn numbers(sums: &Sums) -> [f64; 6] {
+fn numbers(sums: &CellSums) -> [f64; 6] {
     [
         sums.limit,
         sums.loss,
@@ -399,7 +403,7 @@ fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
 #[test]
 fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
     let eye = free_eye(2);
-    let mut cells = Rows::new(&eye);
+    let mut cells = CellRows::new(&eye);
     let mut state = shaken(&cells, &eye);
     let whole = cells.forces(&mut state).least_triangle;
     let at = |node: usize| {
@@ -426,13 +430,13 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
                 ..Parameters::default()
             };
             let eye = AxisymmetricEye::new(&parameters, level);
-            let mut plain = Plain::new(&eye);
+            let mut plain = PlainCells::new(&eye);
             let mut expected = shaken(&plain, &eye);
             let sums = plain.forces(&mut expected);
             let largest = expected.fx.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
-            let mut narrow: Option<State> = None;
+            let mut narrow: Option<NodeState> = None;
             for vectors in vector_sets() {
-                let mut rows = Rows::with_level(&eye, vectors);
+                let mut rows = CellRows::with_level(&eye, vectors);
                 let mut state = shaken(&rows, &eye);
                 rows.share(&mut state);
                 let others = rows.forces(&mut state);
@@ -505,8 +509,8 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     );
 }
 
-/// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts. A leapfrog
-/// whose damping c lags half a step is stable as long as (h w/2)^2 + h c/2 <= 1.
+/// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts.
+/// A leapfrog whose damping c lags half a step is stable as long as (h w/2)^2 + h c/2 <= 1.
 #[test]
 fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
     use nalgebra::SMatrix;
@@ -586,12 +590,12 @@ fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
     let globe = |eye: &AxisymmetricEye| {
         let cells = eye.cells.iter();
         cells
-            .filter(|c| c.region == crate::models::axisymmetric::eye::Region::Globe)
+            .filter(|c| c.region == crate::models::axisymmetric::eye::Tissue::Globe)
             .count()
     };
     assert_eq!(globe(&free), free.cells.len());
     assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
-    let mut cells = Rows::new(&free);
+    let mut cells = CellRows::new(&free);
     assert_eq!(cells.pressures().len(), free.cells.len());
     let mut state = cells.rest();
     assert!(cells.forces(&mut state).loss == 0.0);

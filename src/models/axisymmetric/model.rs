@@ -1,0 +1,113 @@
+//! The axisymmetric model behind the trait that every model fills.
+
+use crate::models::axisymmetric as engine;
+use crate::models::axisymmetric::case::AxisymmetricCase;
+use crate::models::axisymmetric::eye::AxisymmetricEye;
+use crate::models::axisymmetric::rules::RULES;
+use crate::models::axisymmetric::{drawing, flags, readings};
+use crate::run::drawing::Drawing;
+use crate::run::kept::{Frame, Keep, Spacing};
+use crate::run::model::{EyeModel, Run};
+use crate::run::places::Region;
+use crate::run::plan::{Cost, Plan};
+use crate::run::refusal::Refusal;
+use crate::run::rules::Rules;
+use crate::run::watch::Watch;
+use crate::scenario::Integrator;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+impl EyeModel for AxisymmetricCase {
+    fn rules(&self) -> &'static Rules {
+        &RULES
+    }
+
+    fn window(&self) -> f64 {
+        self.window
+    }
+
+    fn level(&self) -> u32 {
+        self.eye.level
+    }
+
+    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
+        let eye = AxisymmetricEye::new(&self.eye.parameters, level);
+        Arc::new(Self {
+            limit: engine::step_limit(&eye, &self.load),
+            eye,
+            ..self.clone()
+        })
+    }
+
+    fn regions(&self) -> Vec<Region> {
+        self.eye.node_regions()
+    }
+
+    fn elements(&self) -> usize {
+        self.eye.cells.len()
+    }
+
+    fn elements_per_evaluation(&self) -> usize {
+        self.eye.cells.len()
+    }
+
+    fn step_limit(&self, _: Integrator) -> f64 {
+        self.limit
+    }
+
+    fn longest_step(&self, plan: &Plan) -> f64 {
+        plan.step / plan.multiple
+    }
+
+    fn steps(&self, plan: &Plan) -> usize {
+        (plan.window * plan.multiple / plan.step).ceil() as usize
+    }
+
+    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
+        let ratio = RULES.estimate.ratio;
+        let finer = Plan {
+            multiple: plan.multiple * ratio,
+            ..*plan
+        };
+        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
+        (finer, RULES.estimate.safety / share)
+    }
+
+    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
+        let steps = self.steps_by(plan)?;
+        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
+        let run = run.map_err(|stop| self.refused(stop))?;
+        let extremes = &run.extremes;
+        let readings = readings::of(extremes);
+        Ok(Run {
+            details: readings::details(extremes),
+            flags: flags::raise(self, extremes, &readings, run.simulated),
+            readings,
+            fold: extremes.fold,
+            missed: extremes.missed(),
+            energy_residual: extremes.energy_residual,
+            simulated: run.simulated,
+            traces: run.traces,
+            frames: run.frames,
+            cost: Cost {
+                steps: run.steps,
+                evaluations: run.steps + 1,
+            },
+        })
+    }
+
+    fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal> {
+        let steps = self.steps_by(plan)?;
+        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
+            .map_err(|stop| self.refused(stop))
+    }
+
+    fn drawing(&self) -> Drawing {
+        drawing::of(self)
+    }
+}
