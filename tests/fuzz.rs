@@ -32,7 +32,7 @@ use contrecoup::tui::prepare;
 use contrecoup::tui::request::Report;
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
-use contrecoup::tui::terminal::input::{Input, Parser};
+use contrecoup::tui::terminal::input::{Parser, TerminalInput};
 use contrecoup::tui::terminal::pacer::{Cause, Pacer};
 use contrecoup::tui::view::heat::HeatMap;
 use contrecoup::tui::view::palette::Palette;
@@ -483,7 +483,7 @@ fn key_bytes() {
         let whole = parser.feed(input);
         // However the link cuts it up.
         let mut bytewise = Parser::default();
-        let pieces: Vec<Input> = input
+        let pieces: Vec<TerminalInput> = input
             .iter()
             .flat_map(|byte| bytewise.feed(&[*byte]))
             .collect();
@@ -496,10 +496,10 @@ fn key_bytes() {
         for (number, input) in inputs {
             let size = sizes[number / 8 % sizes.len()];
             let message = match input {
-                Input::Key(event) => Message::Key(event),
-                Input::Paste(text) => Message::Paste(text),
-                Input::Mouse(event) => Message::Mouse(event, size),
-                Input::CursorReport(_) => continue,
+                TerminalInput::Key(event) => Message::Key(event),
+                TerminalInput::Paste(text) => Message::Paste(text),
+                TerminalInput::Mouse(event) => Message::Mouse(event, size),
+                TerminalInput::CursorReport(_) => continue,
             };
             let effects = update(&mut app, message);
             answered(&mut app, effects);
@@ -511,7 +511,7 @@ fn key_bytes() {
         }
         // From wherever it is, Ctrl-C leaves.
         let leave = parser.feed(b"\x03");
-        let [Input::Key(event)] = leave[..] else {
+        let [TerminalInput::Key(event)] = leave[..] else {
             panic!("{leave:?}")
         };
         let effects = update(&mut app, Message::Key(event));

@@ -204,7 +204,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
         let edit = contrecoup::scenario::fields::find("impact.duration_ms").unwrap();
         app.screen = 0;
         app.screens[app.screen].show_pane(0);
-        app.model.form.selected = contrecoup::tui::form::Row::Field(edit);
+        app.model.form.selected = contrecoup::tui::form::FormRow::Field(edit);
         let effects = update(&mut app, Message::Key(KeyEvent::from(KeyCode::Right)));
         for effect in effects {
             if let Effect::Start(request) = effect

@@ -1,9 +1,10 @@
 //! Every screen as it is drawn from made-up answers: no picture changes when the physics does.
 //!
-//! A file of `snapshots` is one screen at one size. At 80 x 24 it has sixteen colours, and below its
-//! text stands where each style is; at the other sizes it has no colours, and text alone.
+//! A file of `snapshots` is one screen at one size. At 80 x 24 it has sixteen colours, and below
+//! its text stands where each style is; at the other sizes it has no colours, and text alone.
 //!
-//! `INSTA_UPDATE=always cargo test --release --test tui_screens` takes what is drawn now for right.
+//! `INSTA_UPDATE=always cargo test --release --test tui_screens` takes what is drawn now for
+//! right.
 
 #![cfg(feature = "app")]
 
@@ -17,7 +18,7 @@ use contrecoup::tui::app::App;
 use contrecoup::tui::app::update::{Message, update};
 use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::picker::Picker;
-use contrecoup::tui::request::{Question, Report};
+use contrecoup::tui::request::{Report, TaskQuestion};
 use contrecoup::tui::screens::accuracy::measurement::Measurement;
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::Depth;

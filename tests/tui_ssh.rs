@@ -219,8 +219,8 @@ fn over_a_narrow_link_a_key_is_answered_while_a_replay_plays() {
     term.keys(" ");
     term.wait_for("playing");
     thread::sleep(Duration::from_secs(1));
-    // What a key has to wait for is told in bytes: a busy machine makes them later and not more. Two
-    // seconds of this link; without pacing, buffers would fill with many times that.
+    // What a key has to wait for is told in bytes: a busy machine makes them later and not more.
+    // Two seconds of this link; without pacing, buffers would fill with many times that.
     let most = 16_000;
     let before = term.traffic();
     for shown in ["2x", "5x", "10x"] {

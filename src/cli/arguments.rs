@@ -102,8 +102,8 @@ impl FromStr for Assignment {
 }
 
 impl ScenarioArgs {
-    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its name
-    /// says what was set.
+    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its
+    /// name says what was set.
     ///
     /// # Errors
     /// Says which file or argument is wrong, and what would be accepted.
@@ -214,8 +214,8 @@ const RENAMED: [(&str, &str); 6] = [
     ("man", "generate man"),
 ];
 
-/// Prints why the arguments were refused, or the help that was asked for. An argument is repeated in
-/// it, and may hold anything.
+/// Prints why the arguments were refused, or the help that was asked for. An argument is repeated
+/// in it, and may hold anything.
 ///
 /// # Errors
 /// Where nobody can be told.

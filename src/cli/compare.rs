@@ -13,7 +13,8 @@ use crate::run::kept::Keep;
 use crate::run::refusal::Refusal;
 use crate::scenario::CheckedScenario;
 
-/// Every blow answered, with a bar that shows how many are; `otherwise` says what an interruption leaves.
+/// Every blow answered, with a bar that shows how many are; `otherwise` says what an interruption
+/// leaves.
 pub(super) fn answered(
     asked: &[(String, CheckedScenario)],
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,

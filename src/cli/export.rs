@@ -106,9 +106,9 @@ fn write_frames(
         }
     };
     let spacing = Spacing::even(every);
-    let marched = answer.case.frames(&answer.plan, spacing, &mut take);
+    let taken = answer.case.frames(&answer.plan, spacing, &mut take);
     let count = written?;
-    marched.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
+    taken.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
     writer.finish().map_err(csv_to_io)?;
     Ok(count)
 }

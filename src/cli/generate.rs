@@ -1,5 +1,5 @@
-//! `contrecoup generate`: the manual page and completions, made from the definition of the arguments, so
-//! that they cannot disagree with it.
+//! `contrecoup generate`: the manual page and completions, made from the definition of the
+//! arguments, so that they cannot disagree with it.
 
 use std::io::Write;
 

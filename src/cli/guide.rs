@@ -1,7 +1,8 @@
 //! `contrecoup guide`: the pages of the guide, through a pager where somebody sits at a terminal.
 //!
-//! The pager is that of `PAGER`, or `less`. It is started without a shell, and `less` is told to open neither files
-//! nor programs, since a page of text needs none; where it cannot be started the page is printed as it is.
+//! The pager is that of `PAGER`, or `less`. It is started without a shell, and `less` is told to
+//! open neither files nor programs, since a page of text needs none; where it cannot be started
+//! the page is printed as it is.
 
 use std::env;
 use std::io::{self, IsTerminal, Write};
@@ -42,7 +43,8 @@ pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The pager and its arguments; nothing where none is wanted or the terminal cannot move its cursor.
+/// The pager and its arguments; nothing where none is wanted or the terminal cannot move its
+/// cursor.
 fn pager() -> Option<Vec<String>> {
     let dumb = env::var("TERM").map_or(true, |term| term == "dumb");
     let asked =

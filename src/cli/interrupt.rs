@@ -21,7 +21,8 @@ pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     Ok(stop)
 }
 
-/// SIGHUP, unless `nohup` had it ignored: listening would undo that. Only Linux says whether it did.
+/// SIGHUP, unless `nohup` had it ignored: listening would undo that. Only Linux says whether it
+/// did.
 #[cfg(unix)]
 fn hangup() -> Option<i32> {
     let hangup = signal_hook::consts::SIGHUP;

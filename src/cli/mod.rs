@@ -1,6 +1,7 @@
 //! The command line: what can be typed, and which function answers it.
 //!
-//! Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted. A reader that closes the pipe early is no failure.
+//! Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted. A reader that closes the pipe early
+//! is no failure.
 //!
 //! Left out: the answers themselves, one module each, and the meaning of a field's value, which
 //! the registry of fields decides for files, flags and forms alike.
@@ -90,7 +91,8 @@ pub enum Command {
     /// Simulate one blow and write its frames and traces to files
     #[command(after_help = example("export paper-300n --frames frames.csv --traces traces.csv"))]
     Export(ExportArgs),
-    /// Measure total error against time: mesh levels, integrators and steps, and the cheapest for a tolerance
+    /// Measure total error against time: mesh levels, integrators and steps, and the cheapest for
+    /// a tolerance
     #[command(after_help = example("accuracy paper-300n --finest-level 3"))]
     Accuracy(AccuracyArgs),
     /// Check what is claimed: errors in random scenes, hard cases, published experiments
@@ -151,10 +153,12 @@ pub struct AccuracyArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Finest mesh level that is tried, whose error needs two more [default: 4, or 3 of the model Physiological]
+    /// Finest mesh level that is tried, whose error needs two more [default: 4, or 3 of the model
+    /// Physiological]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=8))]
     pub finest_level: Option<u32>,
-    /// The result whose error is told [default: the peak pressure where there is one, else the damage index]
+    /// The result whose error is told [default: the peak pressure where there is one, else the
+    /// damage index]
     #[arg(long, value_name = "RESULT")]
     pub result: Option<String>,
     /// Print JSON instead of text
@@ -209,8 +213,8 @@ pub struct SweepArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which the
-    /// last one runs fastest
+    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which
+    /// the last one runs fastest
     #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = Axis::read)]
     pub vary: Vec<Axis>,
     /// Only the rows r with r mod N = I - 1; all N shards together are the whole
@@ -265,7 +269,8 @@ pub struct ReportArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenarios: ScenariosArgs,
-    /// The file to write or replace: a page if it ends in .html, words and tables in .md, a picture in .svg
+    /// The file to write or replace: a page if it ends in .html, words and tables in .md, a
+    /// picture in .svg
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -279,8 +284,8 @@ pub struct ThresholdArgs {
     /// The field to vary, over all that it may be or from one value to another
     #[arg(long, value_name = "FIELD|FIELD=FROM:TO")]
     pub vary: String,
-    /// The result and the value that it is to reach, as in `damage_percent = 50`; `globe_rupture_percent = 50` is
-    /// of the risk by the curve that is believed first
+    /// The result and the value that it is to reach, as in `damage_percent = 50`;
+    /// `globe_rupture_percent = 50` is of the risk by the curve that is believed first
     #[arg(long, value_name = "RESULT = VALUE")]
     pub until: String,
     /// Print JSON instead of text

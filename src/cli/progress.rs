@@ -12,7 +12,8 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// A line on standard error, if that is a terminal, once the work takes long. Any thread may write it.
+/// A line on standard error, if that is a terminal, once the work takes long. Any thread may write
+/// it.
 pub(super) struct Progress {
     began: Instant,
     visible: bool,

@@ -16,8 +16,8 @@ use crate::scenario::{EyeInput, Scenario};
 
 /// Simulates the scenario and prints its results.
 ///
-/// For a person at a terminal the mesh error, which takes two finer meshes, is always estimated first: each figure
-/// bears its error.
+/// For a person at a terminal the mesh error, which takes two finer meshes, is always estimated
+/// first: each figure bears its error.
 ///
 /// # Errors
 /// Where the scenario is refused, the simulation fails or the output cannot be written.
@@ -52,8 +52,8 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The path of a `--set` that gives mesh level, integrator or step, by whichever of its names or as part of a
-/// group.
+/// The path of a `--set` that gives mesh level, integrator or step, by whichever of its names or
+/// as part of a group.
 fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
     let level_is_given = scenario.eye.level != EyeInput::default().level;
     let paths = args

@@ -1,9 +1,9 @@
 //! `contrecoup sweep`: a grid of runs, in shards, to be gone on with after a kill.
 //!
-//! Rows are appended to the file whole and in order, so what a killed run leaves is the beginning of
-//! the shard and at most one torn line. The next run cuts the torn line off, reads which rows are there
-//! and does the rest. The heading holds a fingerprint of scenario, grid and version, by which a file of
-//! another sweep is known and left alone.
+//! Rows are appended to the file whole and in order, so what a killed run leaves is the beginning
+//! of the shard and at most one torn line. The next run cuts the torn line off, reads which rows
+//! are there and does the rest. The heading holds a fingerprint of scenario, grid and version, by
+//! which a file of another sweep is known and left alone.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
@@ -61,7 +61,8 @@ impl Shard {
 /// Runs the rows of a shard that are not there yet.
 ///
 /// # Errors
-/// Where scenario, grid or file are refused, the output cannot be written, or the work was interrupted.
+/// Where scenario, grid or file are refused, the output cannot be written, or the work was
+/// interrupted.
 pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let axes: Vec<Axis> = args.vary.clone();
@@ -99,8 +100,8 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Standard output, whose lock stays on one thread: lines are handed over and written at the end of
-/// each call.
+/// Standard output, whose lock stays on one thread: lines are handed over and written at the end
+/// of each call.
 struct Unflushed<'a>(&'a mut dyn Write);
 
 /// Where rows go, one whole line at a time.

@@ -14,7 +14,8 @@ use crate::scenario::problem::ScenarioError;
 /// Looks for every crossing and prints it with its errors.
 ///
 /// # Errors
-/// Where scenario or question are refused, the output cannot be written, or the work was interrupted.
+/// Where scenario or question are refused, the output cannot be written, or the work was
+/// interrupted.
 pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let refused = |flag: &str| {

@@ -86,7 +86,8 @@ fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
 /// Checks what was asked for and prints what was found.
 ///
 /// # Errors
-/// Where a simulation fails, a hard case is silently wrong (after printing), or the output cannot be written.
+/// Where a simulation fails, a hard case is silently wrong (after printing), or the output cannot
+/// be written.
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let json = args.json;
     let (study, scenes) = match &args.what {

@@ -15,7 +15,8 @@ pub struct Choice {
     pub origin: &'static str,
 }
 
-/// Presets of a person's own that the app holds, each with all that it says, and that may be saved.
+/// Presets of a person's own that the app holds, each with all that it says, and that may be
+/// saved.
 pub const MAX_OWN: usize = 1000;
 
 /// Every preset that can be opened; a broken one says why it cannot.

@@ -2,8 +2,7 @@
 
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
-use crate::run::kept::Frame;
-use crate::run::kept::nearest;
+use crate::run::kept::{Frame, nearest};
 use crate::run::quantity::Quantity;
 use crate::tui::step::Step;
 
@@ -16,7 +15,7 @@ const ZOOMS: [u32; 4] = [1, 2, 5, 10];
 
 /// How much of the mesh is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Detail {
+pub enum MeshDetail {
     /// The springs.
     Edges,
     /// The nodes.
@@ -25,7 +24,7 @@ pub enum Detail {
     Outline,
 }
 
-impl Detail {
+impl MeshDetail {
     /// A word for the screen.
     pub fn name(self) -> &'static str {
         match self {
@@ -64,7 +63,7 @@ pub struct Clock {
     speed: usize,
     zoom: usize,
     /// How much of the mesh is drawn.
-    pub detail: Detail,
+    pub detail: MeshDetail,
     /// What colours the eye.
     pub colouring: Colouring,
 }
@@ -76,7 +75,7 @@ impl Default for Clock {
             playing: false,
             speed: 5,
             zoom: 0,
-            detail: Detail::Edges,
+            detail: MeshDetail::Edges,
             colouring: Colouring::Force,
         }
     }
@@ -158,9 +157,9 @@ impl Clock {
     /// The next detail.
     pub fn change_detail(&mut self) {
         self.detail = match self.detail {
-            Detail::Edges => Detail::Nodes,
-            Detail::Nodes => Detail::Outline,
-            Detail::Outline => Detail::Edges,
+            MeshDetail::Edges => MeshDetail::Nodes,
+            MeshDetail::Nodes => MeshDetail::Outline,
+            MeshDetail::Outline => MeshDetail::Edges,
         };
     }
 

@@ -1,7 +1,8 @@
-//! What a person wants of the app at every start: `contrecoup/config.ron` under `$XDG_CONFIG_HOME` (or
-//! `~/.config`). A flag counts for more than the file.
+//! What a person wants of the app at every start: `contrecoup/config.ron` under `$XDG_CONFIG_HOME`
+//! (or `~/.config`). A flag counts for more than the file.
 //!
-//! An empty file sets nothing, so that `contrecoup config` may be sent into the file that it reads.
+//! An empty file sets nothing, so that `contrecoup config` may be sent into the file that it
+//! reads.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -294,7 +295,7 @@ mod word {
     }
 }
 
-/// The same, or none by the word `auto`.
+/// A choice by the word that a flag has for it, or `None` by the word `auto`.
 mod word_or_auto {
     use clap::ValueEnum;
     use serde::{Deserialize, Deserializer, Serializer};

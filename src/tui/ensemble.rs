@@ -9,9 +9,9 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::idle;
-use crate::tui::request::Question;
+use crate::tui::request::TaskQuestion;
 use crate::tui::task::Task;
-use crate::tui::worker::overseen;
+use crate::tui::worker::run_watched;
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
@@ -35,7 +35,7 @@ pub struct RunSamples {
     pub idle: bool,
 }
 
-impl Question for RunSamples {
+impl TaskQuestion for RunSamples {
     type Answer = Ensemble;
 
     fn answer(&self, watch: Watch) -> Result<Ensemble, Refusal> {
@@ -45,12 +45,12 @@ impl Question for RunSamples {
     /// What is stopped gives the samples done.
     fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Ensemble)) -> Result<Ensemble, Refusal> {
         let scenario = self.scenario.check()?;
-        overseen(watch, show, |stop, desk| {
+        run_watched(watch, show, |stop, progress| {
             let known = self.known.as_deref().cloned();
             let run = || {
                 run(&scenario, (self.count, SEED), known, stop, &|so_far| {
                     let share = so_far.samples.len() as f64 / f64::from(self.count);
-                    desk.report(share, || so_far.clone())
+                    progress.report(share, || so_far.clone())
                 })
             };
             if self.is_idle() {
@@ -82,7 +82,7 @@ impl Samples {
         (*asked == key(scenario)).then_some(ensemble)
     }
 
-    /// The same, once it is enough to be shown.
+    /// The samples of this scenario, once they are finished or at least [`FIRST`].
     pub fn of(&self, scenario: &Scenario) -> Option<&Ensemble> {
         let enough = |e: &&Arc<Ensemble>| !e.stopped() || e.samples.len() >= FIRST;
         self.known(scenario).filter(enough).map(Arc::as_ref)
@@ -106,7 +106,7 @@ pub fn is_whole(ensemble: &Ensemble) -> bool {
     ensemble.valid().count() >= ensemble.asked as usize && ensemble.folded() == 0
 }
 
-/// What of a scenario matters.
+/// The scenario without its name, which changes no sample.
 pub(super) fn key(scenario: &Scenario) -> Scenario {
     Scenario {
         // No name would be refused.

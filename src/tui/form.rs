@@ -7,12 +7,12 @@ use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
 use crate::scenario::{Impact, Model, Scenario};
-use crate::tui::line::Line;
+use crate::tui::line::TextLine;
 use crate::tui::step::Step;
 
 /// A row of the form.
 #[derive(Clone, Copy)]
-pub enum Row {
+pub enum FormRow {
     /// The preset.
     Preset,
     /// A field of the scenario.
@@ -21,7 +21,7 @@ pub enum Row {
     Fold,
 }
 
-impl PartialEq for Row {
+impl PartialEq for FormRow {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Field(a), Self::Field(b)) => a.path == b.path,
@@ -32,9 +32,9 @@ impl PartialEq for Row {
 }
 
 /// What is selected and what is being typed.
-pub struct Form {
+pub struct ScenarioForm {
     /// The row with the cursor.
-    pub selected: Row,
+    pub selected: FormRow,
     /// Whether the advanced fields are shown.
     pub advanced: bool,
     /// A value that is being typed.
@@ -48,18 +48,18 @@ pub struct Typing {
     /// The field.
     pub field: &'static Field,
     /// The text so far.
-    pub input: Line,
+    pub input: TextLine,
     /// What Esc restores.
     pub before: Scenario,
     /// What is wrong with the text so far.
     pub error: Option<String>,
 }
 
-impl Default for Form {
+impl Default for ScenarioForm {
     /// On the preset: what hits the eye comes before by how much.
     fn default() -> Self {
         Self {
-            selected: Row::Preset,
+            selected: FormRow::Preset,
             advanced: false,
             typing: None,
             complaint: None,
@@ -81,32 +81,32 @@ fn is_settled(field: &Field) -> bool {
 }
 
 /// The rows, from the top.
-pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<Row> {
+pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<FormRow> {
     let there = |field: &&Field| field.text(scenario).is_some() && !is_settled(field);
-    let mut rows = vec![Row::Preset];
+    let mut rows = vec![FormRow::Preset];
     rows.extend(
         FIELDS
             .iter()
             .filter(|f| is_basic(f))
             .filter(there)
-            .map(Row::Field),
+            .map(FormRow::Field),
     );
-    rows.push(Row::Fold);
+    rows.push(FormRow::Fold);
     if advanced {
         rows.extend(
             FIELDS
                 .iter()
                 .filter(|f| !is_basic(f))
                 .filter(there)
-                .map(Row::Field),
+                .map(FormRow::Field),
         );
     }
     rows
 }
 
-impl Form {
+impl ScenarioForm {
     /// Moves the cursor by so many rows.
-    pub fn go(&mut self, scenario: &Scenario, by: isize) {
+    pub fn move_cursor(&mut self, scenario: &Scenario, by: isize) {
         let rows = rows(scenario, self.advanced);
         let here = rows.iter().position(|row| *row == self.selected);
         let next = here
@@ -119,7 +119,7 @@ impl Form {
 
     /// Whether a digit begins a value in the row with the cursor.
     pub fn takes_numbers(&self) -> bool {
-        matches!(self.selected, Row::Field(field) if matches!(
+        matches!(self.selected, FormRow::Field(field) if matches!(
             field.kind,
             Kind::Number(..) | Kind::OptionalNumber(..) | Kind::Integer(..) | Kind::Integers(..)
         ))
@@ -129,14 +129,14 @@ impl Form {
     pub fn fold(&mut self, scenario: &Scenario) {
         self.advanced = !self.advanced;
         if !rows(scenario, self.advanced).contains(&self.selected) {
-            self.selected = Row::Fold;
+            self.selected = FormRow::Fold;
         }
     }
 
     /// Puts the cursor where it can be after the scenario has changed.
     pub fn settle(&mut self, scenario: &Scenario) {
         if !rows(scenario, self.advanced).contains(&self.selected) {
-            self.go(scenario, 0);
+            self.move_cursor(scenario, 0);
         }
     }
 }
@@ -163,7 +163,7 @@ pub fn is_unverified(scenario: &Scenario, field: &Field) -> bool {
 /// The names of such fields.
 pub fn unverified(scenario: &Scenario) -> &[String] {
     match &scenario.impact {
-        Impact::Projectile(shot) => &shot.unverified,
+        Impact::Projectile(projectile) => &projectile.unverified,
         Impact::ForcePulse(_) => &[],
     }
 }
@@ -177,8 +177,8 @@ pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     })
 }
 
-/// The character that a key press puts into a field: a point for a decimal comma, and none where it
-/// can be no part of the value.
+/// The character that a key press puts into a field: a point for a decimal comma, and none where
+/// it can be no part of the value.
 pub fn admitted(field: &Field, c: char) -> Option<char> {
     let numeral =
         c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '/' | '_' | 'e' | 'E' | '±' | ' ');
@@ -206,15 +206,16 @@ pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scena
     let mut changed = scenario.clone();
     set(&mut changed, field.path, text).map_err(|error| words(&error))?;
     if field.path == "impact" && Model::usual_for(&changed.impact) != Model::Paper {
-        // Whoever asks for an object means the model that takes one; its parts are kept if it is there.
+        // Whoever asks for an object means the model that takes one; its parts are kept if it is
+        // there.
         set(&mut changed, "model", "Physiological").map_err(|error| words(&error))?;
     }
     changed.check().map_err(|error| words(&error))?;
     Ok(changed)
 }
 
-/// The place of what is chosen in a field of choices. None of a recorded curve, which is not thrown
-/// away by a key.
+/// The place of what is chosen in a field of choices. None of a recorded curve, which is not
+/// thrown away by a key.
 pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
     let Kind::Choice(choices) = &field.kind else {
         return None;
@@ -400,10 +401,10 @@ mod tests {
     fn rows_follow_the_variant_and_the_fold() {
         let mut scenario = Scenario::default();
         let paths = |scenario: &Scenario, advanced| -> Vec<&str> {
-            let path = |row: Row| match row {
-                Row::Field(field) => field.path,
-                Row::Preset => "preset",
-                Row::Fold => "fold",
+            let path = |row: FormRow| match row {
+                FormRow::Field(field) => field.path,
+                FormRow::Preset => "preset",
+                FormRow::Fold => "fold",
             };
             rows(scenario, advanced).into_iter().map(path).collect()
         };

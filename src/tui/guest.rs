@@ -1,8 +1,8 @@
 //! A guest: somebody on a shared host who may look and try, and leave nothing behind.
 //!
 //! No file is read or written: presets are those of the program, and the person's own folder, a
-//! config file, curves and saving are out of reach (see `files`); the kernel refuses files too. The
-//! process has the lowest priority, one core where the system can hold it to one, and so much
+//! config file, curves and saving are out of reach (see `files`); the kernel refuses files too.
+//! The process has the lowest priority, one core where the system can hold it to one, and so much
 //! memory; it computes nothing that nobody asked for. Levels, windows, samples and the time of one
 //! answer are bounded, and a session without keys ends.
 //!
@@ -79,7 +79,8 @@ fn by_the_system() -> io::Result<()> {
     Ok(())
 }
 
-/// Guests spread over the cores by their numbers. Where the system refuses, the priority has to do.
+/// Guests spread over the cores by their numbers. Where the system refuses, the priority has to
+/// do.
 #[cfg(target_os = "linux")]
 fn one_core() {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};

@@ -17,8 +17,8 @@ use press::Press;
 pub struct Key {
     /// The keys; the first that nothing nearer has for itself is shown in the footer.
     pub presses: &'static [Press],
-    /// A word for the footer; empty where it has no place there, `&` where the word before goes for
-    /// this key too.
+    /// A word for the footer; empty where it has no place there, `&` where the word before goes
+    /// for this key too.
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,
@@ -38,7 +38,7 @@ pub struct Binding<A> {
 }
 
 impl<A: Copy> Binding<A> {
-    /// The same, for which a person may choose other keys by this name.
+    /// This binding with a name, by which the config file may give it other keys.
     #[must_use]
     pub const fn named(self, name: &'static str) -> Self {
         let key = Key { name, ..self.key };
@@ -131,7 +131,7 @@ pub fn begins_value(stack: &[KeyList]) -> bool {
 
 /// What the footer may show of the lists in which a key is looked up now: keys and their word, the
 /// most needed first. The list with the title `late` comes last; so many screens can be shown.
-pub fn live(
+pub fn footer_keys(
     stack: &[KeyList],
     keys: &Keys,
     late: Option<&str>,

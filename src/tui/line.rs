@@ -1,5 +1,5 @@
-//! A line of text that is typed into. What stands in it at first is selected: a character takes its
-//! place, any other key begins to change it.
+//! A line of text that is typed into. What stands in it at first is selected: a character takes
+//! its place, any other key begins to change it.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use tui_input::backend::crossterm::EventHandler;
@@ -7,14 +7,14 @@ use tui_input::{Input, InputRequest};
 
 /// The text with its cursor.
 #[derive(Debug, Default)]
-pub struct Line {
+pub struct TextLine {
     /// The text.
     pub input: Input,
     /// Whether all of it is selected.
     pub selected: bool,
 }
 
-impl Line {
+impl TextLine {
     /// A line with a text to keep, to change or to type over.
     pub fn of(text: String) -> Self {
         Self {
@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     fn after(codes: &[KeyCode]) -> String {
-        let mut line = Line::of("300".to_owned());
+        let mut line = TextLine::of("300".to_owned());
         for code in codes {
             line.key(KeyEvent::from(*code));
         }

@@ -6,15 +6,15 @@ use crate::scenario::Scenario;
 use crate::tui::choices::Choice;
 use crate::tui::clock::Clock;
 use crate::tui::ensemble::Samples;
-use crate::tui::form::Form;
+use crate::tui::form::ScenarioForm;
 use crate::tui::guest;
 use crate::tui::keys::chosen::Keys;
 use crate::tui::look::Look;
 use crate::tui::outbox::Outbox;
 use crate::tui::overlay::Overlay;
 use crate::tui::page::WritePage;
-use crate::tui::request::Question as _;
-use crate::tui::shown::Shown;
+use crate::tui::request::TaskQuestion as _;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::Task;
 use crate::tui::undo::History;
@@ -26,15 +26,15 @@ pub type Timed<'a> = (&'a Answer, f64);
 
 /// What the screens share.
 #[expect(clippy::struct_excessive_bools, reason = "each says one thing")]
-pub struct Model {
+pub struct AppModel {
     /// What is being worked on.
     pub work: Work,
     /// What can be undone.
     pub history: History<Work>,
     /// The form.
-    pub form: Form,
+    pub form: ScenarioForm,
     /// The last good result, if there ever was one.
-    pub shown: Option<Shown>,
+    pub shown: Option<ShownAnswer>,
     /// The answer to the newest edit.
     pub run: Task<Simulate>,
     /// The mesh error of the answer on show.
@@ -71,13 +71,13 @@ pub struct Model {
     pub out: Outbox,
 }
 
-impl Model {
+impl AppModel {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
         Self {
             work,
             history: History::default(),
-            form: Form::default(),
+            form: ScenarioForm::default(),
             shown: None,
             run: Task::default(),
             mesh: Task::default(),
@@ -134,7 +134,7 @@ impl Model {
             .typing
             .as_ref()
             .is_some_and(|typing| typing.error.is_some());
-        let other = |shown: &Shown| shown.scenario != self.work.scenario;
+        let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
         if self.run.complaint.is_some() {
             return Some("last good result");
         }
@@ -190,8 +190,8 @@ impl Model {
         Some((answer, answer.window()))
     }
 
-    /// The same by the name of what is worked on, for whoever takes it away.
-    pub fn answer(&self) -> Vec<(String, &Shown)> {
+    /// The answer to the form with the name of its source, for pages and summaries; empty without one.
+    pub fn answer(&self) -> Vec<(String, &ShownAnswer)> {
         let named = |shown| (self.work.name().to_owned(), shown);
         self.shown.iter().map(named).collect()
     }

@@ -14,7 +14,7 @@ use crate::tui::choices::{Choice, choices};
 use crate::tui::config::Config;
 use crate::tui::guest;
 use crate::tui::look::Look;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::picker::Picker;
 use crate::tui::saved_session;
@@ -167,7 +167,7 @@ pub fn run(
     let settings = terminal::Settings {
         fps: flags.fps.unwrap_or(config.fps),
         fail_on: flags.fail_on,
-        idle: guest,
+        guest_limit: guest,
     };
     let (code, app) = terminal::run(app, &settings)?;
     // Where nothing was changed, the next start asks again: no reason to fail now.
@@ -217,7 +217,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
 }
 
 /// Leaves of what can be opened what is for guests.
-fn welcome(model: &mut Model, sources: &[String]) -> Result<(), ScenarioError> {
+fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError> {
     model.guest = true;
     for choice in &mut model.choices {
         if let Ok(scenario) = &choice.scenario
@@ -259,6 +259,6 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
         }
         works.push(Work::fresh(source, &scenario));
     }
-    let model = Model::new(works[0].clone(), choices, look);
+    let model = AppModel::new(works[0].clone(), choices, look);
     Ok(App::new(model, &works))
 }

@@ -1,7 +1,7 @@
 //! What can stand in front of a screen: the keys, a list, a name that is typed, a question.
 
 use crate::scenario::Scenario;
-use crate::tui::line::Line;
+use crate::tui::line::TextLine;
 use crate::tui::picker::Picker;
 use crate::tui::threshold::Asking;
 
@@ -14,9 +14,9 @@ pub enum Overlay {
     /// At which value of a number does a result reach this?
     Threshold(Box<Asking>),
     /// A name is being typed, and what is wrong with it.
-    Name(Naming, Line, Option<String>),
+    Name(Naming, TextLine, Option<String>),
     /// Something is asked.
-    Question(Question),
+    Prompt(Prompt),
 }
 
 /// What a name is typed for.
@@ -30,7 +30,7 @@ pub enum Naming {
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Question {
+pub enum Prompt {
     /// Remove the preset of this name?
     Remove(String),
     /// Replace the preset of this name?
@@ -41,13 +41,13 @@ pub enum Question {
     Adopt(String, Box<Scenario>),
     /// Quit without saving? The next start may bring the changes back.
     Quit {
-        /// Whether it does.
+        /// Whether the next start brings them back.
         kept: bool,
     },
 }
 
-impl Question {
-    /// It in a few words.
+impl Prompt {
+    /// The question in a few words, for the footer.
     pub fn brief(&self) -> String {
         match self {
             Self::Remove(name) => format!("Remove the preset {name}?"),
@@ -58,7 +58,7 @@ impl Question {
         }
     }
 
-    /// The same with what it would do.
+    /// The question in full, with what a yes would do.
     pub fn text(&self) -> String {
         match self {
             Self::Remove(name) => {

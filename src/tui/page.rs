@@ -9,7 +9,7 @@ use crate::report::page::html;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
-use crate::tui::request::Question;
+use crate::tui::request::TaskQuestion;
 use crate::tui::task::Task;
 
 /// Asks for a page for a browser.
@@ -22,7 +22,7 @@ pub struct WritePage {
     pub command: Option<String>,
 }
 
-impl Question for WritePage {
+impl TaskQuestion for WritePage {
     type Answer = String;
 
     fn answer(&self, watch: Watch) -> Result<String, Refusal> {

@@ -5,7 +5,7 @@
 use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};
 use crate::tui::choices::Choice;
-use crate::tui::line::Line;
+use crate::tui::line::TextLine;
 
 /// Rows of a page.
 pub const PAGE: i16 = 10;
@@ -14,7 +14,7 @@ pub const PAGE: i16 = 10;
 #[derive(Default)]
 pub struct Picker {
     /// What is searched for.
-    pub input: Line,
+    pub input: TextLine,
     /// The row with the cursor.
     pub row: usize,
     /// The places in the list of choices that are shown, the first on top.
@@ -59,7 +59,7 @@ impl Picker {
     }
 
     /// Moves the cursor by so many rows.
-    pub fn go(&mut self, by: isize) {
+    pub fn move_cursor(&mut self, by: isize) {
         let last = self.shown.len().saturating_sub(1);
         self.row = self.row.saturating_add_signed(by).min(last);
     }
@@ -104,10 +104,10 @@ fn nearness(words: &[&str], text: &str) -> Option<f64> {
 pub fn facts(scenario: &Scenario) -> [String; 3] {
     let with = |value: f64, unit: &str| format!("{} {unit}", plain(value));
     match &scenario.impact {
-        Impact::Projectile(shot) => [
-            with(shot.mass_g, "g"),
-            with(shot.diameter_mm, "mm"),
-            with(shot.speed_m_s, "m/s"),
+        Impact::Projectile(projectile) => [
+            with(projectile.mass_g, "g"),
+            with(projectile.diameter_mm, "mm"),
+            with(projectile.speed_m_s, "m/s"),
         ],
         Impact::ForcePulse(pulse) => [
             with(pulse.peak_n(), "N"),
@@ -125,7 +125,7 @@ mod tests {
     fn found(text: &str) -> Vec<String> {
         let choices = choices();
         let mut picker = Picker {
-            input: Line::of(text.to_owned()),
+            input: TextLine::of(text.to_owned()),
             ..Picker::default()
         };
         picker.search(&choices);

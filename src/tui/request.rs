@@ -13,7 +13,7 @@ use crate::run::watch::Watch;
 pub type Ticket = u64;
 
 /// Something that takes too long to be done between two keys.
-pub trait Question: Send + Sync + 'static {
+pub trait TaskQuestion: Send + Sync + 'static {
     /// What comes of it.
     type Answer: Send + 'static;
 
@@ -23,7 +23,7 @@ pub trait Question: Send + Sync + 'static {
     /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.
     fn answer(&self, watch: Watch) -> Result<Self::Answer, Refusal>;
 
-    /// The same for work that fills in: `show` is told what there is so far.
+    /// Finds the answer as [`Self::answer`] does and hands partial answers to `show` on the way.
     ///
     /// # Errors
     /// As [`Self::answer`].
@@ -52,14 +52,14 @@ trait AnyQuestion: Send + Sync {
     fn as_any(&self) -> &dyn Any;
 }
 
-impl<Q: Question> AnyQuestion for Q {
+impl<Q: TaskQuestion> AnyQuestion for Q {
     fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> {
         let answer = self.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
         Ok(Box::new(answer))
     }
 
     fn is_idle(&self) -> bool {
-        Question::is_idle(self)
+        TaskQuestion::is_idle(self)
     }
 
     fn as_any(&self) -> &dyn Any {
@@ -89,12 +89,12 @@ impl PartialEq for Request {
 
 impl Request {
     /// The request of a question.
-    pub fn new<Q: Question>(ticket: Ticket, question: Arc<Q>) -> Self {
+    pub fn new<Q: TaskQuestion>(ticket: Ticket, question: Arc<Q>) -> Self {
         Self { ticket, question }
     }
 
     /// The question, if it is of this type.
-    pub fn question<Q: Question>(&self) -> Option<&Q> {
+    pub fn question<Q: TaskQuestion>(&self) -> Option<&Q> {
         self.question.as_any().downcast_ref()
     }
 
@@ -143,13 +143,13 @@ impl Report {
     }
 
     /// This is there already.
-    pub fn so_far<Q: Question>(ticket: Ticket, answer: Q::Answer) -> Self {
+    pub fn so_far<Q: TaskQuestion>(ticket: Ticket, answer: Q::Answer) -> Self {
         let news = News::SoFar(Box::new(answer));
         Self { ticket, news }
     }
 
     /// The work ended so.
-    pub fn done<Q: Question>(ticket: Ticket, outcome: Result<Q::Answer, Refusal>) -> Self {
+    pub fn done<Q: TaskQuestion>(ticket: Ticket, outcome: Result<Q::Answer, Refusal>) -> Self {
         let news = News::Done(outcome.map(|answer| Box::new(answer) as Anything));
         Self { ticket, news }
     }

@@ -1,5 +1,5 @@
-//! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes and
-//! read when it opens with nothing asked for.
+//! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes
+//! and read when it opens with nothing asked for.
 //!
 //! It holds the screen, the preset or file, and the scenario where it was changed since. It is
 //! written whole or not at all; where it cannot be, changes are not promised to be kept. One that
@@ -31,7 +31,7 @@ pub struct SavedSession {
     pub changed: Option<Scenario>,
 }
 
-/// The same as the file has it; a scenario is the text of a scenario file.
+/// The saved session as the file spells it; a scenario is the text of a scenario file.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written {

@@ -10,7 +10,7 @@ use crate::tui::view::heat::{highest, hottest};
 
 /// An answer with what every picture of it needs.
 #[derive(Debug, Clone)]
-pub struct Shown {
+pub struct ShownAnswer {
     /// What was asked.
     pub scenario: Scenario,
     /// What came of it.
@@ -23,7 +23,7 @@ pub struct Shown {
     pub drawing: Drawing,
 }
 
-impl Shown {
+impl ShownAnswer {
     /// The answer to a scenario.
     pub fn new(scenario: Scenario, answer: Answer) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl Shown {
     }
 }
 
-impl Borrow<Answer> for Box<Shown> {
+impl Borrow<Answer> for Box<ShownAnswer> {
     fn borrow(&self) -> &Answer {
         &self.answer
     }

@@ -7,7 +7,7 @@ use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{Impact, Scenario};
-use crate::tui::request::Question;
+use crate::tui::request::TaskQuestion;
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -20,7 +20,7 @@ const MAX_KEPT: f64 = 4e6;
 #[derive(Debug)]
 pub struct Simulate(pub Scenario);
 
-impl Question for Simulate {
+impl TaskQuestion for Simulate {
     type Answer = Answer;
 
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
@@ -37,7 +37,7 @@ pub struct EstimateMesh {
     pub query: MeshQuery,
 }
 
-impl Question for EstimateMesh {
+impl TaskQuestion for EstimateMesh {
     type Answer = MeshError;
 
     fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {

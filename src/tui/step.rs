@@ -23,7 +23,7 @@ impl Step {
         Self { up, coarse }
     }
 
-    /// The same step the other way.
+    /// A step of this size in the other direction.
     #[must_use]
     pub fn reversed(self) -> Self {
         Self::new(!self.up, self.coarse)

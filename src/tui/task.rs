@@ -1,15 +1,15 @@
 //! Work for another thread: what was asked, how far it is, and why it gave nothing.
 //!
-//! Whoever needs such work says what its [`Question`] is and keeps a [`Task`]. The question goes
-//! out as a [`Request`] with a ticket, a worker answers it, and the report comes back to whoever
-//! holds the ticket: what there is so far, and what came of it in the end. A report on work that
-//! was given up finds nobody and is dropped.
+//! Whoever needs such work says what its [`TaskQuestion`] is and keeps a [`Task`]. The question
+//! goes out as a [`Request`] with a ticket, a worker answers it, and the report comes back to
+//! whoever holds the ticket: what there is so far, and what came of it in the end. A report on
+//! work that was given up finds nobody and is dropped.
 
 use std::sync::Arc;
 
 use crate::report::pace::Pace;
 use crate::tui::outbox::{Effect, Outbox};
-use crate::tui::request::{Anything, News, Question, Report, Request, Ticket};
+use crate::tui::request::{Anything, News, Report, Request, TaskQuestion, Ticket};
 
 /// What is under way.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl<Q> Default for Task<Q> {
     }
 }
 
-impl<Q: Question> Task<Q> {
+impl<Q: TaskQuestion> Task<Q> {
     /// Asks; what was under way is given up.
     pub fn ask(&mut self, question: Q, out: &mut Outbox) {
         out.ticket += 1;

@@ -14,11 +14,11 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::fields::Field;
 use crate::scenario::problem::plain;
-use crate::tui::line::Line;
+use crate::tui::line::TextLine;
 use crate::tui::request;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::task::Task;
-use crate::tui::worker::overseen;
+use crate::tui::worker::run_watched;
 
 /// What a risk or an index is asked for unless something else is typed, in %.
 const HALF: f64 = 50.0;
@@ -26,14 +26,14 @@ const HALF: f64 = 50.0;
 /// Asks for every crossing.
 pub struct FindThreshold(pub Question);
 
-impl request::Question for FindThreshold {
+impl request::TaskQuestion for FindThreshold {
     type Answer = Threshold;
 
     fn answer(&self, watch: Watch) -> Result<Threshold, Refusal> {
-        overseen(watch, &mut |()| {}, |stop, desk| {
+        run_watched(watch, &mut |()| {}, |stop, progress| {
             self.0.answer(stop, |share| {
                 // It hears of an end by `stop`.
-                let _ = desk.report(share, || ());
+                let _ = progress.report(share, || ());
             })
         })
     }
@@ -47,7 +47,7 @@ pub struct Asking {
     pub quantity: Quantity,
     pub(super) results: Vec<(Quantity, f64)>,
     /// The value that it is to reach, as typed.
-    pub input: Line,
+    pub input: TextLine,
     /// What is being looked for.
     pub task: Task<FindThreshold>,
     /// What was found for what is asked.
@@ -59,7 +59,7 @@ pub struct Asking {
 }
 
 impl Asking {
-    pub(super) fn of(field: &'static Field, shown: &Shown) -> Option<Self> {
+    pub(super) fn of(field: &'static Field, shown: &ShownAnswer) -> Option<Self> {
         let values = shown.answer.results();
         let results: Vec<(Quantity, f64)> = Quantity::ALL
             .iter()
@@ -70,7 +70,7 @@ impl Asking {
             field,
             quantity,
             results,
-            input: Line::default(),
+            input: TextLine::default(),
             task: Task::default(),
             found: None,
             row: 0,
@@ -91,7 +91,7 @@ impl Asking {
             Some((_, value)) if !risk => *value,
             _ => HALF,
         };
-        self.input = Line::of(brief(target));
+        self.input = TextLine::of(brief(target));
         self.forget();
     }
 
@@ -120,7 +120,7 @@ fn brief(value: f64) -> String {
 }
 
 /// Rupture of the globe by the measure that is believed first.
-fn rupture(shown: &Shown) -> Option<Quantity> {
+fn rupture(shown: &ShownAnswer) -> Option<Quantity> {
     let verdicts = shown.answer.verdicts();
     let verdict = verdicts.iter().find(|v| v.injury == Injury::GlobeRupture)?;
     let (risk, _) = verdict.parts.first()?;

@@ -37,7 +37,7 @@ impl Work {
         }
     }
 
-    /// The same work with another scenario.
+    /// Another scenario in the place of this one; source and original stay.
     #[must_use]
     pub fn with(&self, scenario: Scenario) -> Self {
         Self {

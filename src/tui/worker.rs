@@ -116,54 +116,54 @@ fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
     }
 }
 
-/// Where work on several threads says how far it is and what there is so far.
-pub struct Desk<T> {
+/// How far work on several threads is, and what there is of its answer so far.
+pub struct SharedProgress<T> {
     share: AtomicU64,
     wanted: AtomicBool,
     so_far: Mutex<Option<T>>,
 }
 
-impl<T> Desk<T> {
+impl<T> SharedProgress<T> {
     /// So much is done; `so_far` gives what there is, if anybody wants to see it now.
     pub fn report(&self, share: f64, so_far: impl FnOnce() -> T) -> ControlFlow<()> {
         self.share.store(share.to_bits(), Ordering::Relaxed);
         if self.wanted.swap(false, Ordering::Relaxed) {
-            *self.sheet() = Some(so_far());
+            *self.lock_so_far() = Some(so_far());
         }
         ControlFlow::Continue(())
     }
 
-    fn sheet(&self) -> std::sync::MutexGuard<'_, Option<T>> {
+    fn lock_so_far(&self) -> std::sync::MutexGuard<'_, Option<T>> {
         self.so_far.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// Does work that may be told to stop and says how far it is, on another thread, under the eyes of
-/// a watch that must stay on this one and shows what there is so far. What is stopped gives what it
-/// has.
-pub fn overseen<T: Send, S: Send>(
+/// a watch that must stay on this one and shows what there is so far. What is stopped gives what
+/// it has.
+pub fn run_watched<T: Send, S: Send>(
     watch: Watch,
     show: &mut dyn FnMut(S),
-    work: impl FnOnce(&AtomicBool, &Desk<S>) -> T + Send,
+    work: impl FnOnce(&AtomicBool, &SharedProgress<S>) -> T + Send,
 ) -> T {
     let stop = AtomicBool::new(false);
-    let desk = Desk {
+    let progress = SharedProgress {
         share: AtomicU64::new(0),
         wanted: AtomicBool::new(true),
         so_far: Mutex::new(None),
     };
     thread::scope(|scope| {
-        let own = scope.spawn(|| work(&stop, &desk));
+        let own = scope.spawn(|| work(&stop, &progress));
         let mut shown = Instant::now();
         while !own.is_finished() {
-            if watch(f64::from_bits(desk.share.load(Ordering::Relaxed))).is_break() {
+            if watch(f64::from_bits(progress.share.load(Ordering::Relaxed))).is_break() {
                 stop.store(true, Ordering::Relaxed);
             }
-            if let Some(so_far) = desk.sheet().take() {
+            if let Some(so_far) = progress.lock_so_far().take() {
                 show(so_far);
                 shown = Instant::now();
             } else if shown.elapsed() >= SHOW_EVERY {
-                desk.wanted.store(true, Ordering::Relaxed);
+                progress.wanted.store(true, Ordering::Relaxed);
             }
             thread::sleep(LOOK_EVERY);
         }

@@ -9,7 +9,7 @@ use contrecoup::tui::app::update::Message;
 use contrecoup::tui::app::update::update;
 use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::overlay::Overlay;
-use contrecoup::tui::overlay::Question;
+use contrecoup::tui::overlay::Prompt;
 use contrecoup::tui::request::Report;
 use contrecoup::tui::request::Ticket;
 use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
@@ -134,7 +134,7 @@ fn it_measures_while_it_is_on_show_and_goes_on_where_it_was() {
 #[test]
 fn what_is_more_exact_says_what_it_costs_before_it_is_done() {
     let asked = |app: &App| match &app.model.overlay {
-        Some(Overlay::Question(Question::Adopt(words, _))) => words.clone(),
+        Some(Overlay::Prompt(Prompt::Adopt(words, _))) => words.clone(),
         _ => panic!("nothing is asked"),
     };
     let mut app = app();

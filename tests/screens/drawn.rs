@@ -9,7 +9,7 @@ use contrecoup::tui::app::App;
 use contrecoup::tui::app::frame;
 use contrecoup::tui::app::update::{Message, begin, update};
 use contrecoup::tui::ensemble::RunSamples;
-use contrecoup::tui::form::Row;
+use contrecoup::tui::form::FormRow;
 use contrecoup::tui::look::Look;
 use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::prepare;
@@ -20,7 +20,7 @@ use contrecoup::tui::screens::map::state::{DrawMap, Map};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::task::Task;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
-use contrecoup::tui::terminal::input::{Input, Parser};
+use contrecoup::tui::terminal::input::{Parser, TerminalInput};
 use contrecoup::tui::view::heat::HeatMap;
 use contrecoup::tui::view::palette::Palette;
 use ratatui::buffer::{Buffer, Cell};
@@ -81,7 +81,7 @@ pub fn app_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> 
     if let Some(force) = fields::find("impact.force_n")
         && force.text(&app.model.work.scenario).is_some()
     {
-        app.model.form.selected = Row::Field(force);
+        app.model.form.selected = FormRow::Field(force);
     }
     app
 }
@@ -92,7 +92,7 @@ pub fn press(app: &mut App, keys: &str) {
     let mut inputs = parser.feed(keys.as_bytes());
     inputs.extend(parser.flush());
     for input in inputs {
-        if let Input::Key(event) = input {
+        if let TerminalInput::Key(event) = input {
             let effects = update(app, Message::Key(event));
             settle(app, effects, made_up::answer);
         }

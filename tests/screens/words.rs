@@ -11,7 +11,7 @@ use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::fields;
 use contrecoup::tui::app::App;
 use contrecoup::tui::app::update::{Message, update};
-use contrecoup::tui::form::Row;
+use contrecoup::tui::form::FormRow;
 use contrecoup::tui::request::Report;
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};
@@ -93,7 +93,7 @@ fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
     let mut app = app(&["golf-ball"], Depth::Mono);
     let speed = fields::find("impact.speed_m_s").unwrap();
     for size in SIZES {
-        app.model.form.selected = Row::Preset;
+        app.model.form.selected = FormRow::Preset;
         let text = picture(&app, size);
         assert!(line_from(&text, " Speed").starts_with(" Speed "));
         assert!(line_from(&text, " Speed").contains(" ? "));
@@ -104,7 +104,7 @@ fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
                 .unwrap()
                 .contains('?')
         );
-        app.model.form.selected = Row::Field(speed);
+        app.model.form.selected = FormRow::Field(speed);
         assert!(picture(&app, size).contains("? unverified figure"));
     }
     press(&mut app, "50\r");

@@ -289,8 +289,9 @@ fn is_note(line: &str) -> bool {
     more.is_some_and(|rest| rest.starts_with(char::is_alphabetic)) || line.starts_with("! ")
 }
 
-/// The lines of a table, in any order, since some are ordered by their figures: words and units as they are, `#` for
-/// a number or a verdict. Notes and the list of claims that did not hold depend on the figures and are left out.
+/// The lines of a table, in any order, since some are ordered by their figures: words and units as
+/// they are, `#` for a number or a verdict. Notes and the list of claims that did not hold depend
+/// on the figures and are left out.
 pub fn form(text: &str) -> Vec<String> {
     let is_list = |line: &&str| line.starts_with("Claims that") || line.starts_with("Every claim");
     let lines = text.lines().take_while(|line| !is_list(line));

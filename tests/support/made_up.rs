@@ -1,8 +1,8 @@
 //! Made-up answers: nothing is simulated, so no picture of one changes when the physics does.
 //!
-//! The mesh is that of the scenario, at rest; every course is a few humps in the share of the window
-//! that has gone, and what a blow does grows with its size: a force of 300 N has size 1. Humps are
-//! polynomials, which give the same digits on every machine.
+//! The mesh is that of the scenario, at rest; every course is a few humps in the share of the
+//! window that has gone, and what a blow does grows with its size: a force of 300 N has size 1.
+//! Humps are polynomials, which give the same digits on every machine.
 
 #![allow(dead_code, reason = "every test file uses a part")]
 
@@ -157,7 +157,8 @@ fn nodes(scenario: &Scenario) -> Vec<(Point2<f64>, bool)> {
     }
 }
 
-/// Nodes are pushed back the more, the nearer they are to the cornea; a ring of force runs from it.
+/// Nodes are pushed back the more, the nearer they are to the cornea; a ring of force runs from
+/// it.
 fn frame(scenario: &Scenario, traces: &Traces, row: usize, diameter: Option<f64>) -> Frame {
     let share = row as f64 / ROWS as f64;
     let apex = traces.apex[row];
@@ -378,8 +379,8 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
     }
 }
 
-/// A map that rises to the upper right, where the mesh folds; one corner is not allowed. So many points of it
-/// are known.
+/// A map that rises to the upper right, where the mesh folds; one corner is not allowed. So many
+/// points of it are known.
 pub fn grid(known: usize) -> Grid {
     let mut grid = Grid::new(SIDE);
     let last = (SIDE - 1) as f64;

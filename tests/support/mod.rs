@@ -313,7 +313,8 @@ pub fn signal(name: &str, pid: u32) {
     assert!(status.unwrap().success());
 }
 
-/// The replies to the questions that end after `from`: each question follows the place it asks for.
+/// The replies to the questions that end after `from`: each question follows the place it asks
+/// for.
 fn replies_to(raw: &[u8], from: usize) -> Vec<String> {
     let ends = (from + QUESTION.len()..=raw.len()).filter(|end| raw[..*end].ends_with(QUESTION));
     ends.map(|end| {

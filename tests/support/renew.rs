@@ -1,4 +1,5 @@
-//! Which figures and pictures are to be made again: `FIGURES=all`, or names with commas between them.
+//! Which figures and pictures are to be made again: `FIGURES=all`, or names with commas between
+//! them.
 
 /// Whether `name` is.
 pub fn is_asked(name: &str) -> bool {

@@ -1,7 +1,7 @@
 //! A screen as a picture: the cells of a buffer as SVG.
 //!
-//! Braille, bars and lines are drawn as dots and strokes, so that they stand in their cells whatever font a reader has;
-//! everything else is text, stretched to its cells.
+//! Braille, bars and lines are drawn as dots and strokes, so that they stand in their cells
+//! whatever font a reader has; everything else is text, stretched to its cells.
 //!
 //! Left out: italics, blinking and wide characters, of which the app has none.
 
@@ -108,7 +108,8 @@ fn dots(symbol: char) -> Option<Vec<(u16, u16)>> {
     Some(set.map(|bit| PLACES[bit]).collect())
 }
 
-/// Where the strokes of a line or of a bar go within a cell, and how thick they are, in shares of its height.
+/// Where the strokes of a line or of a bar go within a cell, and how thick they are, in shares of
+/// its height.
 fn strokes(symbol: char) -> Option<(&'static [[f64; 4]], f64)> {
     const ACROSS: [f64; 4] = [0.0, 0.5, 1.0, 0.5];
     const DOWN: [f64; 4] = [0.5, 0.0, 0.5, 1.0];

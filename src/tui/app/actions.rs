@@ -4,9 +4,9 @@ use crate::run::trace::Trace;
 use crate::tui::app::App;
 use crate::tui::changes::{edit, presets, take_away, threshold, typing};
 use crate::tui::clock::Moment;
-use crate::tui::line::Line;
+use crate::tui::line::TextLine;
 use crate::tui::outbox::Effect;
-use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::overlay::{Naming, Overlay, Prompt};
 
 /// Has something done outside.
 pub(crate) fn push(app: &mut App, effect: Effect) {
@@ -39,7 +39,7 @@ pub(crate) fn toggle_idle(app: &mut App) {
 pub(crate) fn quit(app: &mut App) {
     let model = &mut app.model;
     if model.is_edited() {
-        model.overlay = Some(Overlay::Question(Question::Quit {
+        model.overlay = Some(Overlay::Prompt(Prompt::Quit {
             kept: model.goes_on,
         }));
     } else {
@@ -63,7 +63,7 @@ pub(crate) fn scroll(app: &mut App, by: i16) {
         *line = line.saturating_add_signed(by);
     }
     if let Some(Overlay::Picker(picker)) = &mut model.overlay {
-        picker.go(isize::from(by));
+        picker.move_cursor(isize::from(by));
     }
 }
 
@@ -114,7 +114,7 @@ pub(crate) fn cancel(app: &mut App) {
     }
     if let Some(typing) = model.form.typing.take() {
         let work = model.work.with(typing.before);
-        edit::put(model, work);
+        edit::set_work(model, work);
     } else if model.page.stop(None, &mut model.out) {
         model.notice = Some("no page is written".to_owned());
     } else if !app.screens[app.screen].cancel(model) {
@@ -127,20 +127,20 @@ pub(crate) fn cancel(app: &mut App) {
 pub(crate) fn reply(app: &mut App, yes: bool) {
     let model = &mut app.model;
     match model.overlay.take() {
-        Some(Overlay::Question(Question::Adopt(_, scenario))) if yes => {
+        Some(Overlay::Prompt(Prompt::Adopt(_, scenario))) if yes => {
             edit::adopt(model, *scenario);
         }
-        Some(Overlay::Question(Question::Quit { .. })) if yes => {
+        Some(Overlay::Prompt(Prompt::Quit { .. })) if yes => {
             model.out.effects.push(Effect::Quit(0));
         }
-        Some(Overlay::Question(Question::Replace(name) | Question::Hide(name))) => {
+        Some(Overlay::Prompt(Prompt::Replace(name) | Prompt::Hide(name))) => {
             if yes {
                 presets::save(model, name, true);
             } else {
-                model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), None));
+                model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), None));
             }
         }
-        Some(Overlay::Question(Question::Remove(name))) => {
+        Some(Overlay::Prompt(Prompt::Remove(name))) => {
             if yes {
                 model.out.effects.push(Effect::Remove(name));
             } else {

@@ -6,7 +6,7 @@ use crate::tui::app::update::{Message, begin, update};
 use crate::tui::look::Look;
 use crate::tui::open::prepare;
 use crate::tui::outbox::Effect;
-use crate::tui::request::{Question, Ticket};
+use crate::tui::request::{TaskQuestion, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::heat::HeatMap;
 use crate::tui::view::palette::Palette;
@@ -31,7 +31,7 @@ pub fn begun() -> App {
 }
 
 /// The first question of a type that the effects ask.
-pub fn asked<Q: Question>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
+pub fn asked<Q: TaskQuestion>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
     effects.iter().find_map(|effect| match effect {
         Effect::Start(request) => Some((request.ticket, request.question()?)),
         _ => None,

@@ -5,9 +5,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::tui::app::App;
-use crate::tui::app::{help, tables};
-use crate::tui::model::Model;
+use crate::tui::app::{App, help, tables};
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::About;
@@ -35,7 +34,7 @@ pub fn draw(app: &App, buffer: &mut Buffer) {
         title(app, area, buffer);
         app.on_show().draw(model, body, buffer);
         let foot = Rect::new(0, area.height - 1, area.width, 1);
-        footer::draw(model, tables::live(app), foot, buffer);
+        footer::draw(model, tables::footer_keys(app), foot, buffer);
         match model.overlay {
             Some(Overlay::Help(line)) => help::draw(app, line, body, buffer),
             _ => overlay::draw(model, body, buffer),
@@ -51,10 +50,10 @@ pub fn body(area: Rect) -> Rect {
     Rect::new(0, 1, area.width, area.height - 2)
 }
 
-fn too_small(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn too_small(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     // A question takes every key, so it is asked here too.
     let question = match &model.overlay {
-        Some(Overlay::Question(question)) => question.brief() + " y or n",
+        Some(Overlay::Prompt(question)) => question.brief() + " y or n",
         _ => String::new(),
     };
     let mut lines = text::wrapped(&question, usize::from(area.width));
@@ -164,8 +163,8 @@ fn title(app: &App, area: Rect, buffer: &mut Buffer) {
         x = put(buffer, row, (at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
-    // The mark of an edit is worth more than the name, of which parts are worth nothing while it is
-    // short.
+    // The mark of an edit is worth more than the name, of which parts are worth nothing while it
+    // is short.
     let (short, mark) = if model.is_edited() {
         (format!("{} *", model.work.name()), "*")
     } else {

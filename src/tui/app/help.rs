@@ -4,8 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::guide;
-use crate::tui::app::App;
-use crate::tui::app::tables;
+use crate::tui::app::{App, tables};
 use crate::tui::keys::KeyList;
 use crate::tui::view::popup::{MARGIN, frame};
 use crate::tui::view::text::{put, wrapped};
@@ -16,8 +15,8 @@ use crate::tui::view::{PURPOSE, SMALLEST};
 const HELP: u16 = 76;
 const KEYS: u16 = 18;
 
-/// The help as lines: a heading, or keys and what they do. First what counts on the screen on show,
-/// then the rest, then every word explained.
+/// The help as lines: a heading, or keys and what they do. First what counts on the screen on
+/// show, then the rest, then every word explained.
 fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     let screen = app.about();
     let heading = |text: String| (text, String::new());

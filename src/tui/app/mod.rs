@@ -15,7 +15,7 @@ pub mod update;
 use std::any::Any;
 
 use crate::tui::changes::{samples, simulation};
-use crate::tui::model::{Model, Timed};
+use crate::tui::model::{AppModel, Timed};
 use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::{About, PaneFacts, Screen};
 use crate::tui::work::Work;
@@ -23,7 +23,7 @@ use crate::tui::work::Work;
 /// Everything between two messages.
 pub struct App {
     /// What the screens share.
-    pub model: Model,
+    pub model: AppModel,
     /// The screens, each with what it keeps to itself, in the order of [`SCREENS`].
     pub screens: Vec<Box<dyn Screen>>,
     /// The place of the screen on show.
@@ -34,7 +34,7 @@ pub struct App {
 
 impl App {
     /// The app with nothing on its screens yet, opened on these.
-    pub fn new(mut model: Model, works: &[Work]) -> Self {
+    pub fn new(mut model: AppModel, works: &[Work]) -> Self {
         let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
         for screen in &mut screens {
             screen.opened_on(&mut model, works);
@@ -52,7 +52,7 @@ impl App {
         self.screens[self.screen].as_ref()
     }
 
-    /// What there is to know of it.
+    /// Title, question and purpose of the screen on show.
     pub fn about(&self) -> &'static About {
         &SCREENS[self.screen]
     }

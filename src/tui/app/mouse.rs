@@ -12,7 +12,7 @@ use crate::tui::step::Step;
 use crate::tui::view::SMALLEST;
 
 /// Takes in what the mouse did on a screen of `size`.
-pub(super) fn take(app: &mut App, event: MouseEvent, size: (u16, u16)) {
+pub(super) fn handle(app: &mut App, event: MouseEvent, size: (u16, u16)) {
     let at = (event.column, event.row);
     // What is typed or asked wants an answer by key first.
     let busy = app.model.overlay.is_some() || app.model.form.typing.is_some();
@@ -28,18 +28,18 @@ pub(super) fn take(app: &mut App, event: MouseEvent, size: (u16, u16)) {
                 _ if busy => {}
                 _ => {
                     app.model.notice = None;
-                    tell(app, Mouse::Wheel(at, Step { up, coarse }), size);
+                    send_to_screen(app, Mouse::Wheel(at, Step { up, coarse }), size);
                 }
             }
         }
         MouseEventKind::Drag(MouseButton::Left) if app.dragging => {
-            tell(app, Mouse::Drag(at), size);
+            send_to_screen(app, Mouse::Drag(at), size);
         }
         MouseEventKind::Down(MouseButton::Left) if !busy => {
             app.model.notice = None;
             match tab_at(app, size, at) {
                 Some(place) => app.show(place),
-                None => app.dragging = tell(app, Mouse::Press(at), size),
+                None => app.dragging = send_to_screen(app, Mouse::Press(at), size),
             }
         }
         _ => {}
@@ -47,7 +47,7 @@ pub(super) fn take(app: &mut App, event: MouseEvent, size: (u16, u16)) {
 }
 
 /// Tells the screen, where there is room to draw it; whether it wants to be told of drags.
-fn tell(app: &mut App, mouse: Mouse, (width, height): (u16, u16)) -> bool {
+fn send_to_screen(app: &mut App, mouse: Mouse, (width, height): (u16, u16)) -> bool {
     let drawn = width >= SMALLEST.0 && height >= SMALLEST.1;
     let body = body(Rect::new(0, 0, width, height));
     drawn && app.screens[app.screen].mouse(&mut app.model, mouse, body)

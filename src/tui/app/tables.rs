@@ -3,8 +3,7 @@
 
 use crossterm::event::KeyCode;
 
-use crate::tui::app::App;
-use crate::tui::app::actions;
+use crate::tui::app::{App, actions};
 use crate::tui::changes::{edit, presets, threshold};
 use crate::tui::keys;
 use crate::tui::keys::chosen::{Clash, Keys};
@@ -13,7 +12,7 @@ use crate::tui::keys::press::{
     ctrl, plain,
 };
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::Overlay;
 use crate::tui::picker::PAGE;
@@ -204,14 +203,14 @@ static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
 static IN_FRONT: [&KeyTable<AppAct>; 6] = [&TYPING, &PICKER, &MARKER, &THRESHOLD, &QUESTION, &HELP];
 
 /// The keys of what stands in front of the screen now. Nothing behind it gets any.
-pub(crate) fn in_front(model: &Model) -> Option<&'static KeyTable<AppAct>> {
+pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
     match &model.overlay {
         Some(Overlay::Help(_)) => Some(&HELP),
         Some(Overlay::Picker(picker)) if picker.marked.is_some() => Some(&MARKER),
         Some(Overlay::Picker(_)) => Some(&PICKER),
         Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
         Some(Overlay::Name(..)) => Some(&TYPING),
-        Some(Overlay::Question(_)) => Some(&QUESTION),
+        Some(Overlay::Prompt(_)) => Some(&QUESTION),
         None => model.form.typing.is_some().then_some(&TYPING),
     }
 }
@@ -237,9 +236,9 @@ pub(crate) fn stack(app: &App) -> Vec<KeyList> {
 }
 
 /// What the footer may show now: keys and their word, the most needed first.
-pub(crate) fn live(app: &App) -> Vec<(String, &'static str)> {
+pub(crate) fn footer_keys(app: &App) -> Vec<(String, &'static str)> {
     let late = (app.focus().time == TimeKeys::Late).then_some(TIME.title);
-    let mut live = keys::live(&stack(app), &app.model.keys, late, SCREENS.len());
+    let mut live = keys::footer_keys(&stack(app), &app.model.keys, late, SCREENS.len());
     // Where there is one pane there is no next one.
     let several = app.on_show().panes().len() > 1;
     live.retain(|(_, word)| *word != "pane" || several);

@@ -10,9 +10,9 @@ use crate::tui::app::App;
 use crate::tui::app::driven::{asked, begun};
 use crate::tui::app::update::{Message, update};
 use crate::tui::changes::edit::change;
-use crate::tui::form::Row;
+use crate::tui::form::FormRow;
 use crate::tui::outbox::Effect;
-use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::prepare;
 use crate::tui::request::{Report, Ticket};
 use crate::tui::save::SaveError;
@@ -21,7 +21,7 @@ use crate::tui::screens::accuracy::measurement::Measurement;
 use crate::tui::screens::compare::comparison::{Comparison, EstimateMarked, SimulateMarked};
 use crate::tui::screens::map::state::Map;
 use crate::tui::simulation::Simulate;
-use crate::tui::terminal::input::{Input as Typed, Parser};
+use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
 use std::time::Duration;
 
 mod chosen;
@@ -36,7 +36,7 @@ mod typing;
 
 fn app() -> App {
     let mut app = begun();
-    app.model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
+    app.model.form.selected = FormRow::Field(fields::find("impact.force_n").unwrap());
     app
 }
 
@@ -60,6 +60,11 @@ fn force(app: &App) -> f64 {
         panic!()
     };
     pulse.force_n
+}
+
+/// What the footer says of the last key.
+fn notice(app: &App) -> &str {
+    app.model.notice.as_deref().unwrap_or_default()
 }
 
 /// The name that is offered to save under.
@@ -156,13 +161,7 @@ fn undo_and_redo_travel_through_edits_and_presets() {
     assert_eq!(force(&app), 300.0);
     assert!(!app.model.is_edited());
     press(&mut app, "u");
-    assert!(
-        app.model
-            .notice
-            .as_ref()
-            .unwrap()
-            .contains("nothing to undo")
-    );
+    assert!(notice(&app).contains("nothing to undo"));
     press(&mut app, "rr");
     assert!(!app.model.is_edited() && app.model.notice.is_none());
     assert_ne!(force(&app), 450.0);
@@ -260,8 +259,8 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
     // That of the built-in one would hide it.
     press(&mut app, "\x15paper-300n");
     assert_eq!(press(&mut app, "\r"), []);
-    let replace = Question::Hide("paper-300n".to_owned());
-    assert!(matches!(&app.model.overlay, Some(Overlay::Question(q)) if *q == replace));
+    let replace = Prompt::Hide("paper-300n".to_owned());
+    assert!(matches!(&app.model.overlay, Some(Overlay::Prompt(q)) if *q == replace));
     press(&mut app, "n");
     press(&mut app, "\x15a/b\r");
     assert!(matches!(
@@ -398,17 +397,11 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
 fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     let mut app = app();
     app.model.guest = true;
-    app.model.form.selected = Row::Field(fields::find("window_ms").unwrap());
+    app.model.form.selected = FormRow::Field(fields::find("window_ms").unwrap());
     // By steps, by typing, and by whatever else brings a scenario.
     press(&mut app, &"L".repeat(30));
     assert_eq!(app.model.work.scenario.window_ms, 20.0);
-    assert!(
-        app.model
-            .notice
-            .as_ref()
-            .unwrap()
-            .contains("not for guests")
-    );
+    assert!(notice(&app).contains("not for guests"));
     for keys in ["\r\x1521", "\r"] {
         press(&mut app, keys);
         assert_eq!(app.model.work.scenario.window_ms, 20.0);
@@ -459,7 +452,7 @@ fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
     press(&mut app, "l");
     press(&mut app, "psqua ball\r");
     assert_eq!(app.model.work.source, "squash-ball");
-    assert!(app.model.notice.as_ref().unwrap().contains("u brings back"));
+    assert!(notice(&app).contains("u brings back"));
     press(&mut app, "u");
     assert_eq!(force(&app), 310.0);
 }
@@ -471,13 +464,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     for key in [rename, delete] {
         press(&mut app, "pbb 56");
         assert!(press(&mut app, key).is_empty());
-        assert!(
-            app.model
-                .notice
-                .as_ref()
-                .unwrap()
-                .contains("stays as it is")
-        );
+        assert!(notice(&app).contains("stays as it is"));
         press(&mut app, "\x1b");
     }
     press(&mut app, "ls\x15my blow\r");
@@ -516,7 +503,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     press(&mut app, "q");
     assert!(matches!(
         app.model.overlay,
-        Some(Overlay::Question(Question::Quit { .. }))
+        Some(Overlay::Prompt(Prompt::Quit { .. }))
     ));
 }
 

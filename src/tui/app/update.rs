@@ -16,7 +16,7 @@ use crate::tui::overlay::Overlay;
 use crate::tui::request::Report;
 use crate::tui::save::SaveError;
 use crate::tui::screens::SCREENS;
-use crate::tui::screens::screen::Pressed;
+use crate::tui::screens::screen::KeyOutcome;
 
 /// Something that happened.
 pub enum Message {
@@ -26,7 +26,7 @@ pub enum Message {
     Paste(String),
     /// The mouse, on a screen of this size.
     Mouse(MouseEvent, (u16, u16)),
-    /// It is now this long after the start.
+    /// Time passed: this long since the start.
     Tick(Duration),
     /// A worker says something.
     News(Report),
@@ -59,12 +59,12 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             let begins = begins_value(&tables::stack(app));
             typing::paste(&mut app.model, &text, begins);
         }
-        Message::Mouse(event, size) => mouse::take(app, event, size),
+        Message::Mouse(event, size) => mouse::handle(app, event, size),
         Message::News(report) => take_report(app, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
         Message::Renamed(from, to, outcome) => presets::renamed(model, &from, to, outcome),
         Message::Removed(name, outcome) => presets::removed(model, &name, outcome),
-        Message::Choices(choices) => presets::take(model, choices),
+        Message::Choices(choices) => presets::replace_choices(model, choices),
         Message::Said(words) => model.notice = Some(words),
     }
     if let Some(Overlay::Help(line)) = app.model.overlay {
@@ -107,17 +107,17 @@ fn key(app: &mut App, event: KeyEvent) {
         return;
     }
     match app.screens[app.screen].press(&mut app.model, event) {
-        Pressed::Done => return,
-        Pressed::BeginsValue if app.model.form.takes_numbers() => {
+        KeyOutcome::Done => return,
+        KeyOutcome::BeginsValue if app.model.form.takes_numbers() => {
             typing::begin(&mut app.model, true);
             typing::key(&mut app.model, event);
             return;
         }
-        Pressed::BeginsValue => {
+        KeyOutcome::BeginsValue => {
             app.model.notice = Some(elsewhere(event));
             return;
         }
-        Pressed::Unknown => {}
+        KeyOutcome::Unknown => {}
     }
     let keys = &app.model.keys;
     let mut shared = tables::shared(app).into_iter();

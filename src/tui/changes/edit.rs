@@ -3,13 +3,13 @@
 use crate::scenario::Scenario;
 use crate::tui::changes::simulation;
 use crate::tui::form::words;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::simulation::is_alike;
 use crate::tui::work::Work;
 
 /// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
 /// the change stands for itself.
-pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
+pub(crate) fn change(model: &mut AppModel, work: Work, what: &'static str) {
     if work == model.work {
         return;
     }
@@ -18,10 +18,10 @@ pub(crate) fn change(model: &mut Model, work: Work, what: &'static str) {
         return;
     }
     model.history.record(model.work.clone(), what, model.now);
-    put(model, work);
+    set_work(model, work);
 }
 
-pub(crate) fn put(model: &mut Model, work: Work) {
+pub(crate) fn set_work(model: &mut AppModel, work: Work) {
     let alike = is_alike(&work.scenario, &model.work.scenario);
     let same = work.scenario == model.work.scenario;
     model.work = work;
@@ -34,7 +34,7 @@ pub(crate) fn put(model: &mut Model, work: Work) {
 }
 
 /// Takes the last change back, or makes it again.
-pub(crate) fn travel(model: &mut Model, back: bool) {
+pub(crate) fn travel(model: &mut AppModel, back: bool) {
     let present = model.work.clone();
     let other = if back {
         model.history.undo(present)
@@ -42,7 +42,7 @@ pub(crate) fn travel(model: &mut Model, back: bool) {
         model.history.redo(present)
     };
     if let Ok(work) = other {
-        put(model, work);
+        set_work(model, work);
     } else {
         let what = if back { "undo" } else { "redo" };
         model.notice = Some(format!("nothing to {what}"));
@@ -50,7 +50,7 @@ pub(crate) fn travel(model: &mut Model, back: bool) {
 }
 
 /// Has the scenario solved by the level, integrator and step of another one.
-pub(crate) fn adopt(model: &mut Model, scenario: Scenario) {
+pub(crate) fn adopt(model: &mut AppModel, scenario: Scenario) {
     if let Err(error) = scenario.check() {
         model.notice = Some(words(&error));
         return;

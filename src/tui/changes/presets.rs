@@ -3,15 +3,15 @@
 use crate::scenario::load::to_ron;
 use crate::tui::changes::edit::change;
 use crate::tui::choices::{Choice, MAX_OWN};
-use crate::tui::line::Line;
-use crate::tui::model::Model;
+use crate::tui::line::TextLine;
+use crate::tui::model::AppModel;
 use crate::tui::outbox::Effect;
-use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
 use crate::tui::work::Work;
 
-pub(crate) fn next_preset(model: &mut Model, forward: bool) {
+pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
     let count = model.choices.len();
     if count == 0 {
         return;
@@ -28,7 +28,7 @@ pub(crate) fn next_preset(model: &mut Model, forward: bool) {
     open(model, next);
 }
 
-pub(crate) fn open(model: &mut Model, index: usize) {
+pub(crate) fn open(model: &mut AppModel, index: usize) {
     let Some(choice) = model.choices.get(index) else {
         return;
     };
@@ -45,18 +45,18 @@ pub(crate) fn open(model: &mut Model, index: usize) {
     }
 }
 
-pub(crate) fn open_picker(model: &mut Model) {
+pub(crate) fn open_picker(model: &mut AppModel) {
     let here = model.work.source.clone();
     open_picker_at(model, &here);
 }
 
 /// Opens the list with the cursor on the preset of this name.
-pub(crate) fn open_picker_at(model: &mut Model, name: &str) {
+pub(crate) fn open_picker_at(model: &mut AppModel, name: &str) {
     model.overlay = Some(Overlay::Picker(Picker::at(&model.choices, name)));
 }
 
 /// The presets that can be opened are these now.
-pub(crate) fn take(model: &mut Model, choices: Vec<Choice>) {
+pub(crate) fn replace_choices(model: &mut AppModel, choices: Vec<Choice>) {
     model.choices = choices;
     if let Some(Overlay::Picker(picker)) = &mut model.overlay {
         let row = picker.row;
@@ -66,7 +66,7 @@ pub(crate) fn take(model: &mut Model, choices: Vec<Choice>) {
 }
 
 /// The name of the preset with the cursor, if it is the person's own; else says that it stays.
-fn own_chosen(model: &mut Model) -> Option<String> {
+fn own_chosen(model: &mut AppModel) -> Option<String> {
     let Some(Overlay::Picker(picker)) = &model.overlay else {
         return None;
     };
@@ -81,20 +81,20 @@ fn own_chosen(model: &mut Model) -> Option<String> {
     None
 }
 
-pub(crate) fn ask_to_remove(model: &mut Model) {
+pub(crate) fn ask_to_remove(model: &mut AppModel) {
     if let Some(name) = own_chosen(model) {
-        model.overlay = Some(Overlay::Question(Question::Remove(name)));
+        model.overlay = Some(Overlay::Prompt(Prompt::Remove(name)));
     }
 }
 
-pub(crate) fn ask_to_rename(model: &mut Model) {
+pub(crate) fn ask_to_rename(model: &mut AppModel) {
     if let Some(name) = own_chosen(model) {
-        let input = Line::of(name.clone());
+        let input = TextLine::of(name.clone());
         model.overlay = Some(Overlay::Name(Naming::Rename(name), input, None));
     }
 }
 
-pub(crate) fn rename(model: &mut Model, from: String, to: String) {
+pub(crate) fn rename(model: &mut AppModel, from: String, to: String) {
     let error = match check_name(&to) {
         Err(error) => Some(error.to_string()),
         Ok(()) if to == from => {
@@ -108,17 +108,26 @@ pub(crate) fn rename(model: &mut Model, from: String, to: String) {
     };
     match error {
         Some(_) => {
-            let input = Line::of(to);
+            let input = TextLine::of(to);
             model.overlay = Some(Overlay::Name(Naming::Rename(from), input, error));
         }
         None => model.out.effects.push(Effect::Rename(from, to)),
     }
 }
 
-pub(crate) fn renamed(model: &mut Model, from: &str, to: String, outcome: Result<(), SaveError>) {
+pub(crate) fn renamed(
+    model: &mut AppModel,
+    from: &str,
+    to: String,
+    outcome: Result<(), SaveError>,
+) {
     if let Err(error) = outcome {
         let naming = Naming::Rename(from.to_owned());
-        model.overlay = Some(Overlay::Name(naming, Line::of(to), Some(error.to_string())));
+        model.overlay = Some(Overlay::Name(
+            naming,
+            TextLine::of(to),
+            Some(error.to_string()),
+        ));
         return;
     }
     let follow = |work: &mut Work| {
@@ -147,7 +156,7 @@ pub(crate) fn renamed(model: &mut Model, from: &str, to: String, outcome: Result
     open_picker_at(model, &to);
 }
 
-pub(crate) fn removed(model: &mut Model, name: &str, outcome: Result<(), SaveError>) {
+pub(crate) fn removed(model: &mut AppModel, name: &str, outcome: Result<(), SaveError>) {
     match outcome {
         Ok(()) => {
             // What is worked on keeps its name, and is saved nowhere.
@@ -167,7 +176,7 @@ pub(crate) fn removed(model: &mut Model, name: &str, outcome: Result<(), SaveErr
     open_picker_at(model, &here);
 }
 
-pub(crate) fn ask_for_name(model: &mut Model) {
+pub(crate) fn ask_for_name(model: &mut AppModel) {
     if model.guest {
         model.notice = Some("a guest saves nothing".to_owned());
         return;
@@ -177,10 +186,10 @@ pub(crate) fn ask_for_name(model: &mut Model) {
     let others = model.choices.iter().filter(|choice| is_other(choice));
     let stem = model.work.name().trim_end_matches(".ron");
     let name = free_name(stem, |name| others.clone().any(|c| c.name == name));
-    model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), None));
+    model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), None));
 }
 
-pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
+pub(crate) fn save(model: &mut AppModel, name: String, replace: bool) {
     if let Err(error) = check_name(&name) {
         if let Some(Overlay::Name(_, _, shown)) = &mut model.overlay {
             *shown = Some(error.to_string());
@@ -190,16 +199,16 @@ pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
     let other = model.choices.iter().find(|choice| choice.name == name);
     if let Some(other) = other.filter(|_| !replace) {
         let question = match other.origin {
-            "" => Question::Hide(name),
-            _ => Question::Replace(name),
+            "" => Prompt::Hide(name),
+            _ => Prompt::Replace(name),
         };
-        model.overlay = Some(Overlay::Question(question));
+        model.overlay = Some(Overlay::Prompt(question));
         return;
     }
     let own = model.choices.iter().filter(|choice| choice.origin == "own");
     if !replace && own.count() >= MAX_OWN {
         let full = format!("{MAX_OWN} presets of your own are there: remove one first");
-        model.overlay = Some(Overlay::Name(Naming::Save, Line::of(name), Some(full)));
+        model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), Some(full)));
         return;
     }
     let mut scenario = model.work.scenario.clone();
@@ -212,7 +221,7 @@ pub(crate) fn save(model: &mut Model, name: String, replace: bool) {
         .push(Effect::Save(name, to_ron(&scenario), replace));
 }
 
-pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveError>) {
+pub(crate) fn saved(model: &mut AppModel, name: String, outcome: Result<(), SaveError>) {
     match outcome {
         Ok(()) => {
             model.overlay = None;
@@ -233,10 +242,10 @@ pub(crate) fn saved(model: &mut Model, name: String, outcome: Result<(), SaveErr
             });
         }
         Err(SaveError::Exists(name)) => {
-            model.overlay = Some(Overlay::Question(Question::Replace(name)));
+            model.overlay = Some(Overlay::Prompt(Prompt::Replace(name)));
         }
         Err(error) => {
-            let input = Line::of(name);
+            let input = TextLine::of(name);
             model.overlay = Some(Overlay::Name(Naming::Save, input, Some(error.to_string())));
         }
     }

@@ -5,21 +5,21 @@ use std::sync::Arc;
 use crate::tui::changes::simulation;
 use crate::tui::ensemble::{FEW, MANY, RunSamples, key};
 use crate::tui::guest::MOST_SAMPLES;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::request::Report;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 
 /// Whether nothing else is wanted for what is on show.
-fn is_settled(model: &Model, screens_busy: bool) -> bool {
-    let answered = |shown: &Shown| shown.scenario == model.work.scenario;
+fn is_settled(model: &AppModel, screens_busy: bool) -> bool {
+    let answered = |shown: &ShownAnswer| shown.scenario == model.work.scenario;
     let computes = screens_busy || model.is_busy() || simulation::lacks_mesh_error(model).is_some();
     !computes && model.shown.as_ref().is_some_and(answered)
 }
 
-/// Runs the samples that the screen on show has `room` for, and no others: many where they are what
-/// it is about, else a few once nothing else is wanted. What a person stopped goes on by a key
-/// alone.
-pub(crate) fn refresh_requests(model: &mut Model, room: u32, screens_busy: bool) {
+/// Runs the samples that the screen on show has `room` for, and no others: many where they are
+/// what it is about, else a few once nothing else is wanted. What a person stopped goes on by a
+/// key alone.
+pub(crate) fn refresh_requests(model: &mut AppModel, room: u32, screens_busy: bool) {
     let most = if model.guest { MOST_SAMPLES } else { MANY };
     let idle = room <= FEW;
     let count = room.min(most);
@@ -50,7 +50,7 @@ pub(crate) fn refresh_requests(model: &mut Model, room: u32, screens_busy: bool)
 }
 
 /// Keeps what has come.
-pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
+pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     let samples = &mut model.ensemble;
     let Some((asked, Some(ensemble))) = samples.task.take_report(report) else {
         return;

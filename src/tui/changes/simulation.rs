@@ -1,16 +1,17 @@
-//! The answer to the form, and its mesh error: what is asked for, and what is done with what comes.
+//! The answer to the form, and its mesh error: what is asked for, and what is done with what
+//! comes.
 
 use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshQuery;
 use crate::run::refusal::Refusal;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::request::Report;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{EstimateMesh, Simulate, is_alike};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.
-pub(crate) fn follow(model: &mut Model) {
+pub(crate) fn follow(model: &mut AppModel) {
     let scenario = &model.work.scenario;
     if let Some(shown) = &mut model.shown
         && is_alike(&shown.scenario, scenario)
@@ -20,17 +21,17 @@ pub(crate) fn follow(model: &mut Model) {
 }
 
 /// Simulates the form.
-pub(crate) fn start(model: &mut Model) {
+pub(crate) fn start(model: &mut AppModel) {
     let scenario = model.work.scenario.clone();
     model.run.ask(Simulate(scenario), &mut model.out);
 }
 
 /// What the workers say of the answer and of its mesh error.
-pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
+pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.take_report(report) {
         match outcome {
             Some(answer) => {
-                model.shown = Some(Shown::new(asked.0.clone(), answer));
+                model.shown = Some(ShownAnswer::new(asked.0.clone(), answer));
                 follow(model);
             }
             None => explain_cancelling(model),
@@ -44,9 +45,9 @@ pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
 }
 
 /// The answer on show, if its mesh error is not known and was not refused.
-pub(crate) fn lacks_mesh_error(model: &Model) -> Option<&Shown> {
-    let lacks = |shown: &&Shown| shown.answer.errors.mesh.is_none();
-    let refused = |shown: &&Shown| {
+pub(crate) fn lacks_mesh_error(model: &AppModel) -> Option<&ShownAnswer> {
+    let lacks = |shown: &&ShownAnswer| shown.answer.errors.mesh.is_none();
+    let refused = |shown: &&ShownAnswer| {
         let complaint = model.mesh.complaint.as_ref();
         complaint.is_some_and(|(asked, _)| is_alike(&asked.scenario, &shown.scenario))
     };
@@ -56,7 +57,7 @@ pub(crate) fn lacks_mesh_error(model: &Model) -> Option<&Shown> {
 
 /// Estimates the mesh error of the answer on show while nothing is computed that somebody asked
 /// for; stops where it is of another answer or not wanted any more.
-pub(crate) fn refresh_requests(model: &mut Model, screens_busy: bool) {
+pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     let free = model.idle && !model.is_busy() && !screens_busy;
     let wanted = lacks_mesh_error(model).filter(|_| free);
     let wanted = wanted.map(|shown| (shown.scenario.clone(), MeshQuery::of(&shown.answer)));
@@ -76,7 +77,7 @@ pub(crate) fn refresh_requests(model: &mut Model, screens_busy: bool) {
 }
 
 /// A run that was cancelled begins by no key, but by the next edit.
-fn explain_cancelling(model: &mut Model) {
+fn explain_cancelling(model: &mut AppModel) {
     if let Some((_, why)) = &mut model.run.complaint
         && *why == Refusal::Cancelled.to_string()
     {

@@ -2,17 +2,17 @@
 
 use crate::report::command::{arguments, line};
 use crate::report::summary;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::outbox::Effect;
 use crate::tui::page::WritePage;
 use crate::tui::request::Report;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 
 /// An answer by the name of its source.
-pub(crate) type Named<'a> = (String, &'a Shown);
+pub(crate) type Named<'a> = (String, &'a ShownAnswer);
 
 /// Says why there is nothing to take, if so.
-fn check(model: &Model, answers: &[Named]) -> Result<(), &'static str> {
+fn check(model: &AppModel, answers: &[Named]) -> Result<(), &'static str> {
     match model.stale() {
         _ if answers.is_empty() => Err("there is no answer yet"),
         Some(_) if answers.len() == 1 => Err("the answer to the last edit is not there yet"),
@@ -21,7 +21,7 @@ fn check(model: &Model, answers: &[Named]) -> Result<(), &'static str> {
 }
 
 /// The arguments that repeat what is on show, if any do.
-fn repeating(model: &Model, answers: &[Named]) -> Option<Vec<String>> {
+fn repeating(model: &AppModel, answers: &[Named]) -> Option<Vec<String>> {
     if let [(_, only)] = answers
         && only.scenario == model.work.scenario
     {
@@ -40,7 +40,7 @@ fn repeating(model: &Model, answers: &[Named]) -> Option<Vec<String>> {
 ///
 /// # Errors
 /// Says why there is none.
-pub(crate) fn page(model: &Model, answers: &[Named]) -> Result<WritePage, &'static str> {
+pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'static str> {
     if model.guest {
         return Err("a guest writes no files");
     }
@@ -67,7 +67,7 @@ pub(crate) fn page(model: &Model, answers: &[Named]) -> Result<WritePage, &'stat
 }
 
 /// Has a page that is done put on the disk.
-pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
+pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.page.take_report(report) {
         match outcome {
             Some(page) => {
@@ -83,7 +83,7 @@ pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
 ///
 /// # Errors
 /// Says why there is none.
-pub(crate) fn summary(model: &Model, answers: &[Named]) -> Result<String, &'static str> {
+pub(crate) fn summary(model: &AppModel, answers: &[Named]) -> Result<String, &'static str> {
     check(model, answers)?;
     let one = |answer: &Named| {
         let command = repeating(model, std::slice::from_ref(answer));

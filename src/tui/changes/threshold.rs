@@ -1,20 +1,20 @@
-//! Asking at which value of a number a result reaches what is typed, and taking the answer into the
-//! form.
+//! Asking at which value of a number a result reaches what is typed, and taking the answer into
+//! the form.
 
 use crate::many::threshold::Question;
 use crate::scenario::fields::Kind;
 use crate::tui::changes::edit::change;
-use crate::tui::form::{Row, with_text};
-use crate::tui::line::Line;
-use crate::tui::model::Model;
+use crate::tui::form::{FormRow, with_text};
+use crate::tui::line::TextLine;
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::request::Report;
 use crate::tui::threshold::{Asking, FindThreshold};
 
 /// Asks about the number with the cursor: rupture of the globe by its most believed measure first.
-pub(crate) fn ask(model: &mut Model) {
+pub(crate) fn ask(model: &mut AppModel) {
     let number = match model.form.selected {
-        Row::Field(field) if matches!(field.kind, Kind::Number(..)) => Some(field),
+        FormRow::Field(field) if matches!(field.kind, Kind::Number(..)) => Some(field),
         _ => None,
     };
     let asking = match (number, &model.shown) {
@@ -32,7 +32,7 @@ pub(crate) fn ask(model: &mut Model) {
 }
 
 /// What is asked now, where nothing is looked for.
-fn idle(model: &mut Model) -> Option<&mut Asking> {
+fn open_question(model: &mut AppModel) -> Option<&mut Asking> {
     match &mut model.overlay {
         Some(Overlay::Threshold(asking)) if asking.task.job.is_none() => Some(asking),
         _ => None,
@@ -40,8 +40,10 @@ fn idle(model: &mut Model) -> Option<&mut Asking> {
 }
 
 /// Asks for the next result of the answer on show, or for the one before.
-pub(crate) fn next_result(model: &mut Model, forward: bool) {
-    let Some(asking) = idle(model) else { return };
+pub(crate) fn next_result(model: &mut AppModel, forward: bool) {
+    let Some(asking) = open_question(model) else {
+        return;
+    };
     let count = asking.results.len();
     let here = asking
         .results
@@ -53,8 +55,10 @@ pub(crate) fn next_result(model: &mut Model, forward: bool) {
 }
 
 /// Goes to the next crossing.
-pub(crate) fn next_crossing(model: &mut Model) {
-    let Some(asking) = idle(model) else { return };
+pub(crate) fn next_crossing(model: &mut AppModel) {
+    let Some(asking) = open_question(model) else {
+        return;
+    };
     let count = asking
         .found
         .as_ref()
@@ -63,8 +67,10 @@ pub(crate) fn next_crossing(model: &mut Model) {
 }
 
 /// Changes the value that is asked for.
-pub(crate) fn retype(model: &mut Model, change: impl FnOnce(&mut Line)) {
-    let Some(asking) = idle(model) else { return };
+pub(crate) fn retype(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
+    let Some(asking) = open_question(model) else {
+        return;
+    };
     let before = asking.input.value().to_owned();
     change(&mut asking.input);
     if asking.input.value() != before {
@@ -73,9 +79,11 @@ pub(crate) fn retype(model: &mut Model, change: impl FnOnce(&mut Line)) {
 }
 
 /// Looks for the crossings, or takes the one that was found into the form.
-pub(crate) fn accept(model: &mut Model) {
+pub(crate) fn accept(model: &mut AppModel) {
     let scenario = model.work.scenario.clone();
-    let Some(asking) = idle(model) else { return };
+    let Some(asking) = open_question(model) else {
+        return;
+    };
     let field = asking.field;
     if let Some(text) = asking.taken() {
         model.overlay = None;
@@ -106,7 +114,7 @@ pub(crate) fn accept(model: &mut Model) {
 }
 
 /// Stops looking; whether anything was looked for.
-pub(crate) fn stop(model: &mut Model) -> bool {
+pub(crate) fn stop(model: &mut AppModel) -> bool {
     match &mut model.overlay {
         Some(Overlay::Threshold(asking)) => asking.task.stop(Some("stopped"), &mut model.out),
         _ => false,
@@ -114,7 +122,7 @@ pub(crate) fn stop(model: &mut Model) -> bool {
 }
 
 /// Takes in what was found.
-pub(crate) fn take_report(model: &mut Model, report: &mut Option<Report>) {
+pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     let Some(Overlay::Threshold(asking)) = &mut model.overlay else {
         return;
     };

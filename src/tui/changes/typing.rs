@@ -4,25 +4,25 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::Kind;
-use crate::tui::changes::edit::put;
+use crate::tui::changes::edit::set_work;
 use crate::tui::changes::threshold;
-use crate::tui::form::{Row, Typing, admitted, typed_text, with_text};
+use crate::tui::form::{FormRow, Typing, admitted, typed_text, with_text};
 use crate::tui::guest::allowed;
-use crate::tui::line::Line;
-use crate::tui::model::Model;
+use crate::tui::line::TextLine;
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::save::check_name;
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
-pub(crate) fn begin(model: &mut Model, empty: bool) {
-    let Row::Field(field) = model.form.selected else {
+pub(crate) fn begin(model: &mut AppModel, empty: bool) {
+    let FormRow::Field(field) = model.form.selected else {
         return;
     };
     model.form.complaint = None;
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
     model.form.typing = Some(Typing {
         field,
-        input: Line::of(if empty { String::new() } else { text }),
+        input: TextLine::of(if empty { String::new() } else { text }),
         before: model.work.scenario.clone(),
         error: None,
     });
@@ -30,7 +30,7 @@ pub(crate) fn begin(model: &mut Model, empty: bool) {
 
 /// A key that is no binding. A letter that can be no part of a number is refused, as whoever
 /// presses it takes it for a key.
-pub(crate) fn key(model: &mut Model, event: KeyEvent) {
+pub(crate) fn key(model: &mut AppModel, event: KeyEvent) {
     let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let field = match (&model.overlay, &model.form.typing) {
         (None, Some(typing)) => Some(typing.field),
@@ -59,7 +59,7 @@ pub(crate) fn key(model: &mut Model, event: KeyEvent) {
 }
 
 /// Pasted text; whether it may begin a value.
-pub(crate) fn paste(model: &mut Model, text: &str, begins_value: bool) {
+pub(crate) fn paste(model: &mut AppModel, text: &str, begins_value: bool) {
     if begins_value {
         begin(model, true);
     }
@@ -73,7 +73,7 @@ pub(crate) fn paste(model: &mut Model, text: &str, begins_value: bool) {
 /// Changes the text that is being typed. A value that makes sense is simulated while it is typed;
 /// one that makes none leaves the value from before, not a part of what was typed. A value stands
 /// while its doubt is typed.
-pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Line)) {
+pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {
             change(input);
@@ -114,11 +114,11 @@ pub(crate) fn type_into(model: &mut Model, change: impl FnOnce(&mut Line)) {
     typing.error = outcome.as_ref().err().cloned();
     let scenario = outcome.unwrap_or_else(|_| typing.before.clone());
     let work = model.work.with(scenario);
-    put(model, work);
+    set_work(model, work);
 }
 
 /// Ends typing with what was typed, unless it makes no sense.
-pub(crate) fn accept(model: &mut Model) {
+pub(crate) fn accept(model: &mut AppModel) {
     let Some(typing) = model.form.typing.take() else {
         return;
     };
@@ -130,7 +130,7 @@ pub(crate) fn accept(model: &mut Model) {
                 model.history.record(before, "", model.now);
             }
             let work = model.work.with(scenario);
-            put(model, work);
+            set_work(model, work);
         }
         Err(why) => {
             model.form.typing = Some(Typing {

@@ -1,7 +1,8 @@
 //! Keys of a person's own choice, for what counts on every screen.
 //!
-//! A chosen key takes the place of the usual ones. One that means something else already, on every screen
-//! or in one pane, is refused with the name of what has it, so that no key ever means two things.
+//! A chosen key takes the place of the usual ones. One that means something else already, on every
+//! screen or in one pane, is refused with the name of what has it, so that no key ever means two
+//! things.
 //!
 //! Left out: the keys of single panes, of popups and of typing, which stay as they are.
 
@@ -45,8 +46,8 @@ impl Keys {
         }
     }
 
-    /// The first press that two things would share, of the keys that count on every screen and of those
-    /// of single panes. A usual one may: the nearer thing has it.
+    /// The first press that two things would share, of the keys that count on every screen and of
+    /// those of single panes. A usual one may: the nearer thing has it.
     pub fn clash(&self, everywhere: &[KeyList], panes: &[KeyList]) -> Option<Clash> {
         self.0.iter().find_map(|(name, presses)| {
             let mut keys = everywhere.iter().flat_map(|list| &list.keys);

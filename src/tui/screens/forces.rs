@@ -10,11 +10,12 @@ use crate::run::trace::{TRACES, Trace};
 use crate::tui::clock::peak_said;
 use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::step::Step;
-use crate::tui::view::chart::{Chart, Curve, active, mark, value_at};
+use crate::tui::view::below;
+use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
@@ -39,7 +40,7 @@ pub struct Forces {
 enum Zoom {
     /// All that was asked for.
     Whole,
-    /// That in which something happens, halved so many times about the cursor.
+    /// The time in which something happens, halved so many times about the cursor.
     Close(u32),
 }
 
@@ -132,11 +133,11 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
 ]);
 
 impl Screen for Forces {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         draw(*self, model, area, buffer);
     }
 
-    fn courses(&self, model: &Model) -> Vec<Trace> {
+    fn courses(&self, model: &AppModel) -> Vec<Trace> {
         let mut views = all_views(model);
         if views.is_empty() {
             return Vec::new();
@@ -148,14 +149,14 @@ impl Screen for Forces {
 
 impl Forces {
     /// The next set of curves.
-    fn next_view(&mut self, model: &Model) {
+    fn next_view(&mut self, model: &AppModel) {
         let count = all_views(model).len().max(1);
         self.view = (self.view % count + 1) % count;
     }
 }
 
 /// What the screen can show of the answer to the form.
-fn all_views(model: &Model) -> Vec<View> {
+fn all_views(model: &AppModel) -> Vec<View> {
     let traces = model
         .shown
         .as_ref()
@@ -163,7 +164,7 @@ fn all_views(model: &Model) -> Vec<View> {
     traces.map(views).unwrap_or_default()
 }
 
-fn draw(forces: Forces, model: &Model, area: Rect, buffer: &mut Buffer) {
+fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -212,9 +213,9 @@ fn draw(forces: Forces, model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 fn chart(
-    model: &Model,
+    model: &AppModel,
     zoom: Zoom,
-    (shown, traces): (&Shown, &Traces),
+    (shown, traces): (&ShownAnswer, &Traces),
     courses: &[Trace],
     area: Rect,
     buffer: &mut Buffer,
@@ -232,7 +233,7 @@ fn chart(
     let curves = courses
         .iter()
         .enumerate()
-        .map(|(i, course)| Curve {
+        .map(|(i, course)| TimeCurve {
             time: &traces.time,
             values: course.values(traces),
             factor: course.row().factor,
@@ -267,12 +268,8 @@ fn chart(
     } else {
         1
     };
-    let field = Rect {
-        y: area.y + lines - 1,
-        height: area.height.saturating_sub(lines - 1),
-        ..area
-    };
-    Chart {
+    let field = below(area, lines - 1);
+    TimeChart {
         title: &title,
         reading: &now,
         curves,

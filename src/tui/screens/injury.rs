@@ -9,18 +9,14 @@ use crate::report::figure::{Figure, Off, SCALE, unusable, within};
 use crate::report::verdict::{VOID, part_of};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::TimeKeys;
-use crate::tui::keys::press::DOWN;
-use crate::tui::keys::press::UP;
-use crate::tui::keys::press::c;
-use crate::tui::model::Model;
-use crate::tui::screens::screen::About;
-use crate::tui::screens::screen::Pane;
-use crate::tui::screens::screen::PaneKeys;
-use crate::tui::screens::screen::Panes;
-use crate::tui::screens::screen::Screen;
-use crate::tui::screens::screen::bind;
-use crate::tui::shown::Shown;
-use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, seen, width, wrapped};
+use crate::tui::keys::press::{DOWN, UP, c};
+use crate::tui::model::AppModel;
+use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::shown::ShownAnswer;
+use crate::tui::view::below;
+use crate::tui::view::text::{
+    fitted, flag_name, flowed, put, put_lines, put_right, seen, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// Columns of the injury's name, of the range of a risk, and of all figures behind the bar.
@@ -52,12 +48,12 @@ impl Panes for InjuryCurves {
 
 #[rustfmt::skip]
 const KEYS: PaneKeys<InjuryCurves> = PaneKeys::new("Injury", &[
-    bind(&[UP, c('k')], |s, m| s.go(m, -1), "curve", "the curve above"),
-    bind(&[DOWN, c('j')], |s, m| s.go(m, 1), "&", "the curve below"),
+    bind(&[UP, c('k')], |s, m| s.move_cursor(m, -1), "curve", "the curve above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the curve below"),
 ]);
 
 impl InjuryCurves {
-    fn go(&mut self, model: &Model, by: isize) {
+    fn move_cursor(&mut self, model: &AppModel, by: isize) {
         let count = model.shown.as_ref().map_or(0, |s| s.answer.risks().len());
         self.row = self
             .row
@@ -67,12 +63,12 @@ impl InjuryCurves {
 }
 
 impl Screen for InjuryCurves {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         draw(self.row, model, area, buffer);
     }
 }
 
-fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
+fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // Bars that are longer are no easier to read.
     let area = Rect {
@@ -93,9 +89,7 @@ fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let room = usize::from(area.width.saturating_sub(2));
     let index = wrapped(&index, room);
     let end = 1 + index.last().map_or(0, |line| width(line));
-    for (y, line) in (0..).zip(&index) {
-        put(buffer, area, (1, y), line, style);
-    }
+    put_lines(buffer, area, (1, 0), &index, style);
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
@@ -105,25 +99,15 @@ fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
         put_right(buffer, area, (area.width - 1, last), right, style);
     }
     let flags = flags(shown, room);
-    for (y, line) in (last + 1..).zip(&flags) {
-        put(buffer, area, (1, y), line, theme.warning());
-    }
+    put_lines(buffer, area, (1, last + 1), &flags, theme.warning());
     let above = last + flags.len() as u16;
-    let area = Rect {
-        y: area.y + above,
-        height: area.height.saturating_sub(above),
-        ..area
-    };
+    let area = below(area, above);
     let verdicts = shown.answer.verdicts();
     let rows = answers(&verdicts, false, theme, area, buffer);
     if risks.is_empty() {
         return;
     }
-    let area = Rect {
-        y: area.y + rows,
-        height: area.height.saturating_sub(rows),
-        ..area
-    };
+    let area = below(area, rows);
     let causes = match shown.answer.errors.mesh {
         Some(_) => "± step and mesh",
         None => "± step alone",
@@ -132,9 +116,7 @@ fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let marks: Vec<String> = marks.map(str::to_owned).collect();
     let marks = flowed(&marks, area.width.saturating_sub(2));
     let last = area.height.saturating_sub(marks.len() as u16);
-    for (y, line) in (last..).zip(&marks) {
-        put(buffer, area, (1, y), line, theme.quiet());
-    }
+    put_lines(buffer, area, (1, last), &marks, theme.quiet());
     let area = Rect {
         height: last,
         ..area
@@ -144,26 +126,21 @@ fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     let all = u16::try_from(risks.len()).unwrap_or(u16::MAX);
     let most = area.height.saturating_sub(ABOVE + all.min(LISTED) + 1);
     let said = explained(&risks[chosen], part, room, most.into());
-    let below = said.len() as u16 + 1;
+    let taken = said.len() as u16 + 1;
     let list = Rect {
-        height: area.height.saturating_sub(below),
+        height: area.height.saturating_sub(taken),
         ..area
     };
     curves((&risks, &verdicts), Some(chosen), theme, list, buffer);
-    let foot = Rect {
-        y: area.y + list.height,
-        height: below,
-        ..area
-    };
+    let foot = below(area, list.height);
     for x in 0..foot.width {
         put(buffer, foot, (x, 0), "─", theme.line());
     }
-    for (y, line) in (1..).zip(&said) {
-        put(buffer, foot, (1, y), line, theme.text());
-    }
+    put_lines(buffer, foot, (1, 1), &said, theme.text());
 }
 
-/// Rows above the first curve, and the curves that are seen at least, whatever there is to explain.
+/// Rows above the first curve, and the curves that are seen at least, whatever there is to
+/// explain.
 const ABOVE: u16 = 2;
 const LISTED: u16 = 3;
 
@@ -259,7 +236,7 @@ pub fn answers(
 }
 
 /// The names of the flags of the answer, which the curves rest on, in two lines at most.
-fn flags(shown: &Shown, room: usize) -> Vec<String> {
+fn flags(shown: &ShownAnswer, room: usize) -> Vec<String> {
     let names: Vec<String> = shown
         .answer
         .flags
@@ -322,8 +299,8 @@ fn line(
     put_right(buffer, area, (area.width, y), &marks, theme.warning());
 }
 
-/// What one curve says, its part in the verdict, and what stands behind it: as many whole sentences
-/// as so many rows hold, the most needed first.
+/// What one curve says, its part in the verdict, and what stands behind it: as many whole
+/// sentences as so many rows hold, the most needed first.
 fn explained(risk: &Risk, part: Option<&Part>, room: usize, rows: usize) -> Vec<String> {
     let curve = risk.curve;
     let (low, high) = (100.0 * risk.band.0, 100.0 * risk.band.1);

@@ -15,13 +15,13 @@ use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::step::Step;
 use crate::tui::terminal::caps::Symbols;
-use crate::tui::view::chart::{Curve, value_at};
-use crate::tui::view::eye::Scene;
+use crate::tui::view::chart::{TimeCurve, value_at};
+use crate::tui::view::eye::EyePicture;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{put, put_right, width, wrapped};
@@ -64,18 +64,18 @@ impl<S: Screen> FrameKeys<S> {
 }
 
 impl Screen for Replay {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         draw(model, area, buffer);
     }
 }
 
 /// The largest pressure of the scale, in Pa, where an eye is to be coloured by that.
-pub fn pressures(model: &Model, shown: &Shown) -> Option<f64> {
+pub fn pressures(model: &AppModel, shown: &ShownAnswer) -> Option<f64> {
     let wanted = model.clock.colouring == Colouring::Pressure;
     shown.highest.filter(|_| wanted)
 }
 
-fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -84,7 +84,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     let bar = Rect::new(area.x, area.y + area.height - 3, area.width, 3);
     let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
     let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
-    Scene {
+    EyePicture {
         shown,
         time: model.time(),
         largest: shown.hottest,
@@ -119,7 +119,7 @@ fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
     time_bar(model, shown, bar, buffer);
 }
 
-fn side_panel(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+fn side_panel(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let time = model.time();
     let mut y = 0;
@@ -240,7 +240,7 @@ fn legend(
 }
 
 /// Time from 0 to the end of the window, with the pulse drawn in it.
-fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+fn time_bar(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let time = model.time();
     let window = shown.answer.window();
@@ -260,7 +260,7 @@ fn time_bar(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
     if let Some(traces) = &shown.answer.run.traces {
         let mut raster = Raster::new(field, model.look.symbols);
-        let curve = Curve {
+        let curve = TimeCurve {
             time: &traces.time,
             values: Trace::Other(OtherTrace::Drive).values(traces),
             factor: 1.0,

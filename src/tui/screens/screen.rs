@@ -14,10 +14,9 @@ use crate::tui::keys::KeyList;
 use crate::tui::keys::KeyTable;
 use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::Press;
-use crate::tui::model::Model;
-use crate::tui::model::Timed;
+use crate::tui::model::{AppModel, Timed};
 use crate::tui::request::Report;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::step::Step;
 use crate::tui::work::Work;
 
@@ -47,7 +46,7 @@ pub enum Mouse {
 /// A screen: a component with its own state.
 pub trait Screen: Keyed + Any {
     /// Draws it into the space between title and footer.
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer);
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer);
 
     /// The place of the pane with the focus.
     fn pane(&self) -> usize {
@@ -58,19 +57,19 @@ pub trait Screen: Keyed + Any {
     fn show_pane(&mut self, _pane: usize) {}
 
     /// The app was opened on these.
-    fn opened_on(&mut self, _model: &mut Model, _works: &[Work]) {}
+    fn opened_on(&mut self, _model: &mut AppModel, _works: &[Work]) {}
 
-    /// How many samples over what is not known of the inputs it has room for; a few at most are run
-    /// though nobody asked.
+    /// How many samples over what is not known of the inputs it has room for; a few at most are
+    /// run though nobody asked.
     fn samples(&self) -> u32 {
         0
     }
 
     /// Something has happened: asks for what it now wants and stops what it no longer does.
-    fn refresh_requests(&mut self, _model: &mut Model, _on_show: bool) {}
+    fn refresh_requests(&mut self, _model: &mut AppModel, _on_show: bool) {}
 
     /// Takes the report of a worker if the screen asked for it.
-    fn take_report(&mut self, _model: &mut Model, _report: &mut Option<Report>) {}
+    fn take_report(&mut self, _model: &mut AppModel, _report: &mut Option<Report>) {}
 
     /// Whether something is computed that it asked for.
     fn is_busy(&self) -> bool {
@@ -78,22 +77,22 @@ pub trait Screen: Keyed + Any {
     }
 
     /// Gives up what is under way for this screen; whether anything was.
-    fn cancel(&mut self, _model: &mut Model) -> bool {
+    fn cancel(&mut self, _model: &mut AppModel) -> bool {
         false
     }
 
     /// Takes the choice of this place in the list that it opened to mark some.
-    fn mark_choice(&mut self, _model: &mut Model, _place: usize) {}
+    fn mark_choice(&mut self, _model: &mut AppModel, _place: usize) {}
 
     /// Proposes what is more exact than the answer on show, or faster, or shall be shown to find
     /// that out first; whether this is its business, and whether it is to be shown.
-    fn propose(&mut self, _model: &mut Model, _exact: bool) -> Option<bool> {
+    fn propose(&mut self, _model: &mut AppModel, _exact: bool) -> Option<bool> {
         None
     }
 
-    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be told
-    /// of drags from there.
-    fn mouse(&mut self, model: &mut Model, mouse: Mouse, _area: Rect) -> bool {
+    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be
+    /// told of drags from there.
+    fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, _area: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
             self.step_time(model, step.reversed());
         }
@@ -101,12 +100,12 @@ pub trait Screen: Keyed + Any {
     }
 
     /// The answer through whose time its clock goes, and the end of that time in s.
-    fn timed<'a>(&'a self, model: &'a Model) -> Option<Timed<'a>> {
+    fn timed<'a>(&'a self, model: &'a AppModel) -> Option<Timed<'a>> {
         model.timed()
     }
 
     /// Goes through that time by a step from frame to frame.
-    fn step_time(&self, model: &mut Model, step: Step) {
+    fn step_time(&self, model: &mut AppModel, step: Step) {
         let mut clock = model.clock;
         if let Some((answer, window)) = self.timed(model) {
             let time = clock.time_in(Some((answer, window)));
@@ -116,18 +115,18 @@ pub trait Screen: Keyed + Any {
     }
 
     /// The courses on show, whose peaks are visited; none where all are.
-    fn courses(&self, _model: &Model) -> Vec<Trace> {
+    fn courses(&self, _model: &AppModel) -> Vec<Trace> {
         Vec::new()
     }
 
     /// The answers on show, each by its name: what is taken away from here.
-    fn answers<'a>(&'a self, model: &'a Model) -> Vec<(String, &'a Shown)> {
+    fn answers<'a>(&'a self, model: &'a AppModel) -> Vec<(String, &'a ShownAnswer)> {
         model.answer()
     }
 }
 
 /// What a key of a screen does to it and to what the screens share.
-pub type Act<S> = fn(&mut S, &mut Model);
+pub type Act<S> = fn(&mut S, &mut AppModel);
 
 /// A key of a screen.
 pub const fn bind<S>(
@@ -146,7 +145,7 @@ pub struct PaneKeys<S: 'static> {
     /// The keys.
     pub table: KeyTable<Act<S>>,
     /// Whether they count now.
-    pub counts: fn(&S, &Model) -> bool,
+    pub counts: fn(&S, &AppModel) -> bool,
 }
 
 impl<S> PaneKeys<S> {
@@ -157,7 +156,7 @@ impl<S> PaneKeys<S> {
 
     /// Keys that count there at times.
     pub const fn when(
-        counts: fn(&S, &Model) -> bool,
+        counts: fn(&S, &AppModel) -> bool,
         title: &'static str,
         bindings: &'static [Binding<Act<S>>],
     ) -> Self {
@@ -201,10 +200,10 @@ pub struct PaneFacts {
 
 /// What became of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pressed {
+pub enum KeyOutcome {
     /// The screen has none like it.
     Unknown,
-    /// It was done.
+    /// The screen did what the key stands for.
     Done,
     /// A value is typed that begins with it.
     BeginsValue,
@@ -216,10 +215,10 @@ pub trait Keyed {
     fn panes(&self) -> Vec<PaneFacts>;
 
     /// The keys that count now.
-    fn keys_now(&self, model: &Model) -> Vec<KeyList>;
+    fn keys_now(&self, model: &AppModel) -> Vec<KeyList>;
 
     /// Does what a key stands for.
-    fn press(&mut self, model: &mut Model, event: KeyEvent) -> Pressed;
+    fn press(&mut self, model: &mut AppModel, event: KeyEvent) -> KeyOutcome;
 }
 
 impl<S: Screen + Panes> Keyed for S {
@@ -232,23 +231,23 @@ impl<S: Screen + Panes> Keyed for S {
         S::PANES.iter().map(facts).collect()
     }
 
-    fn keys_now(&self, model: &Model) -> Vec<KeyList> {
+    fn keys_now(&self, model: &AppModel) -> Vec<KeyList> {
         let own = S::PANES[self.pane()].keys.iter();
         let now = own.filter(|keys| (keys.counts)(self, model));
         now.map(|keys| keys.table.list()).collect()
     }
 
-    fn press(&mut self, model: &mut Model, event: KeyEvent) -> Pressed {
+    fn press(&mut self, model: &mut AppModel, event: KeyEvent) -> KeyOutcome {
         let own = S::PANES[self.pane()].keys.iter();
         let mut now = own.filter(|keys| (keys.counts)(self, model));
         let Some(binding) = now.find_map(|keys| keys.table.find(&model.keys, event)) else {
-            return Pressed::Unknown;
+            return KeyOutcome::Unknown;
         };
         if binding.key.begins_value {
-            return Pressed::BeginsValue;
+            return KeyOutcome::BeginsValue;
         }
         model.form.complaint = None;
         (binding.act)(self, model);
-        Pressed::Done
+        KeyOutcome::Done
     }
 }

@@ -12,16 +12,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::scenario::library;
-use crate::tui::app::App;
-use crate::tui::app::frame;
 use crate::tui::app::update::{Message, begin, update};
+use crate::tui::app::{App, frame};
 use crate::tui::choices::choices;
 use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::outbox::Effect;
 use crate::tui::save::{SaveError, page, remove, rename, save};
 use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
 use crate::tui::terminal::event::Event;
-use crate::tui::terminal::input::{Input, Parser};
+use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::jobs::Jobs;
 use crate::tui::terminal::pacer::{Cause, Pacer};
 use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
@@ -35,7 +34,7 @@ pub struct Settings {
     /// A key that makes the app fail, for a test.
     pub fail_on: Option<char>,
     /// How long a guest may touch no key; nobody else is sent away.
-    pub idle: Option<Duration>,
+    pub guest_limit: Option<Duration>,
 }
 
 /// The largest screen that is drawn; a terminal that claims more shows a part.
@@ -51,7 +50,7 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     let session = Session::enter()?;
     system::listen(&send, signals);
     let mut event_loop = EventLoop {
-        jobs: Jobs::new(send, settings.idle.map(|_| LONGEST_ANSWER)),
+        jobs: Jobs::new(send, settings.guest_limit.map(|_| LONGEST_ANSWER)),
         app,
         session,
         events,
@@ -65,13 +64,13 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
         last_frame: None,
         exit: None,
         fail_on: settings.fail_on,
-        idle: settings.idle,
+        guest_limit: settings.guest_limit,
         last_key: Instant::now(),
     };
     let code = event_loop.run()?;
-    let is_asleep = event_loop.is_asleep();
+    let is_abandoned = event_loop.is_abandoned();
     let app = event_loop.end();
-    if is_asleep {
+    if is_abandoned {
         // Whoever is gone hears nothing.
         let _ = writeln!(
             io::stderr(),
@@ -111,7 +110,7 @@ struct EventLoop {
     last_frame: Option<Instant>,
     exit: Option<u8>,
     fail_on: Option<char>,
-    idle: Option<Duration>,
+    guest_limit: Option<Duration>,
     last_key: Instant,
 }
 
@@ -132,25 +131,25 @@ impl EventLoop {
             }
             self.draw_if_due()?;
             match self.events.recv_timeout(self.patience()) {
-                Ok(event) => self.take(event)?,
+                Ok(event) => self.handle(event)?,
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return Ok(1),
             }
             // All that has come so far goes into one frame.
             while let Ok(event) = self.events.try_recv() {
-                self.take(event)?;
+                self.handle(event)?;
             }
             self.flush_escape()?;
-            if self.is_asleep() {
+            if self.is_abandoned() {
                 self.exit = self.exit.or(Some(0));
             }
         }
     }
 
     /// Whether a guest has touched no key for too long.
-    fn is_asleep(&self) -> bool {
-        self.idle
-            .is_some_and(|idle| self.last_key.elapsed() >= idle)
+    fn is_abandoned(&self) -> bool {
+        self.guest_limit
+            .is_some_and(|limit| self.last_key.elapsed() >= limit)
     }
 
     /// How long nothing needs to be done if nothing happens.
@@ -164,7 +163,7 @@ impl EventLoop {
         at(self
             .escape_since
             .map(|since| since + self.parser.patience()));
-        at(self.idle.map(|idle| self.last_key + idle));
+        at(self.guest_limit.map(|limit| self.last_key + limit));
         let wants_frame = self.dirty || self.app.model.clock.playing;
         if wants_frame {
             let due = self.last_frame.map(|last| last + self.frame_time);
@@ -230,17 +229,17 @@ impl EventLoop {
         self.session.write(&bytes)
     }
 
-    fn take(&mut self, event: Event) -> io::Result<()> {
+    fn handle(&mut self, event: Event) -> io::Result<()> {
         let message = match event {
             Event::Bytes(bytes) => {
                 let inputs = self.parser.feed(&bytes);
                 for input in inputs {
-                    self.take_input(input)?;
+                    self.handle_input(input)?;
                 }
                 self.escape_since = self.parser.is_waiting().then(Instant::now);
                 return Ok(());
             }
-            Event::Input(input) => return self.take_input(input),
+            Event::Input(input) => return self.handle_input(input),
             Event::Resized => {
                 self.dirty = true;
                 return Ok(());
@@ -257,7 +256,7 @@ impl EventLoop {
             }
             Event::News(message) => message,
         };
-        self.tell(message)
+        self.send(message)
     }
 
     fn flush_escape(&mut self) -> io::Result<()> {
@@ -265,34 +264,34 @@ impl EventLoop {
         if self.escape_since.is_some_and(overdue) {
             self.escape_since = None;
             if let Some(input) = self.parser.flush() {
-                self.take_input(input)?;
+                self.handle_input(input)?;
             }
         }
         Ok(())
     }
 
-    fn take_input(&mut self, input: Input) -> io::Result<()> {
-        if !matches!(input, Input::CursorReport(_)) {
+    fn handle_input(&mut self, input: TerminalInput) -> io::Result<()> {
+        if !matches!(input, TerminalInput::CursorReport(_)) {
             self.last_key = Instant::now();
         }
         match input {
-            Input::Key(event) => {
+            TerminalInput::Key(event) => {
                 if let (Some(fatal), crossterm::event::KeyCode::Char(c)) =
                     (self.fail_on, event.code)
                 {
                     assert!(c != fatal, "failed on purpose");
                 }
-                self.tell(Message::Key(event))
+                self.send(Message::Key(event))
             }
-            Input::Paste(text) => self.tell(Message::Paste(text)),
-            Input::Mouse(event) if self.app.model.mouse => {
+            TerminalInput::Paste(text) => self.send(Message::Paste(text)),
+            TerminalInput::Mouse(event) if self.app.model.mouse => {
                 let area = self.screen.shown.area;
-                self.tell(Message::Mouse(event, (area.width, area.height)))
+                self.send(Message::Mouse(event, (area.width, area.height)))
             }
             // From before it was switched off.
-            Input::Mouse(_) => Ok(()),
+            TerminalInput::Mouse(_) => Ok(()),
             // The loop looks afresh at what may be sent.
-            Input::CursorReport(column) => {
+            TerminalInput::CursorReport(column) => {
                 self.pacer.replied(Instant::now(), column);
                 Ok(())
             }
@@ -306,7 +305,7 @@ impl EventLoop {
         debug_assert!(effects.is_empty(), "time alone asks for nothing");
     }
 
-    fn tell(&mut self, message: Message) -> io::Result<()> {
+    fn send(&mut self, message: Message) -> io::Result<()> {
         self.dirty = true;
         self.tick();
         let effects = update(&mut self.app, message);
@@ -326,7 +325,7 @@ impl EventLoop {
             match event {
                 Event::Bytes(bytes) => {
                     for input in self.parser.feed(&bytes) {
-                        if let Input::CursorReport(column) = input {
+                        if let TerminalInput::CursorReport(column) = input {
                             self.pacer.replied(Instant::now(), column);
                         } else {
                             news.push(Event::Input(input));
@@ -357,13 +356,13 @@ impl EventLoop {
                 Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
                 Effect::Rename(from, to) => {
                     let outcome = in_folder(|folder| rename(folder, &from, &to));
-                    self.tell(Message::Renamed(from, to, outcome))?;
-                    self.tell(Message::Choices(choices()))?;
+                    self.send(Message::Renamed(from, to, outcome))?;
+                    self.send(Message::Choices(choices()))?;
                 }
                 Effect::Remove(name) => {
                     let outcome = in_folder(|folder| remove(folder, &name));
-                    self.tell(Message::Removed(name, outcome))?;
-                    self.tell(Message::Choices(choices()))?;
+                    self.send(Message::Removed(name, outcome))?;
+                    self.send(Message::Choices(choices()))?;
                 }
                 Effect::Page(stem, text) => {
                     let said = match page(Path::new("."), &stem, &text) {
@@ -374,7 +373,7 @@ impl EventLoop {
                         }
                         Err(error) => error.to_string(),
                     };
-                    self.tell(Message::Said(said))?;
+                    self.send(Message::Said(said))?;
                 }
                 Effect::Copy(text) => self.copy(&text)?,
                 Effect::Suspend => self.suspend()?,
@@ -391,9 +390,9 @@ impl EventLoop {
     fn save(&mut self, name: String, text: &str, replace: bool) -> io::Result<()> {
         let outcome = in_folder(|folder| save(folder, &name, text, replace));
         let is_saved = outcome.is_ok();
-        self.tell(Message::Saved(name, outcome))?;
+        self.send(Message::Saved(name, outcome))?;
         if is_saved {
-            self.tell(Message::Choices(choices()))?;
+            self.send(Message::Choices(choices()))?;
         }
         Ok(())
     }
@@ -408,7 +407,7 @@ impl EventLoop {
                 "summary sent to the clipboard"
             }
         };
-        self.tell(Message::Said(said.to_owned()))
+        self.send(Message::Said(said.to_owned()))
     }
 
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal
@@ -423,6 +422,6 @@ impl EventLoop {
             self.session.resume()?;
             self.repaint();
         }
-        news.into_iter().try_for_each(|event| self.take(event))
+        news.into_iter().try_for_each(|event| self.handle(event))
     }
 }

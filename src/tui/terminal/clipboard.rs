@@ -31,7 +31,7 @@ pub fn clipboard(env: impl Fn(&str) -> Option<String>) -> Clipboard {
     }
 }
 
-/// What puts a text there.
+/// The escape sequence that puts a text on the clipboard.
 pub fn copied(text: &str, way: Clipboard) -> String {
     let mut plain = String::new();
     // A string takes whatever it is given.

@@ -2,7 +2,7 @@
 
 use crate::tui::app::update::Message;
 use crate::tui::keys::press::SUSPEND;
-use crate::tui::terminal::input::Input;
+use crate::tui::terminal::input::TerminalInput;
 
 /// Something that came from outside.
 pub(super) enum Event {
@@ -10,7 +10,7 @@ pub(super) enum Event {
     #[cfg_attr(windows, expect(dead_code, reason = "a console gives keys, not bytes"))]
     Bytes(Vec<u8>),
     /// What was typed, already told apart.
-    Input(Input),
+    Input(TerminalInput),
     /// The terminal has another size.
     Resized,
     /// The shell goes on with the app; the terminal may be in any state.
@@ -33,7 +33,7 @@ impl Event {
 
     /// Whether it asks to stop until the shell goes on.
     pub(super) fn is_suspend(&self) -> bool {
-        let Self::Input(Input::Key(key)) = self else {
+        let Self::Input(TerminalInput::Key(key)) = self else {
             return false;
         };
         SUSPEND.is(*key)
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn what_ends_the_app_and_what_stops_it_are_told_from_the_rest() {
-        let key = |code, held| Event::Input(Input::Key(KeyEvent::new(code, held)));
+        let key = |code, held| Event::Input(TerminalInput::Key(KeyEvent::new(code, held)));
         let ctrl_z = key(KeyCode::Char('z'), KeyModifiers::CONTROL);
         assert!(ctrl_z.is_suspend() && !ctrl_z.is_end());
         assert!(!key(KeyCode::Char('z'), KeyModifiers::NONE).is_suspend());

@@ -2,9 +2,9 @@
 //!
 //! A sequence may arrive in pieces, so the parser keeps what is unfinished; [`Parser::flush`] says
 //! that nothing more came, which makes a lone ESC the Escape key. Unknown sequences are dropped
-//! whole, so no reply of a terminal is ever taken for a key. Kept by hand, in 300 lines, for the replies:
-//! crossterm hides those to a question for the cursor's place from whoever reads its events, and the
-//! pacer lives by them.
+//! whole, so no reply of a terminal is ever taken for a key. Kept by hand, in 300 lines, for the
+//! replies: crossterm hides those to a question for the cursor's place from whoever reads its
+//! events, and the pacer lives by them.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::tui::terminal::mouse;
 
 /// Something that the terminal sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Input {
+pub enum TerminalInput {
     /// A key.
     Key(KeyEvent),
     /// Pasted text.
@@ -46,13 +46,13 @@ pub struct Parser {
 enum Parsed {
     Unfinished,
     Dropped(usize),
-    Found(usize, Input),
+    Found(usize, TerminalInput),
     PasteBegins(usize),
 }
 
 impl Parser {
     /// Takes bytes as they came and gives everything that is complete.
-    pub fn feed(&mut self, bytes: &[u8]) -> Vec<Input> {
+    pub fn feed(&mut self, bytes: &[u8]) -> Vec<TerminalInput> {
         let mut inputs = Vec::new();
         for &byte in bytes {
             if let Some(pasted) = &mut self.pasted {
@@ -88,7 +88,7 @@ impl Parser {
     }
 
     /// Nothing more came: a lone ESC is a key, a paste is over, any other remainder is dropped.
-    pub fn flush(&mut self) -> Option<Input> {
+    pub fn flush(&mut self) -> Option<TerminalInput> {
         if let Some(pasted) = self.pasted.take() {
             return Some(paste(pasted));
         }
@@ -101,7 +101,7 @@ impl Parser {
         }
     }
 
-    fn drain(&mut self, inputs: &mut Vec<Input>) {
+    fn drain(&mut self, inputs: &mut Vec<TerminalInput>) {
         while !self.held.is_empty() {
             let used = match parse(&self.held) {
                 Parsed::Unfinished if self.held.len() < LONGEST_SEQUENCE => return,
@@ -126,13 +126,13 @@ impl Parser {
     }
 }
 
-fn paste(mut bytes: Vec<u8>) -> Input {
+fn paste(mut bytes: Vec<u8>) -> TerminalInput {
     bytes.truncate(LONGEST_PASTE);
-    Input::Paste(String::from_utf8_lossy(&bytes).into_owned())
+    TerminalInput::Paste(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
-    Input::Key(KeyEvent::new(code, modifiers))
+fn key(code: KeyCode, modifiers: KeyModifiers) -> TerminalInput {
+    TerminalInput::Key(KeyEvent::new(code, modifiers))
 }
 
 /// Whether these bytes begin an OSC, DCS, APC or PM, which run to ST or BEL.
@@ -164,7 +164,7 @@ fn parse(held: &[u8]) -> Parsed {
         // Two presses of Escape, or Escape before a sequence.
         [0x1b, 0x1b, ..] => Parsed::Found(1, key(KeyCode::Esc, KeyModifiers::NONE)),
         [0x1b, rest @ ..] => match character(rest) {
-            Parsed::Found(used, Input::Key(event)) => Parsed::Found(
+            Parsed::Found(used, TerminalInput::Key(event)) => Parsed::Found(
                 used + 1,
                 key(event.code, event.modifiers | KeyModifiers::ALT),
             ),
@@ -239,7 +239,7 @@ fn csi(rest: &[u8]) -> Parsed {
         let report = rest[..end].strip_prefix(b"<");
         let event = report.and_then(|numbers| mouse::report(numbers, rest[end]));
         return match event {
-            Some(event) => Parsed::Found(used, Input::Mouse(event)),
+            Some(event) => Parsed::Found(used, TerminalInput::Mouse(event)),
             None => Parsed::Dropped(used),
         };
     }
@@ -247,7 +247,7 @@ fn csi(rest: &[u8]) -> Parsed {
     let code = match (rest[end], numbers.first()) {
         // A report has a row and a column; F3 with modifiers looks the same and is given up.
         (b'R', _) if numbers.len() == 2 => {
-            return Parsed::Found(used, Input::CursorReport(numbers[1]));
+            return Parsed::Found(used, TerminalInput::CursorReport(numbers[1]));
         }
         (b'~', Some(200)) => return Parsed::PasteBegins(used),
         (b'~', Some(&number)) => tilde_key(number),
@@ -311,11 +311,11 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
 
-    fn keys(bytes: &[u8]) -> Vec<Input> {
+    fn keys(bytes: &[u8]) -> Vec<TerminalInput> {
         Parser::default().feed(bytes)
     }
 
-    fn plain(code: KeyCode) -> Input {
+    fn plain(code: KeyCode) -> TerminalInput {
         key(code, KeyModifiers::NONE)
     }
 
@@ -358,7 +358,7 @@ mod tests {
 
     #[test]
     fn replies_are_never_taken_for_keys() {
-        assert_eq!(keys(b"\x1b[12;40R"), [Input::CursorReport(40)]);
+        assert_eq!(keys(b"\x1b[12;40R"), [TerminalInput::CursorReport(40)]);
         for reply in [
             "\x1b[?2026;2$y",
             "\x1b[?62;4c",
@@ -393,12 +393,12 @@ mod tests {
         assert!(parser.feed(b"\x1b[200~4\x1b[A5").is_empty());
         assert_eq!(parser.feed(b"0\x1b[201~q").len(), 2);
         let inputs = keys(b"\x1b[200~450\x1b[201~");
-        assert_eq!(inputs, [Input::Paste("450".to_owned())]);
+        assert_eq!(inputs, [TerminalInput::Paste("450".to_owned())]);
         let mut long = b"\x1b[200~".to_vec();
         long.extend(vec![b'x'; 100_000]);
         long.extend(PASTE_END);
         let inputs = keys(&long);
-        assert!(matches!(&inputs[..], [Input::Paste(text)] if text.len() == LONGEST_PASTE));
+        assert!(matches!(&inputs[..], [TerminalInput::Paste(text)] if text.len() == LONGEST_PASTE));
     }
 
     #[test]
@@ -406,7 +406,7 @@ mod tests {
         let mut parser = Parser::default();
         assert!(parser.feed(b"\x1b[200~450").is_empty());
         assert!(parser.is_waiting() && parser.patience() == PASTE_PATIENCE);
-        assert_eq!(parser.flush(), Some(Input::Paste("450".to_owned())));
+        assert_eq!(parser.flush(), Some(TerminalInput::Paste("450".to_owned())));
         assert!(!parser.is_waiting());
         assert_eq!(parser.feed(b"q"), [plain(KeyCode::Char('q'))]);
     }

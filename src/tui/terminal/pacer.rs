@@ -2,9 +2,10 @@
 //!
 //! Every frame ends with a question for the cursor's place. A frame of the replay waits for the
 //! replies to all before it; a frame that answers a key may follow one other at once. So at most
-//! two frames are under way however slow the link is. Kept by hand as no crate has it: at 256 colours
-//! and 12 frames a second a replay is 23 kB/s, so that on a link of 8 kB/s the queue would grow by 15 kB
-//! every second, and a key would wait 19 s after ten; with it the slowest of three keys waited 0.30 s.
+//! two frames are under way however slow the link is. Kept by hand as no crate has it: at 256
+//! colours and 12 frames a second a replay is 23 kB/s, so that on a link of 8 kB/s the queue would
+//! grow by 15 kB every second, and a key would wait 19 s after ten; with it the slowest of three
+//! keys waited 0.30 s.
 //!
 //! Each reply names its question, so a late one frees no later frame and a lost one is not missed.
 //! A terminal that has ever answered and falls silent is stopped, or its link is: it gets no more
@@ -23,7 +24,8 @@ const MAX_SILENCES: u32 = 2;
 const LONGEST_SILENCE: Duration = Duration::from_secs(60);
 /// Questions that can be told apart, by a column each.
 const COLUMNS: u8 = 8;
-/// Seconds: a reply is thought to take at least the first, and none is waited for beyond the other.
+/// Seconds: a reply is thought to take at least the first, and none is waited for beyond the
+/// other.
 const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
 const BUDGET: f64 = 6000.0;

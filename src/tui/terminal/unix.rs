@@ -24,8 +24,8 @@ use crate::tui::terminal::{mouse, session};
 /// Where the app draws: a handle of its own takes no lock, so a panic on any thread can write.
 pub(super) type Out = File;
 
-/// How long after a signal the app may take to leave by itself. A terminal that does not read holds
-/// it up for ever.
+/// How long after a signal the app may take to leave by itself. A terminal that does not read
+/// holds it up for ever.
 const LAST_CALL: Duration = Duration::from_secs(2);
 
 /// Opens what is drawn on.

@@ -10,7 +10,7 @@ use std::thread;
 use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
 
 use crate::tui::terminal::event::Event;
-use crate::tui::terminal::input::Input;
+use crate::tui::terminal::input::TerminalInput;
 use crate::tui::terminal::pacer::Pacer;
 
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
@@ -69,10 +69,10 @@ pub(super) fn listen(send: &Sender<Event>, _: Signals) {
         loop {
             let event = match console::read() {
                 Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
-                    Event::Input(Input::Key(key))
+                    Event::Input(TerminalInput::Key(key))
                 }
-                Ok(console::Event::Mouse(mouse)) => Event::Input(Input::Mouse(mouse)),
-                Ok(console::Event::Paste(text)) => Event::Input(Input::Paste(text)),
+                Ok(console::Event::Mouse(mouse)) => Event::Input(TerminalInput::Mouse(mouse)),
+                Ok(console::Event::Paste(text)) => Event::Input(TerminalInput::Paste(text)),
                 Ok(console::Event::Resize(..)) => Event::Resized,
                 Ok(_) => continue,
                 Err(_) => Event::HANGUP,

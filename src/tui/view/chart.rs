@@ -2,6 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::widgets::{Block, Borders, Widget};
 
 use crate::report::text::significant;
 use crate::tui::look::Look;
@@ -10,7 +11,7 @@ use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
 
 /// A curve over time.
-pub struct Curve<'a> {
+pub struct TimeCurve<'a> {
     /// Times in s.
     pub time: &'a [f64],
     /// Its values in SI, one for each time.
@@ -59,7 +60,7 @@ pub fn active<'a>(
         return (0.0, window);
     };
     let left = LEFT * window;
-    // A short flight before is no reason to leave out the beginning.
+    // A short time before the contact is no reason to leave out the beginning.
     let from = if first < 2.0 * left {
         0.0
     } else {
@@ -69,7 +70,7 @@ pub fn active<'a>(
 }
 
 /// The range of several curves over a span of time, 0 among them.
-fn range(curves: &[Curve], (from, to): (f64, f64)) -> (f64, f64) {
+fn range(curves: &[TimeCurve], (from, to): (f64, f64)) -> (f64, f64) {
     let mut range = (0.0, 0.0);
     for curve in curves {
         for (t, value) in curve.time.iter().zip(curve.values) {
@@ -88,7 +89,7 @@ fn range(curves: &[Curve], (from, to): (f64, f64)) -> (f64, f64) {
 /// spans all values that fall into it, so no peak is lost.
 fn plot(
     raster: &mut Raster,
-    curves: &[Curve],
+    curves: &[TimeCurve],
     (start, end): (f64, f64),
     (low, high): (f64, f64),
     filled: bool,
@@ -140,7 +141,7 @@ fn plot(
 
 /// A curve without axes, with a mark at the present moment below it.
 pub fn spark(
-    curve: Curve,
+    curve: TimeCurve,
     span: (f64, f64),
     now: f64,
     look: Look,
@@ -165,20 +166,20 @@ pub fn spark(
 }
 
 /// A curve over the whole of a raster, filled down to 0.
-pub fn fill(raster: &mut Raster, curve: Curve, window: f64) {
+pub fn fill(raster: &mut Raster, curve: TimeCurve, window: f64) {
     let (curves, span) = ([curve], (0.0, window));
     let range = range(&curves, span);
     plot(raster, &curves, span, range, true);
 }
 
 /// Several curves with axes and a cursor.
-pub struct Chart<'a> {
+pub struct TimeChart<'a> {
     /// Above it, from the left.
     pub title: &'a str,
     /// Above it, from the right.
     pub reading: &'a str,
     /// What it shows.
-    pub curves: Vec<Curve<'a>>,
+    pub curves: Vec<TimeCurve<'a>>,
     /// The ends of the time axis, in s.
     pub span: (f64, f64),
     /// The cursor, in s.
@@ -190,7 +191,7 @@ pub struct Chart<'a> {
 /// Room for the numbers of the value axis.
 const LABELS: u16 = 7;
 
-impl Chart<'_> {
+impl TimeChart<'_> {
     /// Draws the chart with its axes, its curves and its cursor.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
@@ -229,13 +230,7 @@ impl Chart<'_> {
     fn axes(&self, area: Rect, field: Rect, (low, high): (f64, f64), buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
         let bottom = field.height + 1;
-        for y in 1..bottom {
-            put(buffer, area, (LABELS, y), "│", theme.line());
-        }
-        put(buffer, area, (LABELS, bottom), "└", theme.line());
-        for x in LABELS + 1..area.width {
-            put(buffer, area, (x, bottom), "─", theme.line());
-        }
+        axis_lines(field, theme, buffer);
         for value in ticks(low, high, usize::from(field.height / 3).clamp(2, 6)) {
             let share = (high - value) / (high - low);
             let y = 1 + (share * f64::from(field.height - 1)).round() as u16;
@@ -258,6 +253,13 @@ impl Chart<'_> {
         }
         put_right(buffer, area, (area.width, bottom + 1), "ms", theme.quiet());
     }
+}
+
+/// The lines of two axes, at the left of a field and below it.
+pub fn axis_lines(field: Rect, theme: Theme, buffer: &mut Buffer) {
+    let place = Rect::new(field.x - 1, field.y, field.width + 1, field.height + 1);
+    let lines = Block::new().borders(Borders::LEFT | Borders::BOTTOM);
+    lines.border_style(theme.line()).render(place, buffer);
 }
 
 /// A tick's number without needless zeros.

@@ -1,7 +1,8 @@
 //! The eye at one moment: springs or nodes coloured by force, orbit, arc and arrow of the blow.
 //!
 //! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
-//! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is solid.
+//! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is
+//! solid.
 
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
@@ -10,16 +11,15 @@ use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
 use crate::run::drawing::{Drawing, Line};
-use crate::run::kept::Frame;
-use crate::run::kept::nearest;
+use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use crate::scenario::fields;
 use crate::scenario::fields::Kind;
-use crate::tui::clock::Detail;
+use crate::tui::clock::MeshDetail;
 use crate::tui::look::Look;
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::terminal::caps::Symbols;
 use crate::tui::view::fill::fill;
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
@@ -52,9 +52,9 @@ pub fn number(scenario: &Scenario, path: &str) -> Option<f64> {
 }
 
 /// What is drawn.
-pub struct Scene<'a> {
+pub struct EyePicture<'a> {
     /// The result that is shown.
-    pub shown: &'a Shown,
+    pub shown: &'a ShownAnswer,
     /// The moment, in s.
     pub time: f64,
     /// The largest force of the colour scale, in N.
@@ -64,7 +64,7 @@ pub struct Scene<'a> {
     /// How many times displacement is shown.
     pub zoom: u32,
     /// How much of the mesh.
-    pub detail: Detail,
+    pub detail: MeshDetail,
     /// The blow that the arrow stands for, which may be newer than the result.
     pub blow: Option<&'a Scenario>,
     /// Whether the arrow has the focus.
@@ -75,7 +75,7 @@ pub struct Scene<'a> {
     pub look: Look,
 }
 
-impl Scene<'_> {
+impl EyePicture<'_> {
     /// Draws the eye as large as fits into the middle of `area`.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(area, self.look.symbols);
@@ -94,7 +94,7 @@ impl Scene<'_> {
             };
             picture.cells(&mut raster);
             picture.springs(&mut raster);
-            if self.detail == Detail::Nodes {
+            if self.detail == MeshDetail::Nodes {
                 picture.nodes(&mut raster);
             }
             picture.loaded_arc(&mut raster);
@@ -201,7 +201,7 @@ pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
 }
 
 struct Picture<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a EyePicture<'a>,
     drawing: &'a Drawing,
     frame: &'a Frame,
     thresholds: &'a [f64],
@@ -238,7 +238,7 @@ impl Picture<'_> {
     }
 
     fn springs(&self, raster: &mut Raster) {
-        let all = self.scene.detail == Detail::Edges;
+        let all = self.scene.detail == MeshDetail::Edges;
         for Line {
             ends: (a, b),
             region,
@@ -341,9 +341,9 @@ impl Picture<'_> {
     /// where only nodes are drawn.
     fn digits(&self, raster: &Raster) -> Vec<((u16, u16), usize)> {
         let least = match self.scene.detail {
-            Detail::Nodes => 1,
-            Detail::Edges => self.thresholds.len() / 2 + 1,
-            Detail::Outline => return Vec::new(),
+            MeshDetail::Nodes => 1,
+            MeshDetail::Edges => self.thresholds.len() / 2 + 1,
+            MeshDetail::Outline => return Vec::new(),
         };
         let nodes = self.drawing.nodes.iter().enumerate();
         let mut digits: Vec<_> = nodes

@@ -3,14 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::page::writing;
 use crate::tui::view::text::{fitted, put, width};
 use crate::tui::view::theme::Theme;
 
 /// Draws the footer with the keys that work now and their words.
-pub fn draw(model: &Model, live: Vec<(String, &str)>, area: Rect, buffer: &mut Buffer) {
+pub fn draw(model: &AppModel, live: Vec<(String, &str)>, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     buffer.set_style(area, theme.bar());
     let mut x = 1;
@@ -22,7 +22,7 @@ pub fn draw(model: &Model, live: Vec<(String, &str)>, area: Rect, buffer: &mut B
         put(buffer, area, (x, 0), &text, theme.bar_strong());
         return;
     }
-    if let Some(Overlay::Question(question)) = &model.overlay {
+    if let Some(Overlay::Prompt(question)) = &model.overlay {
         x = put(buffer, area, (x, 0), &question.brief(), theme.bar_strong()) + 2;
     }
     if let Some(writing) = writing(&model.page) {

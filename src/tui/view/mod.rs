@@ -19,5 +19,14 @@ pub mod threshold;
 /// The smallest screen that shows anything but a request for a larger one.
 pub const SMALLEST: (u16, u16) = (60, 20);
 
-/// Said once, plainly.
+/// What the program is for, shown on the main screen and in the help.
 pub const PURPOSE: &str = "Research and education, not diagnosis";
+
+/// What is left of an area below its first rows.
+pub fn below(area: ratatui::layout::Rect, rows: u16) -> ratatui::layout::Rect {
+    ratatui::layout::Rect {
+        y: area.y + rows,
+        height: area.height.saturating_sub(rows),
+        ..area
+    }
+}

@@ -3,16 +3,16 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::tui::line::Line;
-use crate::tui::model::Model;
-use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::line::TextLine;
+use crate::tui::model::AppModel;
+use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::text::{fitted, put, wrapped};
+use crate::tui::view::text::{fitted, put, put_lines, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::view::{picker, threshold};
 
 /// Draws what is in front, if anything is; the keys are drawn by who knows them all.
-pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     match &model.overlay {
         None | Some(Overlay::Help(_)) => {}
         Some(Overlay::Picker(picker)) => picker::draw(model, picker, area, buffer),
@@ -20,14 +20,14 @@ pub fn draw(model: &Model, area: Rect, buffer: &mut Buffer) {
         Some(Overlay::Name(naming, name, error)) => {
             typed_name(model, naming, (name, error.as_deref()), area, buffer);
         }
-        Some(Overlay::Question(question)) => ask(model, question, area, buffer),
+        Some(Overlay::Prompt(question)) => ask(model, question, area, buffer),
     }
 }
 
 fn typed_name(
-    model: &Model,
+    model: &AppModel,
     naming: &Naming,
-    (name, error): (&Line, Option<&str>),
+    (name, error): (&TextLine, Option<&str>),
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -41,19 +41,16 @@ fn typed_name(
     let field = Rect::new(inside.x + 6, inside.y, inside.width - 6, 1);
     input(name, theme.strong(), theme.focus(), field, buffer);
     if let Some(error) = error {
-        for (i, line) in wrapped(error, usize::from(inside.width)).iter().enumerate() {
-            put(buffer, inside, (0, 2 + i as u16), line, theme.error());
-        }
+        let lines = &wrapped(error, usize::from(inside.width));
+        put_lines(buffer, inside, (0, 2), lines, theme.error());
     }
 }
 
-fn ask(model: &Model, question: &Question, area: Rect, buffer: &mut Buffer) {
+fn ask(model: &AppModel, question: &Prompt, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let inside = frame("Sure?", (50, 6), theme, area, buffer);
     let lines = wrapped(&question.text(), usize::from(inside.width));
-    for (i, line) in lines.iter().enumerate() {
-        put(buffer, inside, (0, i as u16), line, theme.text());
-    }
+    put_lines(buffer, inside, (0, 0), &lines, theme.text());
     let keys = "Enter or y: yes   Esc or n: no";
     put(buffer, inside, (0, 3), keys, theme.strong());
 }

@@ -1,9 +1,10 @@
-//! Which colour plays which role: a theme for dark grounds, one for light ones and one of 16 colours, and a person's
-//! own colours over them.
+//! Which colour plays which role: a theme for dark grounds, one for light ones and one of 16
+//! colours, and a person's own colours over them.
 //!
-//! The themes are made by hand. Of the 256 every role has a contrast of 4.5 at least, on black and on the bar, or
-//! on a near white and on its bar. The sixteen are those that stay legible on both grounds (bright black and blue
-//! do not); a role without one of them is told by bold, dim or reverse.
+//! The themes are made by hand. Of the 256 every role has a contrast of 4.5 at least, on black and
+//! on the bar, or on a near white and on its bar. The sixteen are those that stay legible on both
+//! grounds (bright black and blue do not); a role without one of them is told by bold, dim or
+//! reverse.
 
 use clap::ValueEnum;
 use ratatui::style::Color;
@@ -26,8 +27,8 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Whether it is light. Some terminals say so in `COLORFGBG`, whose last part is the ground's place among the
-    /// sixteen colours.
+    /// Whether it is light. Some terminals say so in `COLORFGBG`, whose last part is the ground's
+    /// place among the sixteen colours.
     pub fn is_light(self, env: impl Fn(&str) -> Option<String>) -> bool {
         let told = || {
             let behind = env("COLORFGBG")?.rsplit(';').next()?.parse::<u8>().ok()?;
@@ -41,8 +42,8 @@ impl Ground {
     }
 }
 
-/// A colour by its place among the 256, the first of which are the [`SIXTEEN`]; none is left to the theme, or to
-/// the terminal.
+/// A colour by its place among the 256, the first of which are the [`SIXTEEN`]; none is left to
+/// the theme, or to the terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Colour(pub Option<u8>);
 
@@ -181,8 +182,8 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// The colour of every role; none where there are no colours, or none of the sixteen. One's own of the 256
-    /// counts where there are so many.
+    /// The colour of every role; none where there are no colours, or none of the sixteen. One's
+    /// own of the 256 counts where there are so many.
     pub fn colours(&self, depth: Depth) -> Colours {
         match depth {
             Depth::Mono => Colours::default(),
@@ -215,10 +216,11 @@ const HOT_16: [Color; 5] = [
 ];
 /// Of the same map, what can be read on black.
 const HOT_DARK: [Color; 7] = indexed([196, 202, 208, 214, 220, 228, 231]);
-/// Of the same map backwards, what can be read on white: the hottest is what stands out most on both grounds.
+/// Of the same map backwards, what can be read on white: the hottest is what stands out most on
+/// both grounds.
 const HOT_LIGHT: [Color; 5] = indexed([160, 124, 88, 52, 16]);
-/// The upper half of cividis (Nunez, Anderton and Renslow 2018, doi:10.1371/journal.pone.0199239): the nearest of
-/// the 256 in even steps of lightness.
+/// The upper half of cividis (Nunez, Anderton and Renslow 2018, doi:10.1371/journal.pone.0199239):
+/// the nearest of the 256 in even steps of lightness.
 const CIVIDIS_DARK: [Color; 5] = indexed([243, 246, 144, 185, 227]);
 /// The lower half of the same backwards, from grey to its dark blue.
 const CIVIDIS_LIGHT: [Color; 4] = indexed([242, 239, 236, 17]);

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::choices::Choice;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::picker::{Picker, facts};
 use crate::tui::view::chart::mark;
 use crate::tui::view::popup::{frame, input};
@@ -28,7 +28,7 @@ const WELCOME: [&str; 2] = [
 ];
 
 /// Draws the list in the middle of `area`.
-pub fn draw(model: &Model, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+pub fn draw(model: &AppModel, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let title = match picker {
         _ if picker.first => "What hit the eye?",

@@ -3,8 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Clear, Widget};
 
-use crate::tui::line::Line;
+use crate::plain_text::printable;
+use crate::tui::line::TextLine;
 use crate::tui::view::text::{put, width};
 use crate::tui::view::theme::Theme;
 
@@ -26,35 +29,19 @@ pub fn frame(
         wide,
         high,
     );
-    for y in 0..high {
-        let blank = " ".repeat(usize::from(wide));
-        for x in 0..wide {
-            buffer[(place.x + x, place.y + y)].reset();
-        }
-        let line = match y {
-            0 => format!("┌{}┐", "─".repeat(usize::from(wide) - 2)),
-            _ if y == high - 1 => format!("└{}┘", "─".repeat(usize::from(wide) - 2)),
-            _ => blank,
-        };
-        put(buffer, place, (0, y), &line, theme.line());
-        if y > 0 && y < high - 1 {
-            put(buffer, place, (0, y), "│", theme.line());
-            put(buffer, place, (wide - 1, y), "│", theme.line());
-        }
-    }
-    put(
-        buffer,
-        place,
-        (2, 0),
-        &format!(" {title} "),
-        theme.heading(),
-    );
+    let title = Line::from(vec![
+        Span::styled("─", theme.line()),
+        Span::styled(format!(" {} ", printable(title)), theme.heading()),
+    ]);
+    Clear.render(place, buffer);
+    let block = Block::bordered().style(theme.line()).title(title);
+    block.render(place, buffer);
     Rect::new(place.x + 2, place.y + 1, wide - MARGIN, high - 2)
 }
 
-/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is selected
-/// looks like that.
-pub fn input(line: &Line, style: Style, cursor: Style, area: Rect, buffer: &mut Buffer) {
+/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is
+/// selected looks like that.
+pub fn input(line: &TextLine, style: Style, cursor: Style, area: Rect, buffer: &mut Buffer) {
     let input = &line.input;
     let style = if line.selected { cursor } else { style };
     let room = usize::from(area.width.saturating_sub(1));

@@ -33,7 +33,7 @@ impl Ink {
         }
     }
 
-    /// The same with gaps.
+    /// This ink for a line that sets every `every`-th dot only.
     #[must_use]
     pub fn dotted(self, every: u8) -> Self {
         Self { every, ..self }

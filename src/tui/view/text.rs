@@ -26,6 +26,19 @@ pub fn put(buffer: &mut Buffer, area: Rect, at: (u16, u16), text: &str, style: S
     end - area.x
 }
 
+/// Writes lines under one another, each beginning at column `x`, the first in row `y` of `area`.
+pub fn put_lines<T: AsRef<str>>(
+    buffer: &mut Buffer,
+    area: Rect,
+    (x, y): (u16, u16),
+    lines: impl IntoIterator<Item = T>,
+    style: Style,
+) {
+    for (y, line) in (y..).zip(lines) {
+        put(buffer, area, (x, y), line.as_ref(), style);
+    }
+}
+
 /// Writes `text` so that it ends before column `right` of `area`.
 pub fn put_right(
     buffer: &mut Buffer,
@@ -38,8 +51,8 @@ pub fn put_right(
     put(buffer, area, (left, y), text, style);
 }
 
-/// Writes the first heading that there is room for at the left of the first row, or else the last one, and, cut to
-/// the room that is left, a text at its right.
+/// Writes the first heading that there is room for at the left of the first row, or else the last
+/// one, and, cut to the room that is left, a text at its right.
 pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&[&str], Style), right: (&str, Style)) {
     let fits = |text: &&&str| width(text) + width(right.0) + 4 <= area.width;
     let (headings, style) = left;

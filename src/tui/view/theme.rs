@@ -1,5 +1,5 @@
-//! How each role looks: its colour from the [palette](crate::tui::view::palette), bold where it must stand out, and without
-//! colours bold, dim, underline and reverse alone.
+//! How each role looks: its colour from the [palette](crate::tui::view::palette), bold where it
+//! must stand out, and without colours bold, dim, underline and reverse alone.
 
 use ratatui::style::{Color, Modifier, Style};
 

@@ -6,14 +6,14 @@ use ratatui::style::Style;
 
 use crate::report::threshold::{brief, never};
 use crate::tui::form::typed_text;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::threshold::Asking;
 use crate::tui::view::popup::{frame, input};
 use crate::tui::view::text::{flag_name, put, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Draws it in the middle of `area`.
-pub fn draw(model: &Model, asking: &Asking, area: Rect, buffer: &mut Buffer) {
+pub fn draw(model: &AppModel, asking: &Asking, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let field = asking.field;
     let (label, unit) = (field.label.to_lowercase(), field.unit);

@@ -2,7 +2,7 @@
 
 use crate::tui::app::driven::{letter, opened};
 use crate::tui::app::tables;
-use crate::tui::app::tables::{clash, live, open_to_choice};
+use crate::tui::app::tables::{clash, footer_keys, open_to_choice};
 use crate::tui::app::update::{Message, update};
 use crate::tui::keys::Key;
 use crate::tui::keys::chosen::Keys;
@@ -71,7 +71,7 @@ fn a_chosen_key_does_it_and_is_shown_and_the_usual_one_no_longer() {
         .choose(binding("help"), vec![Press::read("Ctrl-X").unwrap()]);
     letter(&mut app, '?');
     assert!(app.model.overlay.is_none());
-    assert!(live(&app).contains(&("Ctrl-X".to_owned(), "keys")));
+    assert!(footer_keys(&app).contains(&("Ctrl-X".to_owned(), "keys")));
     let press = KeyEvent::new(KeyCode::Char('x'), KeyModifiers::CONTROL);
     update(&mut app, Message::Key(press));
     assert!(app.model.overlay.is_some());

@@ -5,12 +5,11 @@ use crate::run::watch::unwatched;
 use crate::scenario::Scenario;
 use crate::tui::app::App;
 use crate::tui::app::driven::{asked, key, letter, opened};
-use crate::tui::app::tables::live;
+use crate::tui::app::tables::footer_keys;
 use crate::tui::app::update::{Message, begin, update};
-use crate::tui::ensemble::MANY;
-use crate::tui::ensemble::{FEW, RunSamples};
+use crate::tui::ensemble::{FEW, MANY, RunSamples};
 use crate::tui::outbox::Effect;
-use crate::tui::request::{Question, Report};
+use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::screens::doubt::Doubt;
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crossterm::event::KeyCode;
@@ -35,7 +34,7 @@ fn idle_model() -> (App, (u64, RunSamples)) {
     (app, asked)
 }
 
-/// So many samples, so far or in the end.
+/// An ensemble of so many samples, unfinished or finished.
 fn tell(
     app: &mut App,
     (ticket, question): &(u64, RunSamples),
@@ -106,7 +105,7 @@ fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
     let report = Report::progress(asked.0, 0.3, Duration::ZERO);
     update(&mut app, Message::News(report));
     assert_eq!(app.model.ensemble.pace().unwrap(), "300 of 1000");
-    let offered = |app: &App| live(app).iter().any(|(_, word)| *word == "go on");
+    let offered = |app: &App| footer_keys(app).iter().any(|(_, word)| *word == "go on");
     assert!(!offered(&app), "it runs");
     assert_eq!(key(&mut app, KeyCode::Esc), [Effect::Stop(asked.0)]);
     tell(&mut app, &asked, 32, true);

@@ -1,13 +1,12 @@
 //! That no key means two things, and that every place can be left.
 
-use crate::tui::app::App;
 use crate::tui::app::driven::opened;
-use crate::tui::app::tables;
 use crate::tui::app::update::{Message, update};
-use crate::tui::form::Row;
+use crate::tui::app::{App, tables};
+use crate::tui::form::FormRow;
 use crate::tui::keys::begins_value;
 use crate::tui::outbox::Effect;
-use crate::tui::overlay::{Naming, Overlay, Question};
+use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::picker::Picker;
 use crate::tui::screens::SCREENS;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -25,13 +24,13 @@ fn every_place() -> Vec<App> {
     }
     let mut app = opened();
     let force = crate::scenario::fields::find("impact.force_n").unwrap();
-    app.model.form.selected = Row::Field(force);
+    app.model.form.selected = FormRow::Field(force);
     models.push(app);
     for overlay in [
         Overlay::Help(0),
         Overlay::Picker(Picker::default()),
-        Overlay::Name(Naming::Save, crate::tui::line::Line::default(), None),
-        Overlay::Question(Question::Quit { kept: false }),
+        Overlay::Name(Naming::Save, crate::tui::line::TextLine::default(), None),
+        Overlay::Prompt(Prompt::Quit { kept: false }),
     ] {
         let mut app = opened();
         app.model.overlay = Some(overlay);

@@ -10,8 +10,7 @@ use crate::tui::app::update::{Message, update};
 use crate::tui::outbox::Effect;
 use crate::tui::request::Report;
 use crate::tui::screens::map::is_void_there;
-use crate::tui::screens::map::state::DrawMap;
-use crate::tui::screens::map::state::Map;
+use crate::tui::screens::map::state::{DrawMap, Map};
 use crate::tui::simulation::Simulate;
 use crossterm::event::KeyCode;
 

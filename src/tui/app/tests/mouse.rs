@@ -1,10 +1,11 @@
 //! What the mouse does.
 
-use crate::scenario::{Impact, fields};
+use crate::scenario::Impact;
 use crate::tui::app::App;
-use crate::tui::app::driven::{asked, begun};
+use crate::tui::app::driven::asked;
+use crate::tui::app::tests::app;
 use crate::tui::app::update::{Message, update};
-use crate::tui::form::Row;
+use crate::tui::form::FormRow;
 use crate::tui::outbox::Effect;
 use crate::tui::screens::compare::comparison::Comparison;
 use crate::tui::simulation::Simulate;
@@ -13,12 +14,6 @@ use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 const SIZE: (u16, u16) = (80, 24);
-
-fn app() -> App {
-    let mut app = begun();
-    app.model.form.selected = Row::Field(fields::find("impact.force_n").unwrap());
-    app
-}
 
 fn does(app: &mut App, kind: MouseEventKind, at: (u16, u16)) -> Vec<Effect> {
     let event = MouseEvent {
@@ -71,7 +66,7 @@ fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
 fn a_click_chooses_a_row_and_another_one_opens_it() {
     let mut app = app();
     does(&mut app, Down(Left), (5, 5));
-    let Row::Field(field) = app.model.form.selected else {
+    let FormRow::Field(field) = app.model.form.selected else {
         panic!()
     };
     assert_eq!(field.path, "impact.duration_ms");
@@ -89,11 +84,11 @@ fn the_wheel_goes_through_the_rows_of_the_form_and_changes_none() {
     for _ in 0..30 {
         does(&mut app, ScrollDown, (5, 4));
     }
-    assert!(app.model.form.selected == Row::Fold);
+    assert!(app.model.form.selected == FormRow::Fold);
     for _ in 0..30 {
         does(&mut app, ScrollUp, (5, 4));
     }
-    assert!(app.model.form.selected == Row::Preset && app.model.work == before);
+    assert!(app.model.form.selected == FormRow::Preset && app.model.work == before);
 }
 
 #[test]

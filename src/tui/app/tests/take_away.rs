@@ -6,7 +6,7 @@ use crate::tui::app::driven::{asked, letter, opened};
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::outbox::Effect;
 use crate::tui::page::{WritePage, writing};
-use crate::tui::request::{Question, Report};
+use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::simulation::Simulate;
 
 /// Opened, and its answer there.

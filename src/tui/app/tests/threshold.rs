@@ -11,12 +11,12 @@ use crate::scenario::library::find;
 use crate::tui::app::App;
 use crate::tui::app::driven::{asked, key, letter, opened};
 use crate::tui::app::update::{Message, update};
-use crate::tui::form::Row;
+use crate::tui::form::FormRow;
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::Overlay;
-use crate::tui::request::Question as _;
 use crate::tui::request::Report;
-use crate::tui::shown::Shown;
+use crate::tui::request::TaskQuestion as _;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::threshold::{Asking, FindThreshold};
 use crossterm::event::KeyCode;
 
@@ -26,8 +26,8 @@ fn bb() -> App {
     let scenario = find("bb-56").unwrap().scenario().unwrap();
     app.model.work.scenario = scenario.clone();
     let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    app.model.shown = Some(Shown::new(scenario, answer));
-    app.model.form.selected = Row::Field(fields::find("impact.speed_m_s").unwrap());
+    app.model.shown = Some(ShownAnswer::new(scenario, answer));
+    app.model.form.selected = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
     app
 }
 
@@ -101,10 +101,10 @@ fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     key(&mut app, KeyCode::Enter);
     assert!(asking(&app).error.is_some() && asking(&app).task.job.is_none());
     key(&mut app, KeyCode::Esc);
-    app.model.form.selected = Row::Preset;
+    app.model.form.selected = FormRow::Preset;
     letter(&mut app, 't');
     assert!(app.model.overlay.is_none() && app.model.notice.is_some());
-    app.model.form.selected = Row::Field(fields::find("impact.speed_m_s").unwrap());
+    app.model.form.selected = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
     app.model.shown = None;
     letter(&mut app, 't');
     assert!(app.model.overlay.is_none());

@@ -61,7 +61,7 @@ fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
 fn enter_takes_the_next_of_a_few_choices() {
     let mut app = app();
     let shape = fields::find("impact.shape").unwrap();
-    app.model.form.selected = Row::Field(shape);
+    app.model.form.selected = FormRow::Field(shape);
     press(&mut app, "\r");
     assert_eq!(shape.text(&app.model.work.scenario).unwrap(), "Triangle");
     assert!(app.model.form.typing.is_none());
@@ -127,7 +127,7 @@ fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
 #[test]
 fn what_the_form_shows_can_be_typed() {
     let mut app = app();
-    let field = |path| Row::Field(fields::find(path).unwrap());
+    let field = |path| FormRow::Field(fields::find(path).unwrap());
     press(&mut app, "a");
     app.model.form.selected = field("numerics.step_us");
     press(&mut app, "2\r");
@@ -188,8 +188,8 @@ fn a_digit_begins_a_value_where_a_number_is_wanted() {
 #[test]
 fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
     let mut app = app();
-    let shape = Row::Field(fields::find("impact.shape").unwrap());
-    for row in [Row::Preset, Row::Fold, shape] {
+    let shape = FormRow::Field(fields::find("impact.shape").unwrap());
+    for row in [FormRow::Preset, FormRow::Fold, shape] {
         app.model.form.selected = row;
         let before = app.model.work.clone();
         for digit in "0123456789".chars() {

@@ -2,14 +2,14 @@
 
 /// A logarithmic axis between two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
+pub struct LogAxis {
     /// Common logarithm of its beginning.
     pub low: f64,
     /// Common logarithm of its end.
     pub high: f64,
 }
 
-impl Axis {
+impl LogAxis {
     /// Wide enough for all values, with a margin.
     pub fn over(values: impl Iterator<Item = f64>) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -74,10 +74,10 @@ mod tests {
 
     #[test]
     fn ticks_are_powers_of_ten_where_there_are_many_and_have_short_names() {
-        let axis = Axis::over([1e-6, 30.0].into_iter());
+        let axis = LogAxis::over([1e-6, 30.0].into_iter());
         assert_eq!(axis.ticks(4).len(), 4);
         assert!(axis.ticks(4).iter().all(|t| (t.log10() % 1.0).abs() < 1e-9));
-        let narrow = Axis::over([1.1, 4.0].into_iter());
+        let narrow = LogAxis::over([1.1, 4.0].into_iter());
         assert_eq!(narrow.ticks(5), [1.0, 2.0]);
         let labels = [1e-6, 1e-3, 0.02, 0.1, 1.0, 50.0].map(tick_label);
         assert_eq!(labels, ["1e-6", "0.001", "0.02", "0.1", "1", "50"]);
@@ -85,7 +85,10 @@ mod tests {
 
     #[test]
     fn an_axis_over_one_value_or_none_still_has_a_length() {
-        for axis in [Axis::over([3.0].into_iter()), Axis::over([0.0].into_iter())] {
+        for axis in [
+            LogAxis::over([3.0].into_iter()),
+            LogAxis::over([0.0].into_iter()),
+        ] {
             assert!(axis.high > axis.low && axis.share(3.0).is_finite());
         }
     }

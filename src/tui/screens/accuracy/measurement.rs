@@ -7,17 +7,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
-use crate::many::accuracy::finest_tried;
-use crate::many::accuracy::measure;
+use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
 use crate::report::text::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{NumericsInput, Scenario};
-use crate::tui::request::{Question, Report};
+use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::step::Step;
 use crate::tui::task::Task;
 
@@ -35,7 +31,7 @@ pub struct MeasureAccuracy {
     known: Option<Arc<Accuracy>>,
 }
 
-impl Question for MeasureAccuracy {
+impl TaskQuestion for MeasureAccuracy {
     type Answer = Accuracy;
 
     fn answer(&self, watch: Watch) -> Result<Accuracy, Refusal> {
@@ -56,7 +52,7 @@ impl Question for MeasureAccuracy {
     }
 }
 
-/// What of a scenario matters.
+/// The scenario without what the measurement varies: level, integrator and step.
 fn key(scenario: &Scenario) -> Scenario {
     let mut key = Scenario {
         // No name would be refused.
@@ -174,8 +170,8 @@ impl Measurement {
         }
     }
 
-    /// Something more exact than the scenario is solved now, or something faster; an error says why
-    /// there is none, and nothing that too little is known yet.
+    /// Something more exact than the scenario is solved now, or something faster; an error says
+    /// why there is none, and nothing that too little is known yet.
     pub fn proposal(&self, scenario: &Scenario, exact: bool) -> Option<Result<Proposal, String>> {
         let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
         let shown = known.of(of);

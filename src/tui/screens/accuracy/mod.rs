@@ -11,8 +11,8 @@ use ratatui::layout::Rect;
 use crate::tui::changes::edit::adopt;
 use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
-use crate::tui::model::Model;
-use crate::tui::overlay::{Overlay, Question};
+use crate::tui::model::AppModel;
+use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
@@ -41,13 +41,13 @@ const KEYS: PaneKeys<Measurement> = PaneKeys::new(ABOUT.title, &[
 ]);
 
 impl Screen for Measurement {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         view::draw(self, model, area, buffer);
     }
 
-    /// Measures while the screen is on show what is not known yet; asks what was wished for once it
-    /// is known.
-    fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
+    /// Measures while the screen is on show what is not known yet; asks what was wished for once
+    /// it is known.
+    fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         let scenario = &model.work.scenario;
         let free = on_show && self.complaint(scenario).is_none();
         let wanted = self.lacking(scenario).filter(|_| free);
@@ -68,7 +68,7 @@ impl Screen for Measurement {
         }
     }
 
-    fn take_report(&mut self, _: &mut Model, report: &mut Option<Report>) {
+    fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
         self.take_measured(report);
     }
 
@@ -76,11 +76,11 @@ impl Screen for Measurement {
         self.task.job.is_some()
     }
 
-    fn cancel(&mut self, model: &mut Model) -> bool {
+    fn cancel(&mut self, model: &mut AppModel) -> bool {
         self.task.stop(Some("stopped"), &mut model.out)
     }
 
-    fn propose(&mut self, model: &mut Model, exact: bool) -> Option<bool> {
+    fn propose(&mut self, model: &mut AppModel, exact: bool) -> Option<bool> {
         if let Some(found) = self.proposal(&model.work.scenario, exact) {
             ask(model, found);
             return Some(false);
@@ -91,7 +91,7 @@ impl Screen for Measurement {
         Some(true)
     }
 
-    fn mouse(&mut self, model: &mut Model, mouse: Mouse, _: Rect) -> bool {
+    fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, _: Rect) -> bool {
         if let Mouse::Wheel(_, by) = mouse {
             self.step(&model.work.scenario, by.reversed());
         }
@@ -108,7 +108,7 @@ impl Measurement {
     }
 
     /// Gives the scenario level, integrator and step of the point under the cursor.
-    fn adopt_chosen(&mut self, model: &mut Model) {
+    fn adopt_chosen(&mut self, model: &mut AppModel) {
         let shown = self.shown(&model.work.scenario);
         if let Some(total) = shown.get(self.place(&shown)) {
             adopt(model, adopted(&model.work.scenario, total));
@@ -117,11 +117,11 @@ impl Measurement {
 }
 
 /// Asks whether to do what was found, or says why nothing was.
-fn ask(model: &mut Model, found: Result<Proposal, String>) {
+fn ask(model: &mut AppModel, found: Result<Proposal, String>) {
     match found {
         Ok(Proposal { words, scenario }) => {
-            let question = Question::Adopt(words, Box::new(scenario));
-            model.overlay = Some(Overlay::Question(question));
+            let question = Prompt::Adopt(words, Box::new(scenario));
+            model.overlay = Some(Overlay::Prompt(question));
         }
         Err(why) => model.notice = Some(why),
     }

@@ -8,20 +8,17 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::ROUNDS;
-use crate::many::accuracy::TOLERANCES;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
+use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::report::text::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::look::Look;
-use crate::tui::model::Model;
-use crate::tui::screens::accuracy::log_axis::{Axis, tick_label};
+use crate::tui::model::AppModel;
+use crate::tui::screens::accuracy::log_axis::{LogAxis, tick_label};
 use crate::tui::screens::accuracy::measurement::Measurement;
+use crate::tui::view::chart::axis_lines;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{flowed, put, put_both, put_right, width, wrapped};
+use crate::tui::view::text::{flowed, put, put_both, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the error axis.
@@ -45,7 +42,7 @@ fn style(theme: Theme, total: &Total) -> Style {
 }
 
 /// Draws the screen.
-pub fn draw(accuracy: &Measurement, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let scenario = &model.work.scenario;
     let shown = accuracy.shown(scenario);
@@ -65,9 +62,8 @@ pub fn draw(accuracy: &Measurement, model: &Model, area: Rect, buffer: &mut Buff
         shown.is_empty(),
     ) else {
         let text = waiting(accuracy, model);
-        for (row, line) in (2..).zip(wrapped(&text, usize::from(room))) {
-            put(buffer, area, (1, row), &line, theme.text());
-        }
+        let lines = wrapped(&text, usize::from(room));
+        put_lines(buffer, area, (1, 2), lines, theme.text());
         return;
     };
     let here = accuracy.place(&shown);
@@ -95,7 +91,7 @@ pub fn draw(accuracy: &Measurement, model: &Model, area: Rect, buffer: &mut Buff
 }
 
 /// What stands in place of the chart before there is one.
-fn waiting(accuracy: &Measurement, model: &Model) -> String {
+fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
     match accuracy.of(&model.work.scenario) {
         known if accuracy.task.job.is_some() => {
             let levels = known.map_or(0, |known| known.levels.len());
@@ -114,7 +110,7 @@ fn waiting(accuracy: &Measurement, model: &Model) -> String {
     }
 }
 
-fn status(accuracy: &Measurement, model: &Model, theme: Theme) -> (String, Style) {
+fn status(accuracy: &Measurement, model: &AppModel, theme: Theme) -> (String, Style) {
     if let Some(pace) = accuracy.task.pace(None) {
         (format!("{pace}  Esc stops"), theme.warning())
     } else if let Some(why) = accuracy.complaint(&model.work.scenario) {
@@ -199,8 +195,8 @@ fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Bu
         area.width - left - 1,
         area.height - 2,
     );
-    let times = Axis::over(shown.iter().map(|total| total.seconds * 1e3));
-    let errors = Axis::over(shown.iter().map(|total| total.error().max(FLOOR)));
+    let times = LogAxis::over(shown.iter().map(|total| total.seconds * 1e3));
+    let errors = LogAxis::over(shown.iter().map(|total| total.error().max(FLOOR)));
     axes(area, field, (times, errors), theme, buffer);
     // In cells, so that lines run from mark to mark.
     let cell = |total: &Total| {
@@ -246,15 +242,15 @@ fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Bu
     }
 }
 
-fn axes(area: Rect, field: Rect, (times, errors): (Axis, Axis), theme: Theme, buffer: &mut Buffer) {
+fn axes(
+    area: Rect,
+    field: Rect,
+    (times, errors): (LogAxis, LogAxis),
+    theme: Theme,
+    buffer: &mut Buffer,
+) {
     let bottom = field.height;
-    for y in 0..bottom {
-        put(buffer, area, (LABELS, y), "│", theme.line());
-    }
-    put(buffer, area, (LABELS, bottom), "└", theme.line());
-    for x in LABELS + 1..area.width - 1 {
-        put(buffer, area, (x, bottom), "─", theme.line());
-    }
+    axis_lines(field, theme, buffer);
     for value in errors.ticks(usize::from(field.height / 2)) {
         let y = ((1.0 - errors.share(value)) * f64::from(field.height - 1)).round() as u16;
         let label = tick_label(value);

@@ -5,11 +5,7 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
-use crate::many::comparison::Column;
-use crate::many::comparison::Entry;
-use crate::many::comparison::Found;
-use crate::many::comparison::columns;
-use crate::many::comparison::order;
+use crate::many::comparison::{Column, Entry, Found, columns, order};
 use crate::report;
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
@@ -17,8 +13,8 @@ use crate::run::refusal::Refusal;
 use crate::run::trace::{OtherTrace, Trace};
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
-use crate::tui::request::Question;
-use crate::tui::shown::Shown;
+use crate::tui::request::TaskQuestion;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{EstimateMesh, Simulate};
 use crate::tui::task::Task;
 use crate::tui::work::brief;
@@ -42,7 +38,7 @@ pub struct SimulateMarked {
     pub scenario: Scenario,
 }
 
-impl Question for SimulateMarked {
+impl TaskQuestion for SimulateMarked {
     type Answer = Answer;
 
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
@@ -59,7 +55,7 @@ pub struct EstimateMarked {
     pub mesh: EstimateMesh,
 }
 
-impl Question for EstimateMarked {
+impl TaskQuestion for EstimateMarked {
     type Answer = MeshError;
 
     fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
@@ -118,7 +114,7 @@ fn first_contact(traces: &Traces) -> f64 {
 }
 
 /// A marked scenario, with what pictures are made of.
-pub type Marked = Entry<Box<Shown>>;
+pub type Marked = Entry<Box<ShownAnswer>>;
 
 /// The comparison.
 #[derive(Debug, Default)]
@@ -191,7 +187,7 @@ impl Comparison {
     }
 
     /// Takes in the mesh error of an entry, or that it has none.
-    pub fn take_mesh(&mut self, asked: &EstimateMarked, mesh: Option<MeshError>) {
+    pub fn set_mesh_error(&mut self, asked: &EstimateMarked, mesh: Option<MeshError>) {
         let mut entries = self.entries.iter_mut();
         let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.mesh.scenario;
         let Some(entry) = entries.find(same) else {
@@ -211,7 +207,7 @@ impl Comparison {
     }
 
     /// Takes in what came of an entry.
-    pub fn take(&mut self, name: &str, found: Found<Box<Shown>>) {
+    pub fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
         if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
             entry.found = found;
         }
@@ -306,7 +302,10 @@ mod tests {
             comparison.mark(name, &scenario).unwrap();
             let checked = scenario.check().unwrap();
             let answer = solve(&checked, Keep::default(), &mut unwatched).unwrap();
-            comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
+            comparison.set_found(
+                name,
+                Found::Answer(ShownAnswer::new(scenario, answer).into()),
+            );
         }
         comparison
     }
@@ -361,7 +360,10 @@ mod tests {
                 frames: None,
             };
             let answer = solve(&checked, keep, &mut unwatched).unwrap();
-            comparison.take(name, Found::Answer(Shown::new(scenario, answer).into()));
+            comparison.set_found(
+                name,
+                Found::Answer(ShownAnswer::new(scenario, answer).into()),
+            );
         }
         let rupture = Column::Result(Quantity::GlobeRupture);
         assert_eq!(comparison.columns()[1], rupture);

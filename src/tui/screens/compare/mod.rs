@@ -18,14 +18,14 @@ use crate::scenario::Scenario;
 use crate::tui::choices::Choice;
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::{Model, Timed};
+use crate::tui::model::{AppModel, Timed};
 use crate::tui::overlay::Overlay;
 use crate::tui::picker::{PAGE, Picker};
 use crate::tui::request::Report;
 use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FrameKeys;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::Shown;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::EstimateMesh;
 use crate::tui::work::Work;
 use comparison::{
@@ -56,12 +56,12 @@ impl Panes for Comparison {
 
 #[rustfmt::skip]
 const LIST_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: presets", &[
-    bind(&[UP, c('k')], |s, m| s.go(m, -1), "preset", "the preset above"),
-    bind(&[DOWN, c('j')], |s, m| s.go(m, 1), "&", "the preset below"),
-    bind(&[PAGE_UP], |s, m| s.go(m, -PAGE), "", "ten presets up"),
-    bind(&[PAGE_DOWN], |s, m| s.go(m, PAGE), "", "ten presets down"),
-    bind(&[HOME], |s, m| s.go(m, -i16::MAX), "", "the first preset"),
-    bind(&[END], |s, m| s.go(m, i16::MAX), "", "the last preset"),
+    bind(&[UP, c('k')], |s, m| s.move_cursor(m, -1), "preset", "the preset above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |s, m| s.move_cursor(m, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |s, m| s.move_cursor(m, PAGE), "", "ten presets down"),
+    bind(&[HOME], |s, m| s.move_cursor(m, -i16::MAX), "", "the first preset"),
+    bind(&[END], |s, m| s.move_cursor(m, i16::MAX), "", "the last preset"),
     bind(&[c(' '), ENTER], Comparison::mark_row, "mark", "mark or unmark, two to six in all"),
     bind(&[c('/')], Comparison::find, "find", "find presets by letters, and mark them"),
 ]);
@@ -85,7 +85,7 @@ const ALIGN: Binding<Act<Comparison>> = bind(
 );
 
 impl Screen for Comparison {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         view::draw(self, model, area, buffer);
     }
 
@@ -98,7 +98,7 @@ impl Screen for Comparison {
     }
 
     /// Marks what the app was opened on if that is several, and puts the table in front.
-    fn opened_on(&mut self, model: &mut Model, works: &[Work]) {
+    fn opened_on(&mut self, model: &mut AppModel, works: &[Work]) {
         if works.len() < 2 {
             return;
         }
@@ -118,7 +118,7 @@ impl Screen for Comparison {
 
     /// Simulates the marked scenarios one after another while they are on show, and then estimates
     /// their mesh errors; stops what nobody waits for.
-    fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
+    fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         if on_show {
             self.replace(FORM, &model.work.scenario);
         }
@@ -157,19 +157,19 @@ impl Screen for Comparison {
         }
     }
 
-    fn take_report(&mut self, _: &mut Model, report: &mut Option<Report>) {
+    fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
         if let Some((asked, mesh)) = self.mesh.take_report(report) {
-            self.take_mesh(&asked, mesh);
+            self.set_mesh_error(&asked, mesh);
         }
         let Some((asked, outcome)) = self.task.take_report(report) else {
             return;
         };
         let why = self.task.complaint.take().map(|(_, why)| why);
         let found = match outcome {
-            Some(answer) => Found::Answer(Shown::new(asked.scenario.clone(), answer).into()),
+            Some(answer) => Found::Answer(ShownAnswer::new(asked.scenario.clone(), answer).into()),
             None => Found::Refused(why.unwrap_or_default()),
         };
-        self.take(&asked.name, found);
+        self.set_found(&asked.name, found);
     }
 
     fn is_busy(&self) -> bool {
@@ -177,11 +177,11 @@ impl Screen for Comparison {
     }
 
     /// Gives up what is under way; the rest is not begun either.
-    fn cancel(&mut self, model: &mut Model) -> bool {
+    fn cancel(&mut self, model: &mut AppModel) -> bool {
         if let Some(job) = &self.mesh.job {
             let asked = job.question.clone();
             self.mesh.stop(None, &mut model.out);
-            self.take_mesh(&asked, None);
+            self.set_mesh_error(&asked, None);
             return true;
         }
         let Some(job) = &self.task.job else {
@@ -190,12 +190,12 @@ impl Screen for Comparison {
         let name = job.question.name.clone();
         self.task.stop(None, &mut model.out);
         let words = "stopped: unmark and mark it again".to_owned();
-        self.take(&name, Found::Refused(words));
+        self.set_found(&name, Found::Refused(words));
         true
     }
 
     /// Marks the choice of this place, or unmarks it, and makes room for the next name.
-    fn mark_choice(&mut self, model: &mut Model, place: usize) {
+    fn mark_choice(&mut self, model: &mut AppModel, place: usize) {
         let Some(choice) = model.choices.get(place) else {
             return;
         };
@@ -208,7 +208,7 @@ impl Screen for Comparison {
     }
 
     /// Points at the names of the panes and at rows of the list.
-    fn mouse(&mut self, model: &mut Model, mouse: Mouse, area: Rect) -> bool {
+    fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
         match mouse {
             Mouse::Press(at) => {
                 if let Some(pane) = view::heading_at(area, at) {
@@ -223,7 +223,7 @@ impl Screen for Comparison {
             }
             Mouse::Drag(_) => {}
             Mouse::Wheel(_, step) => match self.pane {
-                LIST => self.go(model, if step.up { -1 } else { 1 }),
+                LIST => self.move_cursor(model, if step.up { -1 } else { 1 }),
                 TABLE => self.change_column(if step.up { -1 } else { 1 }),
                 _ => self.step_time(model, step.reversed()),
             },
@@ -232,12 +232,12 @@ impl Screen for Comparison {
     }
 
     /// Through the time of the first entry, as far as the longest of them goes.
-    fn timed<'a>(&'a self, model: &'a Model) -> Option<Timed<'a>> {
+    fn timed<'a>(&'a self, model: &'a AppModel) -> Option<Timed<'a>> {
         let first = self.entries.iter().find_map(|e| e.answer());
         first.zip(self.window()).or_else(|| model.timed())
     }
 
-    fn courses(&self, _: &Model) -> Vec<Trace> {
+    fn courses(&self, _: &AppModel) -> Vec<Trace> {
         match self.pane {
             REPLAYS => Vec::new(),
             _ => vec![self.curve()],
@@ -246,7 +246,7 @@ impl Screen for Comparison {
 
     /// Those of the marked entries in the order of the table, or of the form where none is; none
     /// while some are being simulated.
-    fn answers<'a>(&'a self, model: &'a Model) -> Vec<(String, &'a Shown)> {
+    fn answers<'a>(&'a self, model: &'a AppModel) -> Vec<(String, &'a ShownAnswer)> {
         if self.next().is_some() {
             return Vec::new();
         }
@@ -266,11 +266,11 @@ impl Screen for Comparison {
 
 impl Comparison {
     /// The time shown of the first entry, in s.
-    pub(super) fn time(&self, model: &Model) -> f64 {
+    pub(super) fn time(&self, model: &AppModel) -> f64 {
         model.clock.time_in(self.timed(model))
     }
 
-    fn go(&mut self, model: &Model, by: i16) {
+    fn move_cursor(&mut self, model: &AppModel, by: i16) {
         // The form stands above the presets.
         let row = self.row.saturating_add_signed(isize::from(by));
         self.row = row.min(model.choices.len());
@@ -295,7 +295,7 @@ impl Comparison {
     }
 
     /// Marks what the cursor is on, or unmarks it.
-    fn mark_row(&mut self, model: &mut Model) {
+    fn mark_row(&mut self, model: &mut AppModel) {
         // The form stands above the presets.
         let outcome = match self.row.checked_sub(1) {
             None => self.mark(FORM, &model.work.scenario),
@@ -315,7 +315,7 @@ impl Comparison {
     }
 
     /// Opens the list that is searched by letters.
-    fn find(&mut self, model: &mut Model) {
+    fn find(&mut self, model: &mut AppModel) {
         let mut picker = Picker::at(&model.choices, "");
         picker.marked = Some(self.names());
         model.overlay = Some(Overlay::Picker(picker));

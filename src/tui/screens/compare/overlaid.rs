@@ -5,17 +5,16 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::run::trace::Trace;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::{Alignment, Comparison};
-use crate::tui::view::chart::mark;
-use crate::tui::view::chart::{Chart, Curve};
+use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
 use crate::tui::view::raster::Ink;
 use crate::tui::view::theme::Theme;
 
 /// One curve of every entry in one chart.
 pub(super) fn overlaid(
     compare: &Comparison,
-    model: &Model,
+    model: &AppModel,
     course: Trace,
     area: Rect,
     buffer: &mut Buffer,
@@ -34,7 +33,7 @@ pub(super) fn overlaid(
         .map(|entry| entry.answer().and_then(shifted));
     let times: Vec<_> = times.map(Option::unwrap_or_default).collect();
     let entries = compare.entries.iter().enumerate();
-    let curves: Vec<Curve> = entries
+    let curves: Vec<TimeCurve> = entries
         .filter_map(|(i, entry)| {
             let traces = entry.answer()?.run.traces.as_ref()?;
             let values = course.values(traces);
@@ -48,7 +47,7 @@ pub(super) fn overlaid(
             } else {
                 ink
             };
-            Some(Curve {
+            Some(TimeCurve {
                 time: &times[i],
                 values,
                 factor: row.factor,
@@ -70,7 +69,7 @@ pub(super) fn overlaid(
         .collect();
     labels.sort_unstable_by(|a, b| b.cmp(a));
     labels.dedup();
-    Chart {
+    TimeChart {
         title: &format!("{}, {}", labels.join(" or "), row.unit),
         reading: &reading,
         curves,

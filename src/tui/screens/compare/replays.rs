@@ -4,18 +4,18 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::many::comparison::Found;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::Comparison;
 use crate::tui::screens::compare::view::heading;
 use crate::tui::screens::replay::pressures;
 use crate::tui::view::chart::mark;
-use crate::tui::view::eye::Scene;
+use crate::tui::view::eye::EyePicture;
 use crate::tui::view::text::{fitted, put, put_right};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
 /// Side by side, all at the same time and on the same scale of force.
-pub(super) fn replays(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(compare, model, area, "", buffer);
     let entries = &compare.entries;
@@ -58,7 +58,7 @@ pub(super) fn replays(compare: &Comparison, model: &Model, area: Rect, buffer: &
         put(buffer, place, (3, 0), &name, theme.strong());
         let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
         match &entry.found {
-            Found::Answer(shown) => Scene {
+            Found::Answer(shown) => EyePicture {
                 shown,
                 time: (compare.time(model) + compare.shift(&shown.answer))
                     .clamp(0.0, shown.answer.window()),

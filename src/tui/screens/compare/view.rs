@@ -6,19 +6,14 @@ use ratatui::layout::Rect;
 use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::{Column, Found};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
-use crate::tui::view::text::{fitted, flag_name, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
 use crate::tui::screens::compare::cell::cell;
-use crate::tui::screens::compare::comparison::Comparison;
-use crate::tui::screens::compare::comparison::FORM;
-use crate::tui::screens::compare::comparison::LIST;
-use crate::tui::screens::compare::comparison::Marked;
-use crate::tui::screens::compare::comparison::REPLAYS;
-use crate::tui::screens::compare::comparison::TABLE;
+use crate::tui::screens::compare::comparison::{Comparison, FORM, LIST, Marked, REPLAYS, TABLE};
 use crate::tui::screens::compare::overlaid::overlaid;
 use crate::tui::screens::compare::replays::replays;
 
@@ -28,7 +23,7 @@ pub const QUESTION: &str = "Which is worse?";
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
 /// Draws the screen.
-pub fn draw(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     match compare.pane {
         TABLE => with_table(compare, model, area, buffer),
         REPLAYS => replays(compare, model, area, buffer),
@@ -56,7 +51,7 @@ pub fn heading_at(area: Rect, (x, y): (u16, u16)) -> Option<usize> {
 /// The row of the list of presets at a cell.
 pub fn listed_at(
     compare: &Comparison,
-    model: &Model,
+    model: &AppModel,
     area: Rect,
     (x, y): (u16, u16),
 ) -> Option<usize> {
@@ -79,7 +74,7 @@ fn first_listed(compare: &Comparison, room: u16) -> usize {
 /// The names of the panes, and at the right how far things are, or else `text`.
 pub(super) fn heading(
     compare: &Comparison,
-    model: &Model,
+    model: &AppModel,
     area: Rect,
     text: &str,
     buffer: &mut Buffer,
@@ -121,7 +116,7 @@ fn marked(compare: &Comparison) -> String {
     format!("{} marked, w takes a page", compare.entries.len())
 }
 
-fn with_list(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(compare, model, area, &marked(compare), buffer);
     let wide = list_width(area);
@@ -154,9 +149,7 @@ fn with_list(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffe
         ];
         let room = usize::from(charts.width.saturating_sub(2));
         let lines = texts.iter().flat_map(|text| wrapped(text, room));
-        for (y, line) in (1..).zip(lines) {
-            put(buffer, charts, (1, y), &line, theme.quiet());
-        }
+        put_lines(buffer, charts, (1, 1), lines, theme.quiet());
     } else {
         overlaid(compare, model, compare.curve(), charts, buffer);
     }
@@ -165,7 +158,7 @@ fn with_list(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffe
 /// The least rows of the chart below the table.
 const CHART: u16 = 5;
 
-fn with_table(compare: &Comparison, model: &Model, area: Rect, buffer: &mut Buffer) {
+fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     heading(compare, model, area, &marked(compare), buffer);
     let count = compare.entries.len() as u16;
     let numbers = columns(compare, area);
@@ -217,7 +210,7 @@ fn columns(compare: &Comparison, area: Rect) -> Vec<(Column, u16)> {
 
 fn table(
     compare: &Comparison,
-    model: &Model,
+    model: &AppModel,
     each: u16,
     numbers: &[(Column, u16)],
     area: Rect,
@@ -262,7 +255,7 @@ fn table(
 }
 
 fn row(
-    model: &Model,
+    model: &AppModel,
     entry: &Marked,
     (place, numbers): (usize, &[(Column, u16)]),
     area: Rect,

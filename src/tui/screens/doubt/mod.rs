@@ -4,7 +4,7 @@ mod view;
 
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::TimeKeys;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -34,8 +34,8 @@ impl Panes for Doubt {
 
 #[rustfmt::skip]
 const KEYS: PaneKeys<Doubt> = PaneKeys::new("Doubt", &[
-    bind(&[UP, c('k')], |s, m| s.go(m, -1), "result", "the result above"),
-    bind(&[DOWN, c('j')], |s, m| s.go(m, 1), "&", "the result below"),
+    bind(&[UP, c('k')], |s, m| s.move_cursor(m, -1), "result", "the result above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the result below"),
 ]);
 
 /// Once Esc has stopped it.
@@ -51,7 +51,7 @@ const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys::when(
 );
 
 impl Screen for Doubt {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         view::draw(self.row, model, area, buffer);
     }
 
@@ -59,14 +59,14 @@ impl Screen for Doubt {
         MANY
     }
 
-    fn cancel(&mut self, model: &mut Model) -> bool {
+    fn cancel(&mut self, model: &mut AppModel) -> bool {
         model.ensemble.task.end(&mut model.out)
     }
 }
 
 impl Doubt {
     /// Moves to another result.
-    fn go(&mut self, model: &Model, by: isize) {
+    fn move_cursor(&mut self, model: &AppModel, by: isize) {
         let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
             return;
         };

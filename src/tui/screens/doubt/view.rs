@@ -17,10 +17,12 @@ use crate::report::text::{digits, percent};
 use crate::report::verdict::is_void;
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::injury::void;
 use crate::tui::task::Job;
-use crate::tui::view::text::{fitted, numeral, put, put_both, put_right, seen, width, wrapped};
+use crate::tui::view::text::{
+    fitted, numeral, put, put_both, put_lines, put_right, seen, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// Columns of a result's name, and of each of its three numbers.
@@ -34,7 +36,7 @@ const NOTES: u16 = 3;
 const MARGIN: f64 = 0.06;
 
 /// Draws the screen.
-pub fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let (said, style) = status(model, theme);
     let titles = [
@@ -57,9 +59,7 @@ pub fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
             lines.push(String::new());
             lines
         });
-        for (row, line) in (2..).zip(lines) {
-            put(buffer, area, (1, row), &line, theme.text());
-        }
+        put_lines(buffer, area, (1, 2), lines, theme.text());
         return;
     };
     let verdicts = model
@@ -96,13 +96,11 @@ pub fn draw(row: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
         drivers(ensemble, *of, theme, field, buffer);
     }
     let first = area.height.saturating_sub(kept);
-    for (i, line) in notes.iter().enumerate() {
-        put(buffer, area, (1, first + i as u16), line, theme.quiet());
-    }
+    put_lines(buffer, area, (1, first), &notes, theme.quiet());
 }
 
-/// The results that have bands: first the risks that are believed, the gravest first, which are the
-/// answer, then other risks, and last what means nothing here.
+/// The results that have bands: first the risks that are believed, the gravest first, which are
+/// the answer, then other risks, and last what means nothing here.
 fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
     let mut results = ensemble.results();
     let believed = |of: Quantity| matches!(of.derived(), Some(Derived::Believed(_)));
@@ -111,7 +109,7 @@ fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
 }
 
 /// What is computed before the first bands, and when those come.
-fn waiting(model: &Model, job: &Job<RunSamples>) -> Vec<String> {
+fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
                 doubt in the inputs: type 300 +- 20 into a field to add some.";
     let each = model.shown.as_ref().map(|shown| {
@@ -131,7 +129,7 @@ fn waiting(model: &Model, job: &Job<RunSamples>) -> Vec<String> {
     vec![what.to_owned(), when]
 }
 
-fn status(model: &Model, theme: Theme) -> (String, Style) {
+fn status(model: &AppModel, theme: Theme) -> (String, Style) {
     let scenario = &model.work.scenario;
     let complaint = model.ensemble.complaint(scenario);
     match (&model.ensemble.task.job, model.ensemble.pace(), complaint) {

@@ -6,12 +6,12 @@ use ratatui::layout::Rect;
 use crate::report::text::digits;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
-use crate::tui::form::{Row, Typing, allowed, is_unverified, rows, typed_text, unverified};
-use crate::tui::model::Model;
+use crate::tui::form::{FormRow, Typing, allowed, is_unverified, rows, typed_text, unverified};
+use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::screens::main::pulse;
 use crate::tui::view::PURPOSE;
-use crate::tui::view::text::{fitted, put, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// The places of the panes.
@@ -21,7 +21,7 @@ pub const DIAL: usize = 1;
 const MAX_NOTE_LINES: usize = 7;
 
 /// Draws the form.
-pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     // A name to save under stands in front without taking the form away.
     let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
@@ -42,17 +42,14 @@ pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
         Tone::Error => theme.error(),
         Tone::Warning => theme.warning(),
     };
-    for (i, line) in said.iter().take(MAX_NOTE_LINES).enumerate() {
-        put(buffer, area, (1, used + 1 + i as u16), line, style);
-    }
+    let lines = said.iter().take(MAX_NOTE_LINES);
+    put_lines(buffer, area, (1, used + 1), lines, style);
     let after = area.height - purpose.len() as u16;
     if after - bottom > 1 {
         put(buffer, area, (1, bottom), UNVERIFIED, theme.warning());
     }
     put(buffer, area, (1, after - 1), model.material(), theme.text());
-    for (y, line) in (after..).zip(&purpose) {
-        put(buffer, area, (1, y), line, theme.quiet());
-    }
+    put_lines(buffer, area, (1, after), &purpose, theme.quiet());
 }
 
 /// What the mark beside a value means.
@@ -61,14 +58,14 @@ pub const UNVERIFIED: &str = "? unverified figure";
 const TALL: u16 = 20;
 
 /// Rows at the foot of the form.
-fn foot(model: &Model, area: Rect) -> u16 {
+fn foot(model: &AppModel, area: Rect) -> u16 {
     let purpose = wrapped(PURPOSE, usize::from(area.width - 1)).len() as u16;
     let marked = !unverified(&model.work.scenario).is_empty() && area.height >= TALL;
     purpose + 1 + u16::from(marked)
 }
 
 /// The rows that there is room for, from the top; the one with the cursor is among them.
-pub fn visible(model: &Model, pane: usize, area: Rect) -> Vec<Row> {
+pub fn visible(model: &AppModel, pane: usize, area: Rect) -> Vec<FormRow> {
     let said = wrapped(&note(model, pane).0, usize::from(area.width - 2));
     let taken = usize::from(foot(model, area)) + said.len().min(MAX_NOTE_LINES) + 1;
     let room = usize::from(area.height).saturating_sub(taken);
@@ -85,7 +82,7 @@ enum Tone {
 }
 
 /// What there is to say about the newest edit, or about the chosen field.
-fn note(model: &Model, pane: usize) -> (String, Tone) {
+fn note(model: &AppModel, pane: usize) -> (String, Tone) {
     if let Some(Typing {
         error: Some(why), ..
     }) = &model.form.typing
@@ -116,12 +113,12 @@ fn doubtful(typing: &Typing) -> Option<String> {
 }
 
 /// How far the answer is, once it takes long.
-pub fn simulating(model: &Model) -> Option<String> {
+pub fn simulating(model: &AppModel) -> Option<String> {
     let share = model.run.job.as_ref()?.pace?.share();
     Some(format!("simulating {:.0} %", share * 100.0))
 }
 
-fn help(model: &Model, pane: usize) -> String {
+fn help(model: &AppModel, pane: usize) -> String {
     if pane == DIAL && model.overlay.is_none() {
         return "Turn the blow, or widen the arc it acts on".to_owned();
     }
@@ -136,12 +133,12 @@ fn help(model: &Model, pane: usize) -> String {
 }
 
 /// What there is to do in the chosen row.
-fn described(model: &Model) -> String {
+fn described(model: &AppModel) -> String {
     match model.form.selected {
-        Row::Preset => "← → open the next preset, Enter lists them".to_owned(),
-        Row::Fold => "mesh, materials, numerics".to_owned(),
-        Row::Field(field) => {
-            let pulse = pulse::said(&model.work.scenario, field.path);
+        FormRow::Preset => "← → open the next preset, Enter lists them".to_owned(),
+        FormRow::Fold => "mesh, materials, numerics".to_owned(),
+        FormRow::Field(field) => {
+            let pulse = pulse::described(&model.work.scenario, field.path);
             let accepted = match pulse {
                 Some(pulse) => format!("{pulse}; {}", allowed(field)),
                 None => allowed(field),
@@ -159,8 +156,8 @@ fn described(model: &Model) -> String {
 }
 
 fn draw_row(
-    model: &Model,
-    row: Row,
+    model: &AppModel,
+    row: FormRow,
     (chosen, focused): (bool, bool),
     area: Rect,
     buffer: &mut Buffer,
@@ -174,7 +171,7 @@ fn draw_row(
         theme.text()
     };
     match row {
-        Row::Preset => {
+        FormRow::Preset => {
             let mark = if model.is_edited() { " *" } else { "" };
             let name = format!("{}{mark}", model.work.name());
             let name = fitted(&name, usize::from(area.width - 2));
@@ -187,7 +184,7 @@ fn draw_row(
             );
             value(model, &name, chosen && focused, area, buffer);
         }
-        Row::Fold => {
+        FormRow::Fold => {
             let count = FIELDS.len();
             let sign = if model.form.advanced { "▾" } else { "▸" };
             let shown =
@@ -201,7 +198,7 @@ fn draw_row(
             };
             put(buffer, area, (1, 0), &text, style);
         }
-        Row::Field(field) => match &model.form.typing {
+        FormRow::Field(field) => match &model.form.typing {
             Some(typing) if chosen => {
                 put(buffer, area, (1, 0), field.label, style);
                 typed(model, typing, area, buffer);
@@ -237,14 +234,14 @@ fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
     shorter.into_iter().find(fits).unwrap_or("")
 }
 
-fn value(model: &Model, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) {
+fn value(model: &AppModel, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let style = if lit { theme.focus() } else { theme.text() };
     put_right(buffer, area, (area.width, 0), text, style);
 }
 
 /// A value with its unit, in a person's words.
-fn shown_value(model: &Model, field: &Field) -> String {
+fn shown_value(model: &AppModel, field: &Field) -> String {
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
     let text = match (&field.kind, text.as_str()) {
         (Kind::OptionalNumber(..), "auto") => match &model.shown {
@@ -280,7 +277,7 @@ fn spaced(name: &str) -> String {
 }
 
 /// A value being typed, with its cursor.
-fn typed(model: &Model, typing: &Typing, area: Rect, buffer: &mut Buffer) {
+fn typed(model: &AppModel, typing: &Typing, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let label = width(typing.field.label) + 2;
     let room = area.width.saturating_sub(label).max(8).min(area.width - 1);

@@ -15,12 +15,12 @@ use crate::scenario::fields::Field;
 use crate::tui::changes::edit::change;
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::ensemble::FEW;
-use crate::tui::form::{Row, allowed, chosen, nudged, with_text};
+use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
 use crate::tui::view::eye;
@@ -91,8 +91,8 @@ const OTHER_KEYS: PaneKeys<Main> = PaneKeys::when(
 
 #[rustfmt::skip]
 const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
-    bind(&[UP, c('k')], |_, m| m.form.go(&m.work.scenario, -1), "field", "the field above"),
-    bind(&[DOWN, c('j')], |_, m| m.form.go(&m.work.scenario, 1), "&", "the field below"),
+    bind(&[UP, c('k')], |_, m| m.form.move_cursor(&m.work.scenario, -1), "field", "the field above"),
+    bind(&[DOWN, c('j')], |_, m| m.form.move_cursor(&m.work.scenario, 1), "&", "the field below"),
     bind(&[LEFT, c('h')], |_, m| step(m, Step::LESS), "value", "a small step down"),
     bind(&[RIGHT, c('l')], |_, m| step(m, Step::MORE), "&", "a small step up"),
     bind(&[SHIFT_LEFT, c('H')], |_, m| step(m, Step::MUCH_LESS), "", "a large step down"),
@@ -115,28 +115,28 @@ const DIAL_KEYS: PaneKeys<Main> = PaneKeys::new("Dial", &[
 ]);
 
 /// Changes what the row with the cursor holds.
-fn step(model: &mut Model, step: Step) {
+fn step(model: &mut AppModel, step: Step) {
     match model.form.selected {
-        Row::Preset => presets::next_preset(model, step.up),
-        Row::Fold => model.form.fold(&model.work.scenario),
-        Row::Field(field) => nudge(model, field.path, step),
+        FormRow::Preset => presets::next_preset(model, step.up),
+        FormRow::Fold => model.form.fold(&model.work.scenario),
+        FormRow::Field(field) => nudge(model, field.path, step),
     }
 }
 
 /// Opens the row with the cursor.
-fn enter(model: &mut Model) {
+fn enter(model: &mut AppModel) {
     match model.form.selected {
-        Row::Preset => presets::open_picker(model),
-        Row::Fold => model.form.fold(&model.work.scenario),
+        FormRow::Preset => presets::open_picker(model),
+        FormRow::Fold => model.form.fold(&model.work.scenario),
         // There is nothing to type where there are a few names to choose from.
-        Row::Field(field) if chosen(field, &model.work.scenario).is_some() => {
+        FormRow::Field(field) if chosen(field, &model.work.scenario).is_some() => {
             nudge(model, field.path, Step::MORE);
         }
-        Row::Field(_) => typing::begin(model, false),
+        FormRow::Field(_) => typing::begin(model, false),
     }
 }
 
-fn nudge(model: &mut Model, path: &'static str, step: Step) {
+fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
     let Some(field) = fields::find(path) else {
         return;
     };
@@ -150,7 +150,7 @@ fn nudge(model: &mut Model, path: &'static str, step: Step) {
 }
 
 /// Takes another value of a field, or says why it may not be there.
-fn take(model: &mut Model, path: &'static str, outcome: Result<Scenario, String>) {
+fn take(model: &mut AppModel, path: &'static str, outcome: Result<Scenario, String>) {
     match outcome {
         Ok(scenario) => {
             let another_model =
@@ -193,7 +193,7 @@ fn furthest(
 }
 
 impl Screen for Main {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         view::draw(self.pane, model, area, buffer);
     }
 
@@ -210,9 +210,9 @@ impl Screen for Main {
     }
 
     /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
-    fn mouse(&mut self, model: &mut Model, mouse: Mouse, area: Rect) -> bool {
+    fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
         let parts = view::layout(area);
-        let row_at = |model: &Model, pane: usize, (x, y): (u16, u16)| {
+        let row_at = |model: &AppModel, pane: usize, (x, y): (u16, u16)| {
             let rows = form::visible(model, pane, parts.form);
             let inside = parts.form.contains((x, y).into());
             inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
@@ -237,7 +237,7 @@ impl Screen for Main {
                     // A wheel that scrolls must not change what it passes over.
                     Some(_) => {
                         let rows = if by.up { -1 } else { 1 };
-                        model.form.go(&model.work.scenario, rows);
+                        model.form.move_cursor(&model.work.scenario, rows);
                     }
                     None => self.step_time(model, by.reversed()),
                 }
@@ -249,21 +249,21 @@ impl Screen for Main {
 
 impl Main {
     /// Chooses a row of the form, or opens the one that is chosen already.
-    fn press_row(&mut self, model: &mut Model, row: Option<Row>) {
+    fn press_row(&mut self, model: &mut AppModel, row: Option<FormRow>) {
         let again = self.pane == FORM && Some(model.form.selected) == row;
         self.pane = FORM;
         let Some(row) = row else { return };
         model.form.complaint = None;
         model.form.selected = row;
         // The line that folds is a button; any other row is chosen first.
-        if again || row == Row::Fold {
+        if again || row == FormRow::Fold {
             enter(model);
         }
     }
 }
 
 /// Turns the blow to where the mouse is, by whole degrees.
-fn aim(model: &mut Model, at: (u16, u16), picture: Rect) {
+fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
     let Some(field) = fields::find(ANGLE) else {
         return;
     };

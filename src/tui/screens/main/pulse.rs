@@ -1,4 +1,4 @@
-//! A force pulse as a line of the form: its course in blocks, how long it lasts, how high it goes.
+//! A force pulse as a line of the form: its shape in blocks, how long it lasts, how high it goes.
 
 use crate::models::pulse::Pulse;
 use crate::report::text::significant;
@@ -12,7 +12,7 @@ const LOOKS: usize = 25;
 const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 
 /// What to say of a field of the pulse beside what it allows; nothing where that is enough.
-pub fn said(scenario: &Scenario, path: &str) -> Option<String> {
+pub fn described(scenario: &Scenario, path: &str) -> Option<String> {
     let Impact::ForcePulse(pulse) = &scenario.impact else {
         return None;
     };
@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn a_table_is_drawn_as_it_rises_and_falls_and_its_peak_is_said() {
         let scenario = scenario(&[(0.0, 0.0), (0.1, 0.0), (0.15, 1.5), (0.2, 0.0)]);
-        let said = |path| said(&scenario, path).unwrap();
+        let said = |path| described(&scenario, path).unwrap();
         let shape = said("impact.shape");
         assert!(shape.starts_with("▁▁▁▁▁▁▁▁▁▁▂▄▅▇██▇▅▄▂"), "{shape}");
         assert!(shape.contains("4 knots, peak 450"), "{shape}");
@@ -88,14 +88,14 @@ mod tests {
 
     #[test]
     fn a_pull_is_drawn_below_zero() {
-        let shape = said(&scenario(&[(0.0, 1.0), (0.1, -1.0)]), "impact.shape").unwrap();
+        let shape = described(&scenario(&[(0.0, 1.0), (0.1, -1.0)]), "impact.shape").unwrap();
         assert!(shape.starts_with('█'), "{shape}");
         assert_eq!(shape.chars().nth(COLUMNS - 1), Some('▁'), "{shape}");
     }
 
     #[test]
     fn every_other_shape_is_drawn_where_it_is_chosen() {
-        let said = |path| said(&Scenario::default(), path);
+        let said = |path| described(&Scenario::default(), path);
         assert!(said("impact.shape").unwrap().contains('█'));
         assert_eq!(said("impact.force_n"), None);
     }

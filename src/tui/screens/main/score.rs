@@ -1,6 +1,6 @@
 //! What to believe of the injuries, the damage index as a gauge, its three parts against their
-//! limits, what is not known of the inputs, and flags. Every figure bears its error; the line above
-//! says what of.
+//! limits, what is not known of the inputs, and flags. Every figure bears its error; the line
+//! above says what of.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -11,9 +11,11 @@ use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unu
 use crate::report::limit::alone;
 use crate::run::flags::Flag;
 use crate::run::quantity::Quantity;
-use crate::tui::model::Model;
-use crate::tui::shown::Shown;
-use crate::tui::view::text::{fitted, flag_name, flowed, put, put_right, width, wrapped};
+use crate::tui::model::AppModel;
+use crate::tui::shown::ShownAnswer;
+use crate::tui::view::text::{
+    fitted, flag_name, flowed, put, put_lines, put_right, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// What the screen answers.
@@ -62,7 +64,7 @@ const BELOW: u16 = 5;
 
 /// Draws the score below a line that says whether it is out of date; `beside` says whether all
 /// verdicts stand beside it.
-pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut Buffer) {
+pub fn draw(model: &AppModel, shown: &ShownAnswer, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
     let most = match area.height {
@@ -71,15 +73,9 @@ pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut
         height => 1 + height.saturating_sub(LEAST),
     };
     let said = answers(shown, most, area.width);
-    for (y, text) in (1..).zip(&said) {
-        put(buffer, area, (0, y), text, theme.strong());
-    }
+    put_lines(buffer, area, (0, 1), &said, theme.strong());
     let rows = said.len() as u16;
-    let area = Rect {
-        y: area.y + rows,
-        height: area.height.saturating_sub(rows),
-        ..area
-    };
+    let area = crate::tui::view::below(area, rows);
     let block = Rect {
         y: area.y + INDEX,
         height: BELOW - INDEX,
@@ -94,7 +90,7 @@ pub fn draw(model: &Model, shown: &Shown, beside: bool, area: Rect, buffer: &mut
 }
 
 /// The line above: whether the score is out of date, and what its errors come from.
-fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     for x in 0..area.width {
         put(buffer, area, (x, 0), "─", theme.line());
     }
@@ -115,7 +111,7 @@ fn heading(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut 
 }
 
 /// The index with its gauge, and its parts.
-fn index(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let answer = &shown.answer;
     let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
     let damage = answer.index().damage();
@@ -141,16 +137,14 @@ fn index(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
 }
 
 /// In place of an index that means nothing: why, what to do, and the figures without weight.
-fn raw(shown: &Shown, why: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn raw(shown: &ShownAnswer, why: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let mut said = wrapped(why, usize::from(area.width));
     let most = usize::from(area.height - 1);
     let rest = said.split_off(said.len().min(most - 1)).join(" ");
     if !rest.is_empty() {
         said.push(fitted(&rest, usize::from(area.width)));
     }
-    for (y, text) in (0..).zip(&said) {
-        put(buffer, area, (0, y), text, theme.warning());
-    }
+    put_lines(buffer, area, (0, 0), &said, theme.warning());
     let answer = &shown.answer;
     let index = Figure::of(answer, Quantity::Damage).map_or_else(String::new, |f| f.number);
     let times = PARTS.iter().filter_map(|(of, term)| {
@@ -168,14 +162,14 @@ fn raw(shown: &Shown, why: &str, theme: Theme, area: Rect, buffer: &mut Buffer) 
 }
 
 /// How many times its limit a part of the index is.
-fn times(shown: &Shown, of: Quantity, value: f64, term: Term) -> Option<String> {
+fn times(shown: &ShownAnswer, of: Quantity, value: f64, term: Term) -> Option<String> {
     let figure = Figure::of(&shown.answer, of)?;
     let text = times_its_limit(&figure, value, term);
     Some(text.split(' ').next()?.to_owned())
 }
 
 /// What to believe of each injury, the gravest first, in so many rows at most.
-fn answers(shown: &Shown, rows: u16, wide: u16) -> Vec<String> {
+fn answers(shown: &ShownAnswer, rows: u16, wide: u16) -> Vec<String> {
     let verdicts = shown.answer.verdicts();
     let room = usize::from(wide);
     if let [(name, words)] = &lines(&verdicts)[..] {
@@ -212,7 +206,7 @@ fn longest(name: &str, forms: &[String], room: usize) -> String {
 }
 
 /// What is not known of the inputs, and how far the apex moved where there is room.
-fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn below(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let bands = bands(model, shown);
     let apex = Figure::of(&shown.answer, Quantity::Apex);
     let apex = apex.map_or_else(String::new, |apex| format!("apex {apex}"));
@@ -226,9 +220,9 @@ fn below(model: &Model, shown: &Shown, theme: Theme, area: Rect, buffer: &mut Bu
 }
 
 /// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the
-/// longest words first. Where the band holds fewer than were asked for, or folded ones, it says so,
-/// or bears a star that the screen of its own explains.
-fn bands(model: &Model, shown: &Shown) -> Vec<String> {
+/// longest words first. Where the band holds fewer than were asked for, or folded ones, it says
+/// so, or bears a star that the screen of its own explains.
+fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "to come" } else { "off" };
         return vec![format!("inputs unknown: {waiting}")];
@@ -273,7 +267,7 @@ const LIMIT: u16 = FIGURE + 34;
 
 /// One part of the index: its value, and how many times its limit that is.
 fn part(
-    shown: &Shown,
+    shown: &ShownAnswer,
     (of, value, term): (Quantity, f64, Term),
     theme: Theme,
     area: Rect,
@@ -329,7 +323,7 @@ fn part(
 
 /// What the index tends to on finer meshes, right of the column where the line begins to be free,
 /// if there is room.
-fn tends(shown: &Shown, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn tends(shown: &ShownAnswer, free: u16, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let Some(limit) = alone(&shown.answer, Quantity::Damage) else {
         return;
     };
@@ -372,7 +366,7 @@ fn others(verdicts: &[Verdict], rows: usize, room: u16) -> Vec<String> {
 }
 
 /// Every flag by name; the sentence where there is room.
-fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn flags(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height.saturating_sub(6));
     let flags = &shown.answer.flags;
     if flags.is_empty() {
@@ -394,7 +388,6 @@ fn flags(shown: &Shown, theme: Theme, area: Rect, buffer: &mut Buffer) {
         }
         lines
     };
-    for (i, line) in lines.iter().take(rows).enumerate() {
-        put(buffer, area, (0, 6 + i as u16), line, theme.warning());
-    }
+    let lines = lines.iter().take(rows);
+    put_lines(buffer, area, (0, 6), lines, theme.warning());
 }

@@ -7,17 +7,19 @@ use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
-use crate::run::trace::{OtherTrace, Trace};
-use crate::tui::model::Model;
+use crate::run::trace::OtherTrace;
+use crate::run::trace::Trace;
+use crate::tui::model::AppModel;
 use crate::tui::screens::injury;
 use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score};
 use crate::tui::screens::replay::pressures;
-use crate::tui::shown::Shown;
-use crate::tui::view::chart::{Chart, Curve, active, spark};
-use crate::tui::view::eye::Scene;
+use crate::tui::shown::ShownAnswer;
+use crate::tui::view;
+use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
+use crate::tui::view::eye::EyePicture;
 use crate::tui::view::raster::Ink;
-use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::text::{put, put_lines, put_right, width};
 use crate::tui::view::theme::Theme;
 
 /// Where the parts of the screen are.
@@ -75,7 +77,7 @@ pub fn layout(area: Rect) -> Layout {
 }
 
 /// Draws the screen.
-pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let parts = layout(area);
     form::draw(pane, model, parts.form, buffer);
@@ -114,9 +116,9 @@ pub fn draw(pane: usize, model: &Model, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of an
-/// eye without one what acts on it.
-fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of
+/// an eye without one what acts on it.
+fn risks(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     put(buffer, area, (1, 0), "What to believe", theme.heading());
     let below = area.height / 3;
@@ -126,11 +128,7 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
     };
     let verdicts = shown.answer.verdicts();
     let used = injury::answers(&verdicts, true, theme, upper, buffer);
-    let curves = Rect {
-        y: upper.y + used + 1,
-        height: upper.height.saturating_sub(used + 1),
-        ..upper
-    };
+    let curves = view::below(upper, used + 1);
     let risks = shown.answer.risks();
     injury::curves((&risks, &verdicts), None, theme, curves, buffer);
     // A scale, a line for each and a gap; what is left is the chart's.
@@ -156,10 +154,10 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         Trace::Of(of) => Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}")),
         Trace::Other(_) => None,
     };
-    Chart {
+    TimeChart {
         title: &format!("{}, {}", course.label(traces), row.unit),
         reading: &reading.unwrap_or_default(),
-        curves: vec![Curve {
+        curves: vec![TimeCurve {
             time: &traces.time,
             values,
             factor: row.factor,
@@ -181,7 +179,7 @@ fn risks(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Before the first result: what is being done, or why there is none.
-fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
+fn waiting(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let (text, style) = match (&model.run.complaint, form::simulating(model)) {
         (Some((_, why)), _) => (why.clone(), theme.error()),
@@ -189,16 +187,14 @@ fn waiting(model: &Model, area: Rect, buffer: &mut Buffer) {
         (None, None) => ("simulating".to_owned(), theme.text()),
     };
     let lines = crate::tui::view::text::wrapped(&text, usize::from(area.width - 2));
-    for (i, line) in lines.iter().enumerate() {
-        put(buffer, area, (1, 1 + i as u16), line, style);
-    }
+    put_lines(buffer, area, (1, 1), &lines, style);
 }
 
-fn eye(model: &Model, shown: &Shown, on_dial: bool, picture: Rect, buffer: &mut Buffer) {
+fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
-    Scene {
+    EyePicture {
         shown,
         time,
         largest: shown.hottest,
@@ -241,8 +237,8 @@ const NARROWEST: u16 = 18;
 const LONGEST: usize = 7;
 
 /// The name of a curve, its peak with its error and the time of that, which together fit with a
-/// space between them. Where room is short the spaces give way, then letters of the name, the time,
-/// and at last the error.
+/// space between them. Where room is short the spaces give way, then letters of the name, the
+/// time, and at last the error.
 fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
     let name = of.row().short;
     let ms = peak.time * 1e3;
@@ -288,7 +284,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
 }
 
 /// The curves, each with its peak and when it came.
-fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
+fn sparklines(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(recorded) = &shown.answer.run.traces else {
         return;
@@ -324,7 +320,7 @@ fn sparklines(model: &Model, shown: &Shown, area: Rect, buffer: &mut Buffer) {
         if each < 2 || values.is_empty() {
             continue;
         }
-        let curve = Curve {
+        let curve = TimeCurve {
             time: &recorded.time,
             values,
             factor: 1.0,

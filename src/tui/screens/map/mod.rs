@@ -13,7 +13,7 @@ use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
@@ -64,12 +64,12 @@ const STOPPED_KEYS: PaneKeys<Map> = PaneKeys::when(
 );
 
 impl Screen for Map {
-    fn draw(&self, model: &Model, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         view::draw(self, model, area, buffer);
     }
 
     /// While the screen is on show, computes what is missing; stops what is not wanted.
-    fn refresh_requests(&mut self, model: &mut Model, on_show: bool) {
+    fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         let mut wanted = None;
         if on_show {
             self.settle(&model.work.scenario);
@@ -90,19 +90,21 @@ impl Screen for Map {
         }
     }
 
-    fn take_report(&mut self, _: &mut Model, report: &mut Option<Report>) {
-        self.take_grid(report);
+    fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
+        if let Some((question, Some(grid))) = self.task.take_report(report) {
+            self.done = Some((question.scenario.clone(), question.spans, grid));
+        }
     }
 
     fn is_busy(&self) -> bool {
         self.task.job.is_some()
     }
 
-    fn cancel(&mut self, model: &mut Model) -> bool {
+    fn cancel(&mut self, model: &mut AppModel) -> bool {
         self.task.stop(Some("stopped"), &mut model.out)
     }
 
-    fn mouse(&mut self, _: &mut Model, mouse: Mouse, _: Rect) -> bool {
+    fn mouse(&mut self, _: &mut AppModel, mouse: Mouse, _: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
             self.step(step.reversed(), true);
         }
@@ -111,7 +113,7 @@ impl Screen for Map {
 }
 
 /// Gives the scenario the values under the cursor, of the inputs over which it was moved.
-fn adopt(map: &mut Map, model: &mut Model) {
+fn adopt(map: &mut Map, model: &mut AppModel) {
     let Some((moved, scenario)) = map.adopted(&model.work.scenario) else {
         return;
     };

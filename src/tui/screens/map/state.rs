@@ -1,4 +1,5 @@
-//! The map of two inputs as the app holds it: which inputs, what is known, where the cursor stands.
+//! The map of two inputs as the app holds it: which inputs, what is known, where the cursor
+//! stands.
 
 use crate::many::map::{Grid, Reading, SIDE, Span, fill};
 use crate::many::sweep::spaced;
@@ -8,10 +9,10 @@ use crate::run::watch::Watch;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
-use crate::tui::request::{Question, Report};
+use crate::tui::request::TaskQuestion;
 use crate::tui::step::Step;
 use crate::tui::task::Task;
-use crate::tui::worker::overseen;
+use crate::tui::worker::run_watched;
 
 const ANGLE: &str = "impact.angle_deg";
 /// Pairs of inputs to begin with; the first whose fields are there.
@@ -47,7 +48,7 @@ impl DrawMap {
     }
 }
 
-impl Question for DrawMap {
+impl TaskQuestion for DrawMap {
     type Answer = Grid;
 
     fn answer(&self, watch: Watch) -> Result<Grid, Refusal> {
@@ -55,7 +56,7 @@ impl Question for DrawMap {
     }
 
     fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Grid)) -> Result<Grid, Refusal> {
-        Ok(overseen(watch, show, |stop, desk| {
+        Ok(run_watched(watch, show, |stop, progress| {
             fill(
                 &self.scenario,
                 self.spans,
@@ -63,7 +64,7 @@ impl Question for DrawMap {
                 stop,
                 &|grid| {
                     let (known, all) = grid.known();
-                    desk.report(known as f64 / all as f64, || grid.clone())
+                    progress.report(known as f64 / all as f64, || grid.clone())
                 },
             )
         }))
@@ -169,11 +170,11 @@ impl Map {
                 span(y, scenario, self.reach)?,
             ))
         });
-        self.go_home(scenario, (true, true));
+        self.put_cursor_on_scenario(scenario, (true, true));
     }
 
     /// Puts the cursor to what the scenario holds, across and up as is asked for.
-    fn go_home(&mut self, scenario: &Scenario, (across, up): (bool, bool)) {
+    fn put_cursor_on_scenario(&mut self, scenario: &Scenario, (across, up): (bool, bool)) {
         let Some((x, y)) = self.spans else { return };
         let own = |span: Span| number(span.field, scenario).map(|(value, _)| value);
         if let Some(value) = own(x).filter(|_| across) {
@@ -196,7 +197,7 @@ impl Map {
             .find_map(|field| span(field, scenario, self.reach));
         let next = next.unwrap_or(own);
         self.spans = Some(if across { (next, other) } else { (other, next) });
-        self.go_home(scenario, (across, !across));
+        self.put_cursor_on_scenario(scenario, (across, !across));
         self.task.complaint = None;
     }
 
@@ -249,13 +250,6 @@ impl Map {
             spans,
             known,
         })
-    }
-
-    /// Takes in what a worker says of a grid.
-    pub fn take_grid(&mut self, report: &mut Option<Report>) {
-        if let Some((question, Some(grid))) = self.task.take_report(report) {
-            self.done = Some((question.scenario.clone(), question.spans, grid));
-        }
     }
 
     /// The values of the inputs under the cursor.

@@ -1,5 +1,5 @@
-//! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half and
-//! the whole of it. The scale is that of the table of results, or else reaches to the largest
+//! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half
+//! and the whole of it. The scale is that of the table of results, or else reaches to the largest
 //! value.
 //!
 //! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
@@ -20,9 +20,10 @@ use crate::report::verdict::VOID;
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
-use crate::tui::model::Model;
+use crate::tui::model::AppModel;
 use crate::tui::screens::map::state::{Map, rounded};
-use crate::tui::view::text::{fitted, put, put_both, put_right, width, wrapped};
+use crate::tui::view::chart::axis_lines;
+use crate::tui::view::text::{fitted, put, put_both, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
@@ -40,7 +41,7 @@ const BELOW: u16 = 5;
 const MAPPED: f64 = 10.0;
 
 /// Draws the screen.
-pub fn draw(map: &Map, model: &Model, area: Rect, buffer: &mut Buffer) {
+pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some((x, y)) = map.spans else {
         let text = "this scenario has no two inputs to draw a map over";
@@ -94,7 +95,7 @@ pub fn draw(map: &Map, model: &Model, area: Rect, buffer: &mut Buffer) {
                 drawn.insert(sign);
             }
         }
-        own(model, (x, y), field, theme, buffer);
+        mark_scenario(model, (x, y), field, theme, buffer);
     }
     let (px, py) = map.place();
     let at = (
@@ -110,9 +111,8 @@ pub fn draw(map: &Map, model: &Model, area: Rect, buffer: &mut Buffer) {
     let top = area.height - BELOW + 2;
     let reading = reading(map, model, (x, y));
     let room = usize::from(area.width - 2);
-    for (i, line) in wrapped(&reading, room).iter().take(2).enumerate() {
-        put(buffer, area, (1, top + i as u16), line, theme.strong());
-    }
+    let lines = wrapped(&reading, room).into_iter().take(2);
+    put_lines(buffer, area, (1, top), lines, theme.strong());
     let unit = result.unit;
     let part = |share: f64| rounded(share * whole).to_string();
     let steps = if whole == 100.0 && unit == "%" {
@@ -139,7 +139,7 @@ pub fn draw(map: &Map, model: &Model, area: Rect, buffer: &mut Buffer) {
     );
 }
 
-fn status(map: &Map, model: &Model, theme: Theme) -> (String, Style) {
+fn status(map: &Map, model: &AppModel, theme: Theme) -> (String, Style) {
     let grid = map.grid(&model.work.scenario);
     let all = SIDE * SIDE;
     match (map.task.pace(Some(all)), grid) {
@@ -160,8 +160,8 @@ fn place((column, row): (u16, u16), field: Rect) -> (f64, f64) {
     )
 }
 
-/// The whole of the scale: that of the result, or the first of 1, 2 and 5 times a power of ten that
-/// no value exceeds.
+/// The whole of the scale: that of the result, or the first of 1, 2 and 5 times a power of ten
+/// that no value exceeds.
 fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
     let round = |largest: f64| {
         let power = 10_f64.powf(largest.log10().floor());
@@ -226,7 +226,13 @@ fn cell(
 }
 
 /// Marks where the scenario itself lies, if it is on the map.
-fn own(model: &Model, (x, y): (Span, Span), field: Rect, theme: Theme, buffer: &mut Buffer) {
+fn mark_scenario(
+    model: &AppModel,
+    (x, y): (Span, Span),
+    field: Rect,
+    theme: Theme,
+    buffer: &mut Buffer,
+) {
     let share = |span: Span| {
         let (value, _) = number(span.field, &model.work.scenario)?;
         let share = (value - span.from) / (span.to - span.from);
@@ -248,19 +254,7 @@ fn short(value: f64) -> String {
 
 fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mut Buffer) {
     let bottom = field.height;
-    for row in 0..bottom {
-        put(buffer, area, (LABELS, 1 + row), "│", theme.line());
-    }
-    put(buffer, area, (LABELS, 1 + bottom), "└", theme.line());
-    for column in 0..field.width {
-        put(
-            buffer,
-            area,
-            (LABELS + 1 + column, 1 + bottom),
-            "─",
-            theme.line(),
-        );
-    }
+    axis_lines(field, theme, buffer);
     let middle = |span: Span| 0.5 * (span.from + span.to);
     for (row, value) in [(0, y.to), (bottom / 2, middle(y)), (bottom - 1, y.from)] {
         put_right(
@@ -290,7 +284,7 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
 
 /// Whether a result is a risk by energy where the object under the cursor is larger than what such
 /// curves hold for.
-pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
+pub(crate) fn is_void_there(map: &Map, model: &AppModel, of: Quantity) -> bool {
     let Some(Derived::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy)) = of.derived()
     else {
         return false;
@@ -301,7 +295,7 @@ pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
 }
 
 /// What is known under the cursor.
-fn reading(map: &Map, model: &Model, (x, y): (Span, Span)) -> String {
+fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
     let Some((a, b)) = map.values() else {
         return String::new();
     };
