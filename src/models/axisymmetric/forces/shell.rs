@@ -1,8 +1,8 @@
 //! Cornea and sclera: a membrane with some bending stiffness, a chain of cones.
 //!
-//! With the stretches e1 along the meridian and e2 around the axis, a segment stores A0 t E/(2 (1
-//! - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2), where A0 is its area at rest. Between two segments it
-//! stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear
+//! With the stretches e1 along the meridian and e2 around the axis, a segment stores
+//! A0 t E/(2 (1 - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2), where A0 is its area at rest. Between two
+//! segments it stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear
 //! across the thickness, and bending around the axis.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;

@@ -133,8 +133,9 @@ pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
 /// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a
 /// share of the stability bound.
 ///
-/// # Errors Motion that leaves the finite numbers, an object that goes through the eye, and what
-/// the watch stops.
+/// # Errors
+/// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch
+/// stops.
 pub fn run(
     eye: &AxisymmetricEye,
     blow: &AxisymmetricLoad,
