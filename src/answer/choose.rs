@@ -44,7 +44,7 @@ pub struct Chosen {
 pub(crate) struct Ladder(Vec<OnMesh>);
 
 impl Ladder {
-    /// On the mesh of `level`.
+    /// The results on the mesh of `level`, computed at the first call.
     pub fn at(&mut self, scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
         while self.0.len() < level as usize {
             let next = self.0.len() as u32 + 1;
@@ -82,7 +82,7 @@ pub fn within(
     within_by(&mut Ladder::default(), scenario, percent, keep, watch)
 }
 
-/// The same with what `ladder` has of this scenario.
+/// As [`within`], with the meshes of this scenario that `ladder` already has.
 pub(crate) fn within_by(
     ladder: &mut Ladder,
     scenario: &CheckedScenario,

@@ -1,6 +1,6 @@
-//! A scenario compiled: the eye of its model, and what risks rest on beside what a run reads off it.
+//! A scenario ready to be run: the eye of its model, and the inputs of its risks.
 
-use crate::answer::believed::Scene;
+use crate::answer::believed::RiskInputs;
 use crate::answer::derived;
 use crate::answer::results::Results;
 use crate::models;
@@ -19,8 +19,8 @@ use std::sync::Arc;
 pub struct Compiled {
     /// The eye and what hits it.
     pub eye: Arc<dyn EyeModel>,
-    /// What risks rest on beside what a run reads.
-    pub scene: Scene,
+    /// What the scenario gives for risks; the rest are readings of a run.
+    pub risk_inputs: RiskInputs,
 }
 
 impl Compiled {
@@ -33,22 +33,22 @@ impl Compiled {
     pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
         Self {
             eye,
-            scene: Scene::of(scenario),
+            risk_inputs: RiskInputs::of(scenario),
         }
     }
 
-    /// The same on the mesh of another level, which may be finer than a scenario may ask for.
+    /// This scenario on the mesh of `level`, which may be finer than a scenario may ask for.
     pub(crate) fn at_level(&self, level: u32) -> Self {
         if level == self.level() {
             return self.clone();
         }
         Self {
             eye: self.eye.at_level(level),
-            scene: self.scene,
+            risk_inputs: self.risk_inputs,
         }
     }
 
-    /// What holds for every scene of the model.
+    /// The rules of the model: its limits, integrators, errors and words.
     pub fn rules(&self) -> &'static Rules {
         self.eye.rules()
     }
@@ -77,12 +77,13 @@ impl Compiled {
     /// has a second run for its error.
     ///
     /// # Errors
-    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
+    /// Refuses an integrator that does not solve it and a step that is unstable or would take
+    /// hours.
     pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
         self.eye.plan(scenario)
     }
 
-    /// The same for one run alone, as a mesh error makes it.
+    /// The integrator and step of a run without a second one, as mesh errors use it.
     ///
     /// # Errors
     /// As [`Self::plan`].
@@ -101,7 +102,7 @@ impl Compiled {
         }
     }
 
-    /// Moves the eye by `plan` and records it under the eyes of `watch`.
+    /// Runs the eye by `plan` and records it; `watch` is told the share done and may stop it.
     ///
     /// # Errors
     /// As [`EyeModel::run`].
@@ -122,8 +123,8 @@ impl Compiled {
         self.eye.frames(plan, spacing, take)
     }
 
-    /// Every result of a run of it.
+    /// Every result of a run of this scenario, in the unit of each.
     pub fn results(&self, run: &Run) -> Results {
-        Results::from_fn(|of| derived::result(of, run, &self.scene))
+        Results::from_fn(|of| derived::result(of, run, &self.risk_inputs))
     }
 }

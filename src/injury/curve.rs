@@ -1,12 +1,12 @@
 //! An injury curve: the chance of an injury against one measure of the blow.
 //!
-//! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the slope
-//! in units of x50. The regressions publish x50 but not s, so s is assumed and carries a range,
-//! which is shown as a range of risk and drawn from by an ensemble. No confidence limits of those x50 are
-//! at hand either: published points of one injury lie up to 20 % from their middle (rupture at 23.8 and
-//! 35.5 kJ/m2, at 0.90 and 1.01 `MPa`), so [`POINT`] to both sides counts as range.
-//! Normal, P = Phi((x - mean)/sd), where tests to failure publish both; its range is that of the mean,
-//! 1.96 sd / sqrt(n) to both sides.
+//! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the
+//! slope in units of x50. The regressions publish x50 but not s, so s is assumed and carries a
+//! range, which is shown as a range of risk and drawn from by an ensemble. No confidence limits of
+//! those x50 are at hand either: published points of one injury lie up to 20 % from their middle
+//! (rupture at 23.8 and 35.5 kJ/m2, at 0.90 and 1.01 `MPa`), so [`POINT`] to both sides counts as
+//! range. Normal, P = Phi((x - mean)/sd), where tests to failure publish both; its range is that
+//! of the mean, 1.96 sd / sqrt(n) to both sides.
 
 use crate::normal;
 
@@ -145,7 +145,7 @@ pub struct Slope {
 
 /// The law of a curve; values in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
+pub enum CurveForm {
     /// Logistic through 50 % at `half`.
     Logistic {
         /// Where the risk is 50 %.
@@ -227,13 +227,13 @@ pub enum Range {
 
 /// One published curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Curve {
+pub struct InjuryCurve {
     /// The injury whose risk it gives.
     pub injury: Injury,
     /// What the risk runs against.
     pub measure: Measure,
     /// Its law and parameters.
-    pub form: Form,
+    pub form: CurveForm,
     /// Authors, year, journal.
     pub source: &'static str,
     /// The species whose eyes were hit.
@@ -248,38 +248,41 @@ pub struct Curve {
     pub remark: &'static str,
 }
 
-impl Curve {
+impl InjuryCurve {
     /// Risk at `value`, 0 to 1.
     pub fn risk(&self, value: f64) -> f64 {
         match self.form {
-            Form::Logistic { slope, .. } => self.risk_with(value, slope.usual),
-            Form::Normal { .. } => self.risk_with(value, 0.0),
+            CurveForm::Logistic { slope, .. } => self.risk_with(value, slope.usual),
+            CurveForm::Normal { .. } => self.risk_with(value, 0.0),
         }
     }
 
     /// Risk at `value` if the slope were `slope`, in units of 1/x50; a normal curve has its own.
     pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
         match self.form {
-            Form::Logistic { half, .. } => 1.0 / (1.0 + libm::exp(-slope * (value / half - 1.0))),
-            Form::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
+            CurveForm::Logistic { half, .. } => {
+                1.0 / (1.0 + libm::exp(-slope * (value / half - 1.0)))
+            }
+            CurveForm::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
         }
     }
 
-    /// What a risk would be if the slope were `slope`, in units of 1/x50; a normal curve has its own.
+    /// What a risk would be if the slope were `slope`, in units of 1/x50; a normal curve has its
+    /// own.
     pub fn with_slope(&self, risk: f64, slope: f64) -> f64 {
         match self.form {
-            Form::Logistic { slope: own, .. } => {
+            CurveForm::Logistic { slope: own, .. } => {
                 let steps = libm::log(risk / (1.0 - risk)) * slope / own.usual;
                 1.0 / (1.0 + libm::exp(-steps))
             }
-            Form::Normal { .. } => risk,
+            CurveForm::Normal { .. } => risk,
         }
     }
 
     /// Least and greatest risk at `value` over the range of slopes, or of the mean.
     pub fn band(&self, value: f64) -> (f64, f64) {
         match self.form {
-            Form::Logistic { slope, .. } => {
+            CurveForm::Logistic { slope, .. } => {
                 let point = match self.standing {
                     Standing::SlopeAssumed | Standing::Unverified => POINT,
                     Standing::Published | Standing::Reconstructed => 0.0,
@@ -290,7 +293,7 @@ impl Curve {
                 let (low, high) = (risks(1.0 + point), risks(1.0 - point));
                 (low[0].min(low[1]), high[0].max(high[1]))
             }
-            Form::Normal { sd, tests, .. } => {
+            CurveForm::Normal { sd, tests, .. } => {
                 let off = STANDARD_ERRORS * sd / f64::from(tests).sqrt();
                 (self.risk(value - off), self.risk(value + off))
             }
@@ -300,8 +303,8 @@ impl Curve {
     /// Where the risk is 50 %, SI.
     pub fn half(&self) -> f64 {
         match self.form {
-            Form::Logistic { half, .. } => half,
-            Form::Normal { mean, .. } => mean,
+            CurveForm::Logistic { half, .. } => half,
+            CurveForm::Normal { mean, .. } => mean,
         }
     }
 }

@@ -39,8 +39,8 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
-/// The step of the reference as a share of its stability limit: beside mesh errors its own error is
-/// nothing.
+/// The step of the reference as a share of its stability limit: beside mesh errors its own error
+/// is nothing.
 const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
@@ -56,7 +56,7 @@ pub struct Trial {
     pub is_answer: bool,
     /// Longest step taken, in s.
     pub step: f64,
-    /// What came of it; none where it diverged.
+    /// The results; none where the run diverged.
     pub results: Option<Results>,
     /// Springs or cells that were computed.
     pub elements: f64,
@@ -83,7 +83,7 @@ pub struct Total {
     pub mesh: f64,
     /// Error by the step, in %.
     pub by_step: f64,
-    /// Whether it is more exact than all that is faster, by more than a trifle.
+    /// Whether its error is clearly below that of every faster trial.
     pub on_front: bool,
 }
 
@@ -184,7 +184,7 @@ enum Job {
     Trial(usize),
 }
 
-/// The work and what each piece costs, from coarse to fine; then the further rounds.
+/// All jobs with their cost in springs or cells, from coarse to fine; then the further rounds.
 fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
     let most = cases.len() as u32;
     let case = |level: u32| &cases[level.min(most) as usize - 1];
@@ -215,7 +215,7 @@ fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> 
     jobs
 }
 
-/// How an answer is computed.
+/// The plan of an answer.
 fn answer(case: &Compiled) -> Plan {
     let automatic = case.rules().answer;
     case.plan_at(automatic.integrator, automatic.share)
@@ -225,7 +225,7 @@ fn reference(case: &Compiled) -> Plan {
     case.plan_at(case.rules().reference, REFERENCE_SHARE)
 }
 
-/// What is tried on a level, the answer's own plan first.
+/// The trials on a level, the plan of an answer first.
 fn trials(case: &Compiled) -> Vec<Trial> {
     let fixed = |integrator: &&Integrator| !integrator.method().adaptive();
     let others = case.rules().integrators.iter().filter(fixed);
@@ -286,8 +286,8 @@ impl Accuracy {
     }
 }
 
-/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose
-/// mesh errors come from two more. `show` is told what there is after each job.
+/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`,
+/// whose mesh errors come from two more. `show` is told what there is after each job.
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.

@@ -1,18 +1,18 @@
 //! How far published measurements of the eye differ, and what an ensemble draws from.
 //!
-//! [`SPREADS`] holds one line for each material or measure with a published range, named by the path
-//! of its field. A line counts where the scenario has that field and it holds the nominal value: a
-//! value of one's own is taken at its word, and a doubt (`± 20`, or `± 0` for a known value) takes
-//! the place of the line.
+//! [`SPREADS`] holds one line for each material or measure with a published range, named by the
+//! path of its field. A line counts where the scenario has that field and it holds the nominal
+//! value: a value of one's own is taken at its word, and a doubt (`± 20`, or `± 0` for a known
+//! value) takes the place of the line.
 //!
-//! The published ranges are wide, and the Paper model's values are nominal: its lens (6880 kPa) and
-//! fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need not lie
-//! round the single result. That is what the measurements say, not an error of the draw.
+//! The published ranges are wide, and the Paper model's values are nominal: its lens (6880 kPa)
+//! and fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need
+//! not lie round the single result. That is what the measurements say, not an error of the draw.
 //!
-//! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to four
-//! orders below the nominal 42 kPa, which in this model stands for what keeps the globe's volume; drawn
-//! from the measurements the mesh would have nothing to hold it. Left out too: densities and
-//! correlations between tissues, for which no spread is published.
+//! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to
+//! four orders below the nominal 42 kPa, which in this model stands for what keeps the globe's
+//! volume; drawn from the measurements the mesh would have nothing to hold it. Left out too:
+//! densities and correlations between tissues, for which no spread is published.
 
 use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
@@ -54,7 +54,8 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
     Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio)
 }
 
-/// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.
+/// The slope of the injury curves, which no scenario holds: drawn where an object brings such a
+/// curve.
 pub static SLOPE: Field = Field {
     help: "How steep the curve of a risk is where no source says it",
     path: "injury.slope",
@@ -146,7 +147,7 @@ pub static SPREADS: &[Spread] = &[
 
 /// Something that an ensemble draws.
 #[derive(Clone)]
-pub struct Input {
+pub struct UncertainInput {
     /// Where it goes.
     pub field: &'static Field,
     /// What the scenario holds.
@@ -159,7 +160,7 @@ pub struct Input {
     pub source: Option<&'static str>,
 }
 
-impl Input {
+impl UncertainInput {
     /// The value below which the share `u` of the draws lies.
     pub fn value(&self, u: f64) -> f64 {
         let (min, max) = self.bounds;
@@ -171,7 +172,8 @@ impl Input {
         value.clamp(min, max)
     }
 
-    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either side.
+    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
+    /// side.
     pub fn stands_at_an_end(&self) -> bool {
         self.nominal < self.value(0.05) || self.nominal > self.value(0.95)
     }
@@ -184,11 +186,11 @@ impl Input {
 
 /// Everything that an ensemble of `scenario` draws: first what the person doubts, then what is
 /// published, each in the order of its table.
-pub fn inputs(scenario: &Scenario) -> Vec<Input> {
+pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
     let doubted = FIELDS.iter().filter_map(|field| {
         let (value, bounds) = number(field, scenario)?;
         let sd = *scenario.doubt.get(field.path)?;
-        (sd > 0.0).then_some(Input {
+        (sd > 0.0).then_some(UncertainInput {
             field,
             nominal: value,
             shape: Shape::Normal(value, sd),
@@ -200,7 +202,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
         let field = fields::find(spread.path)?;
         let (value, bounds) = number(field, scenario)?;
         let own = value != spread.nominal || scenario.doubt.contains_key(spread.path);
-        (!own).then_some(Input {
+        (!own).then_some(UncertainInput {
             field,
             nominal: value,
             shape: spread.shape,
@@ -208,7 +210,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
             source: Some(spread.source),
         })
     });
-    let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(Input {
+    let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(UncertainInput {
         field: &SLOPE,
         nominal: ASSUMED_SLOPE.usual,
         shape: Shape::Uniform(ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::{Blow, Caution, lines};
+use crate::injury::{Caution, FlyingObject, lines};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{CUT, Figure};
@@ -46,7 +46,7 @@ fn cell(answer: &Answer, of: Quantity) -> String {
 
 /// What speaks against the risks by energy of a blow.
 fn caution(entry: &Entry) -> Option<Caution> {
-    Blow::of(&entry.scenario)?.caution()
+    FlyingObject::of(&entry.scenario)?.caution()
 }
 
 /// Text that stays text in a table of Markdown.
@@ -222,7 +222,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// The same as `run --json`, one object for each blow.
+/// The blows as JSON: the object of `run --json` for each.
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match entry.answer() {

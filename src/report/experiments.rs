@@ -218,7 +218,8 @@ mod tests {
     use crate::report::text::WIDTH;
     use crate::verify::experiments::EXPERIMENTS;
 
-    /// Every experiment with a figure on each mesh: those of every third are far off on one of them.
+    /// Every experiment with a figure on each mesh: those of every third are far off on one of
+    /// them.
     fn made_up() -> Vec<Rerun> {
         let row = |(i, experiment): (usize, &'static Experiment)| {
             let inside = match experiment.measured {

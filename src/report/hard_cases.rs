@@ -63,7 +63,7 @@ pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// The same as one object.
+/// The table as one JSON object.
 pub fn json(outcomes: &[CaseOutcome]) -> Value {
     let cases: Vec<Value> = outcomes
         .iter()

@@ -21,7 +21,7 @@ pub fn significant(value: f64) -> String {
     digits(value, 4)
 }
 
-/// The same with `count` significant digits.
+/// A number with `count` significant digits, in plain notation where that is readable.
 pub fn digits(value: f64, count: i32) -> String {
     let size = value.abs();
     if value == 0.0 {
@@ -73,7 +73,8 @@ pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
     block(text, "", "    ", out)
 }
 
-/// Prints a text in lines of 80 columns, with what stands before the first and before those that go on.
+/// Prints a text in lines of 80 columns, with what stands before the first and before those that
+/// go on.
 pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
     for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
         writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
@@ -121,7 +122,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     Ok(())
 }
 
-/// What a reader should know of a peak beside its value.
+/// The words behind a peak and its time.
 fn remark(answer: &Answer, of: Quantity) -> String {
     if of == Quantity::Pressure {
         return ", mean of the globe".to_owned();
@@ -228,7 +229,7 @@ fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
 
 /// Prints what finer meshes tend to, and which results they show no limit of.
 fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "Damage index: {limit}")?;
     }
     let unknown = limit::unknown(answer).unwrap_or_default();
@@ -274,8 +275,8 @@ fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
         format!("damage index {damage}, worst {worst}")
     };
     writeln!(out, "\nStep error: {}", said(&of.time_step))?;
-    if let Some(beside) = errors::beside(&of.time_step) {
-        writeln!(out, "  beside the leading results up to {beside}")?;
+    if let Some(other) = errors::largest_other(&of.time_step) {
+        writeln!(out, "  beside the leading results up to {other}")?;
     }
     let mesh = of.mesh.as_ref();
     let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::injury::Caution;
-use crate::many::threshold::{Crossing, Question, Threshold};
+use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
 use crate::report::json::flags;
@@ -13,12 +13,12 @@ use crate::report::text::{block, capital, digits, significant};
 use crate::scenario::Scenario;
 
 /// A text with the unit of what is varied.
-fn with_unit(question: &Question, text: &str) -> String {
+fn with_unit(question: &ThresholdSearch, text: &str) -> String {
     united(text, question.field.unit)
 }
 
 /// Where the result passes the value, no finer than it is known.
-fn at(question: &Question, crossing: &Crossing) -> String {
+fn at(question: &ThresholdSearch, crossing: &Crossing) -> String {
     let curves = crossing.believed.as_ref().map(|believed| believed.range);
     let width = curves.and_then(|(from, to)| Some(0.5 * (to? - from?)));
     let largest = [crossing.step, crossing.mesh, width];
@@ -27,7 +27,7 @@ fn at(question: &Question, crossing: &Crossing) -> String {
 }
 
 /// A crossing in one line: `50 % at 61 m/s ± 2`, by the larger error.
-pub fn brief(question: &Question, crossing: &Crossing) -> String {
+pub fn brief(question: &ThresholdSearch, crossing: &Crossing) -> String {
     let unit = question.quantity.row().unit;
     let target = united(&question.target.to_string(), unit);
     let at = format!("{target} at {}", at(question, crossing));
@@ -50,7 +50,7 @@ pub fn brief(question: &Question, crossing: &Crossing) -> String {
 }
 
 /// That the result never has the value, and what it has instead.
-pub fn never(question: &Question, threshold: &Threshold) -> String {
+pub fn never(question: &ThresholdSearch, threshold: &Threshold) -> String {
     let (low, high) = (
         end(question, threshold, false),
         end(question, threshold, true),
@@ -59,7 +59,7 @@ pub fn never(question: &Question, threshold: &Threshold) -> String {
 }
 
 /// The least or the greatest result that was seen, and where.
-fn end(question: &Question, threshold: &Threshold, highest: bool) -> String {
+fn end(question: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String {
     let values: Vec<(f64, f64)> = known(threshold).collect();
     let (at, value) = if highest {
         self::highest(&values)
@@ -77,7 +77,7 @@ fn end(question: &Question, threshold: &Threshold, highest: bool) -> String {
 /// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
-    question: &Question,
+    question: &ThresholdSearch,
     threshold: &Threshold,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -141,7 +141,8 @@ pub fn text(
     writeln!(out, "\nResearch and education, not diagnosis.")
 }
 
-/// Over which values what is believed may be the target: by slopes and points of curves, and the errors above.
+/// Over which values what is believed may be the target: by slopes and points of curves, and the
+/// errors above.
 fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> Option<String> {
     Some(match of {
         (Some(from), Some(to)) => {
@@ -192,7 +193,7 @@ fn highest(values: &[(f64, f64)]) -> (f64, f64) {
 }
 
 /// A threshold as one object.
-pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> Value {
+pub fn json(scenario: &Scenario, question: &ThresholdSearch, threshold: &Threshold) -> Value {
     let crossing = |c: &Crossing| {
         json!({
             "at": c.at,

@@ -2,8 +2,8 @@
 //!
 //! A doubt is one standard deviation of a normal distribution about the value, cut off at the
 //! field's own bounds. It changes no single run; an ensemble draws from it. A doubt of 0 says that
-//! the value is known, which also keeps published spreads away from it. Only numbers that are always
-//! there can be doubted: no choices, whole numbers or optional ones.
+//! the value is known, which also keeps published spreads away from it. Only numbers that are
+//! always there can be doubted: no choices, whole numbers or optional ones.
 //!
 //! Left out: doubts that hang together. Every input is drawn by itself.
 
@@ -19,7 +19,8 @@ use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 
-/// Reads the doubts of a file, where a second one of a field would silently take the place of the first.
+/// Reads the doubts of a file, where a second one of a field would silently take the place of the
+/// first.
 ///
 /// # Errors
 /// Where a field is given twice, and as the reader.

@@ -97,8 +97,8 @@ impl Preset {
         Self { name, origin }
     }
 
-    /// The RON text as it stands, comments included. A file is read when this is called: thousands of
-    /// presets take no memory.
+    /// The RON text as it stands, comments included. A file is read when this is called: thousands
+    /// of presets take no memory.
     ///
     /// # Errors
     /// Says why it cannot be read.

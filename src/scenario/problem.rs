@@ -145,8 +145,9 @@ pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Ve
     scored.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
-/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by its last part, a name by any part of it: `force_n` means
-/// `impact.force_n`, and `verlet` `VelocityVerlet`.
+/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by
+/// its last part, a name by any part of it: `force_n` means `impact.force_n`, and `verlet`
+/// `VelocityVerlet`.
 pub fn likeness(typed: &str, candidate: &str) -> f64 {
     let bare = |name: &str| name.to_lowercase();
     if typed.chars().count() >= SHORTEST_PART && bare(candidate).contains(&bare(typed)) {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::answer::derived::Derived;
 use crate::injury::Injury;
-use crate::many::threshold::{Crossing, Question, Threshold};
+use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::report::text::significant;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -24,7 +24,7 @@ use crate::tui::worker::overseen;
 const HALF: f64 = 50.0;
 
 /// Asks for every crossing.
-pub struct FindThreshold(pub Question);
+pub struct FindThreshold(pub ThresholdSearch);
 
 impl request::Question for FindThreshold {
     type Answer = Threshold;

@@ -1,9 +1,9 @@
 //! Whether what is stated of an answer holds: many random scenes, each against a reference.
 //!
-//! What is stated is a step error, a mesh error, or that the damage index is within a tolerance that was
-//! asked for. A scene whose mesh folds promises nothing and is counted apart, and so is an object that goes
-//! through the eye. The finest mesh, with which mesh errors and tolerances are compared, is not the limit
-//! itself: it may be off by what fine levels scatter by.
+//! What is stated is a step error, a mesh error, or that the damage index is within a tolerance
+//! that was asked for. A scene whose mesh folds promises nothing and is counted apart, and so is
+//! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
+//! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
 use crate::answer::choose::{Ladder, within_by};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
@@ -24,7 +24,8 @@ use serde::{Serialize, Serializer};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// The finest level whose mesh errors can be checked: their witnesses are coarser than the reference.
+/// The finest level whose mesh errors can be checked: their witnesses are coarser than the
+/// reference.
 pub const FINEST_CHECKED: u32 = 5;
 /// The level that mesh errors and tolerances are compared with: one that no witness has.
 pub const REFERENCE_LEVEL: u32 = FINEST_LEVEL;
@@ -71,13 +72,15 @@ pub struct Claim {
     /// The true error, in %; none where there is no answer.
     #[serde(rename = "true_percent")]
     pub truth: Option<f64>,
-    /// Of a tolerance: elements that were computed for the answer, over those of one run at level 1.
+    /// Of a tolerance: elements that were computed for the answer, over those of one run at level
+    /// 1.
     #[serde(rename = "cost_over_level_1")]
     pub cost: Option<f64>,
 }
 
 impl Claim {
-    /// Whether something was claimed that is not true. A true error that is no number keeps no promise.
+    /// Whether something was claimed that is not true. A true error that is no number keeps no
+    /// promise.
     fn fails(&self) -> bool {
         let both = self.claimed.zip(self.truth);
         both.is_some_and(|(claimed, truth)| truth.is_nan() || truth > claimed)
@@ -133,9 +136,10 @@ pub struct Findings {
     pub scenes: Vec<Checked>,
 }
 
-/// Checks the claims of `study` in `count` scenes of `seed`, each with its reference, on all threads of the
-/// present pool; where mesh errors or tolerances are checked, until `count` promise something. The order and every bit of the result are the same for any number of
-/// threads. `watch` is told the share that is done, and may stop the rest.
+/// Checks the claims of `study` in `count` scenes of `seed`, each with its reference, on all
+/// threads of the present pool; where mesh errors or tolerances are checked, until `count` promise
+/// something. The order and every bit of the result are the same for any number of threads.
+/// `watch` is told the share that is done, and may stop the rest.
 ///
 /// # Errors
 /// Whatever a scene refuses; none should. [`Refusal::Cancelled`] if the watch stopped it.

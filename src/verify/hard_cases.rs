@@ -59,8 +59,8 @@ pub enum Start {
 /// The integrators of the references, and how many times more steps each takes in every segment.
 pub type References = [(Integrator, f64); 2];
 
-/// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of any
-/// error that counts, and the second confirms it within 1 %.
+/// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of
+/// any error that counts, and the second confirms it within 1 %.
 const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 /// For the one case that takes a quarter of a million steps.
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
@@ -354,8 +354,8 @@ fn reference(
     Ok(answer.case.results(&solution))
 }
 
-/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is left out if it
-/// wants to stop.
+/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is
+/// left out if it wants to stop.
 pub fn run(watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
     let done = AtomicUsize::new(0);

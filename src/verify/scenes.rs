@@ -18,8 +18,8 @@ const HARDEST_J: f64 = 20.0;
 pub enum Scenes {
     /// Pulses on the Paper model: force, duration, angle, width, shape, filaments.
     Pulses,
-    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the eye and
-    /// what holds it.
+    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the
+    /// eye and what holds it.
     Objects,
 }
 

@@ -53,7 +53,7 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
     ControlFlow::Continue(whole.into_string())
 }
 
-fn figure(caption: &str, chart: &charts::Chart) -> Markup {
+fn figure(caption: &str, chart: &charts::PageChart) -> Markup {
     html! {
         @if let Some(svg) = chart.svg() {
             figure { figcaption { (caption) } (PreEscaped(svg)) }
@@ -178,7 +178,7 @@ fn results(answer: &Answer) -> Markup {
                 }
             } }
         }
-        @if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+        @if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
             p.note { "Damage index: " (limit) "." }
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \

@@ -68,7 +68,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
-    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "\nDamage index: {}.", escaped(&limit))?;
     }
     writeln!(out, "\n| input | value |\n|---|---|")?;

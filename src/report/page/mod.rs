@@ -1,7 +1,8 @@
 //! One page that holds an answer whole: to read, to print, to send and to repeat.
 //!
-//! HTML is one file that needs nothing else: pictures are drawn in it, the replay is a small script in it, and its
-//! own rules forbid it to load anything. Markdown has the words and tables, SVG the picture alone.
+//! HTML is one file that needs nothing else: pictures are drawn in it, the replay is a small
+//! script in it, and its own rules forbid it to load anything. Markdown has the words and tables,
+//! SVG the picture alone.
 //!
 //! Left out: bands over the inputs, which take minutes (`contrecoup ensemble`).
 
@@ -38,7 +39,7 @@ const LIVELY: f64 = 0.6e-3;
 
 /// What a page is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum PageFormat {
     /// A page for a browser.
     Html,
     /// Text and tables.
@@ -47,7 +48,7 @@ pub enum Form {
     Svg,
 }
 
-impl Form {
+impl PageFormat {
     /// By the end of a file's name.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -84,18 +85,18 @@ fn spacing(window: f64, frames: f64) -> Spacing {
 /// # Errors
 /// Whatever `out` reports.
 pub fn write(
-    form: Form,
+    form: PageFormat,
     entries: &[Entry],
     command: Option<&str>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match form {
-        Form::Html => match html::page(entries, command, &mut unwatched) {
+        PageFormat::Html => match html::page(entries, command, &mut unwatched) {
             ControlFlow::Continue(page) => out.write_all(page.as_bytes()),
             ControlFlow::Break(()) => Ok(()),
         },
-        Form::Markdown => markdown::write(entries, command, out),
-        Form::Svg => out.write_all(eye::pictures(entries).as_bytes()),
+        PageFormat::Markdown => markdown::write(entries, command, out),
+        PageFormat::Svg => out.write_all(eye::pictures(entries).as_bytes()),
     }
 }
 
@@ -138,8 +139,8 @@ fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// A result as a row: name, value with as many digits as its errors allow, when or whether it means nothing here, and
-/// both errors.
+/// A result as a row: name, value with as many digits as its errors allow, when or whether it
+/// means nothing here, and both errors.
 struct Row {
     name: String,
     value: String,

@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use crate::answer::derived::Derived;
-use crate::injury::{Blow, Caution, Measure};
+use crate::injury::{Caution, FlyingObject, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
@@ -296,7 +296,7 @@ pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
         return false;
     };
     let there = map.adopted(&model.work.scenario);
-    let blow = there.and_then(|(_, scenario)| Blow::of(&scenario));
+    let blow = there.and_then(|(_, scenario)| FlyingObject::of(&scenario));
     blow.and_then(|blow| blow.caution()) == Some(Caution::LargerThanOrbit)
 }
 
