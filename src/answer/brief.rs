@@ -21,9 +21,7 @@ use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::raised::of_motion;
 use crate::run::refusal::Refusal;
-use crate::run::rules::LONGEST_SHARE;
-use crate::run::rules::next_share;
-use crate::run::rules::share_for;
+use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 

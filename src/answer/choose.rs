@@ -15,8 +15,7 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
 use crate::run::watch::Watch;
-use crate::scenario::Integrator;
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, Integrator, Scenario};
 
 /// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
 /// 8 can tell whether what is answered is true.

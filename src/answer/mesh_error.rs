@@ -75,7 +75,7 @@ pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
     Ok(OnMesh {
         results: case.results(&run),
         folded: run.folded_at(),
-        elements: (run.cost.evaluations * case.eye.elements_per_evaluation()) as f64,
+        elements: (run.cost.evaluations * case.elements_per_evaluation()) as f64,
     })
 }
 

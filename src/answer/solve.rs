@@ -10,16 +10,12 @@ use crate::answer::results::Results;
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled, validity};
 use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
-use crate::run::flags::END;
-use crate::run::flags::Flag;
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::kept::Peak;
+use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::kept::{Keep, Peak};
 use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
-use crate::run::raised::TwoRuns;
-use crate::run::raised::of_motion;
+use crate::run::raised::{TwoRuns, of_motion};
 use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
 use crate::run::watch::Watch;
@@ -327,7 +323,7 @@ impl Measured {
 
 fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
-    let (second, factor) = case.eye.second_plan(plan);
+    let (second, factor) = case.second_plan(plan);
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
     let (first, second, time) = thread::scope(|scope| {
@@ -388,9 +384,9 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
     Answer {
-        step: case.eye.longest_step(&plan),
+        step: case.longest_step(&plan),
         step_limit: case.step_limit(plan.integrator),
-        element_evaluations: run.cost.evaluations * case.eye.elements_per_evaluation(),
+        element_evaluations: run.cost.evaluations * case.elements_per_evaluation(),
         run,
         errors,
         flags,

@@ -233,12 +233,12 @@ fn trials(case: &Compiled) -> Vec<Trial> {
     let mut plans: Vec<Plan> = [answer(case)].into_iter().chain(others).collect();
     // In a short window several steps come to the same.
     let mut seen = HashSet::new();
-    plans.retain(|plan| seen.insert((plan.integrator, case.eye.steps(plan))));
+    plans.retain(|plan| seen.insert((plan.integrator, case.steps(plan))));
     let trial = |plan: Plan| Trial {
         level: case.level(),
         plan,
         is_answer: plan == answer(case),
-        step: case.eye.longest_step(&plan),
+        step: case.longest_step(&plan),
         results: None,
         elements: 0.0,
         times: Vec::new(),
@@ -273,7 +273,7 @@ impl Accuracy {
                     Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
                     Err(_) => {}
                     Ok(ran) => {
-                        let each = case.eye.elements_per_evaluation();
+                        let each = case.elements_per_evaluation();
                         trial.elements = (ran.cost.evaluations * each) as f64;
                         trial.results = Some(case.results(&ran));
                     }

@@ -11,15 +11,13 @@ use std::sync::atomic::AtomicBool;
 
 use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::solve::Answer;
-use crate::answer::solve::solve;
+use crate::answer::solve::{Answer, solve};
 use crate::many::ordered;
 use crate::many::ordered::until;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
-use crate::scenario::CheckedScenario;
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 
 /// What is known of a scenario; an answer may be wrapped into what a screen draws of it.
 #[derive(Debug, Clone)]

@@ -17,9 +17,8 @@
 use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Impact, Scenario, set};
+use crate::scenario::{Impact, Scenario, fields, set};
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]

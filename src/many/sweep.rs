@@ -11,11 +11,10 @@ use crate::injury::{Caution, FlyingObject};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, set};
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, Scenario, fields};
 
 /// Most rows of a grid.
 pub const MAX_ROWS: usize = 10_000_000;

@@ -29,11 +29,10 @@ use crate::run::flags::Flag;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::set::{full_path, set};
+use crate::scenario::{Scenario, fields};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 const WIDTH: f64 = 1e-4;

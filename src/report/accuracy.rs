@@ -1,10 +1,6 @@
 //! Total error against time as text and as JSON, for one result.
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::ROUNDS;
-use crate::many::accuracy::TOLERANCES;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
+use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::models::kernel_name;
 use crate::plain_text::printable;
 use crate::report::json::{by_result, evaluations};

@@ -1,10 +1,9 @@
 //! Results as text for a terminal of 80 columns.
 
-use crate::report::errors;
 use crate::report::figure::{
     CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
 };
-use crate::report::limit;
+use crate::report::{errors, limit};
 use unicode_width::UnicodeWidthStr;
 
 use crate::answer::results::Results;

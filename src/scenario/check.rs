@@ -199,7 +199,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
             refuse(
                 "impact.offset_mm",
                 &plain(projectile.offset_mm),
-                "is no blow along an axis of revolution",
+                "is no blow along the axis of the eye",
                 "0 mm",
             );
         }

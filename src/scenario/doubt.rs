@@ -14,10 +14,9 @@ use serde::Deserializer;
 use serde::de::{Error, MapAccess, Visitor};
 
 use crate::plain_text::quoted;
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::scenario::{Scenario, fields};
 
 /// Reads the doubts of a file, where a second one of a field would silently take the place of the
 /// first.

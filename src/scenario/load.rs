@@ -5,13 +5,12 @@
 
 use std::path::Path;
 
-use crate::scenario::Scenario;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::ron_text::read;
-use crate::scenario::text_file;
 use crate::scenario::text_file::without_mark;
+use crate::scenario::{Scenario, text_file};
 
 pub use crate::scenario::ron_text::to_ron;
 

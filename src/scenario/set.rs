@@ -11,11 +11,10 @@ use serde::de::DeserializeOwned;
 
 use crate::scenario::check::{check_inside, near_zero_is_zero};
 use crate::scenario::curve_file::{PathBase, with_files};
-use crate::scenario::fields;
 use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::ron_text::{not_a, read};
-use crate::scenario::{PulseShape, Scenario, doubt};
+use crate::scenario::{PulseShape, Scenario, doubt, fields};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {

@@ -13,10 +13,7 @@
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::verify::experiments::MeasuredBand;
-use crate::verify::rerun::Rerun;
-use crate::verify::rerun::fitted;
-use crate::verify::rerun::rerun;
-use crate::verify::rerun::with_fat;
+use crate::verify::rerun::{Rerun, fitted, rerun, with_fat};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 

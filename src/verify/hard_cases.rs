@@ -16,8 +16,9 @@ use crate::run::model::EyeModel;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::scenario::Integrator;
-use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, PulseShape, Scenario};
+use crate::scenario::{
+    CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape, Scenario,
+};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::ops::ControlFlow;

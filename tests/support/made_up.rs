@@ -60,7 +60,7 @@ fn size(case: &Compiled, scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
         Impact::Projectile(_) => case
-            .scene
+            .risk_inputs
             .blow
             .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
     }

@@ -15,8 +15,7 @@ use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::{FRAMES, spacing};
 use crate::run::drawing::Drawing;
-use crate::run::kept::Frame;
-use crate::run::kept::nearest;
+use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 

@@ -5,8 +5,7 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::many::comparison::Entry;
-use crate::many::comparison::leading;
+use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};

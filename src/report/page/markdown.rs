@@ -2,8 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::many::comparison::Entry;
-use crate::many::comparison::leading;
+use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
