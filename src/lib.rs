@@ -31,7 +31,8 @@
 //! The rooms, from the lowest; a lower one never imports a higher one:
 //!
 //! - [`scenario`]: what a person asks for, in their units, read, checked and changed;
-//! - [`run`]: the socket. A run's readings, traces, frames, flags and cost, whichever model gave them;
+//! - [`run`]: the socket. A run's readings, traces, frames, flags and cost, whichever model gave
+//!   them;
 //! - [`models`]: one folder a model. A model turns a scenario into a mesh and moves it;
 //! - [`injury`]: the paper's damage index and published injury curves, from readings;
 //! - [`answer`]: one blow with the errors of step and mesh, and the risks that follow;
@@ -39,8 +40,8 @@
 //! - [`verify`]: stated errors against references, and the models against experiments;
 //! - reports, the command line and the terminal app, which are no part of the library.
 //!
-//! A new model fills [`EyeModel`](run::model::EyeModel), states its [`Rules`](run::rules::Rules) and
-//! is named in [`models`]; all above asks these two only. A new result is a row of
+//! A new model fills [`EyeModel`](run::model::EyeModel), states its [`Rules`](run::rules::Rules)
+//! and is named in [`models`]; all above asks these two only. A new result is a row of
 //! [`Quantity`](run::quantity::Quantity). [`guide`] is what to read besides.
 //!
 //! Sines, logarithms and the like that lead to a result come from the crate `libm`: the C library

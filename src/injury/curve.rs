@@ -35,7 +35,7 @@ impl Injury {
         Self::CornealAbrasion,
     ];
 
-    /// Its name for people.
+    /// The name for people.
     pub const fn name(self) -> &'static str {
         match self {
             Self::CornealAbrasion => "corneal abrasion",
@@ -69,7 +69,7 @@ impl Injury {
     }
 }
 
-/// What a curve runs against.
+/// The measure of a blow that a curve gives the risk for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Measure {
     /// Kinetic energy over the object's projected area, J/m^2 (the literature's kg/s^2).
@@ -83,7 +83,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Its name for people.
+    /// The name for people.
     pub fn name(self) -> &'static str {
         match self {
             Self::NormalizedEnergy => "normalized energy",
@@ -112,7 +112,7 @@ impl Measure {
         }
     }
 
-    /// The unit that people read, and how many SI units it holds.
+    /// The unit for people, and its size in SI units.
     pub fn unit(self) -> (&'static str, f64) {
         match self {
             Self::NormalizedEnergy => ("kJ/m2", 1e3),
@@ -137,7 +137,7 @@ const POINT: f64 = 0.15;
 pub struct Slope {
     /// The flattest that data would still allow.
     pub least: f64,
-    /// Taken for the figure shown.
+    /// The slope behind the risk that is shown.
     pub usual: f64,
     /// The steepest.
     pub most: f64,
@@ -217,11 +217,11 @@ impl Standing {
 /// The range of its data, beyond which a curve extrapolates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
-    /// Of the measure itself, SI.
+    /// Least and greatest value of the measure, in SI.
     Measure(f64, f64),
-    /// Of the object's speed, m/s: the source gives no other.
+    /// Least and greatest speed of the object, in m/s: the source gives nothing else.
     Speed(f64, f64),
-    /// Not at hand: every value counts as outside.
+    /// Not known: every value counts as outside.
     Unknown,
 }
 
@@ -230,7 +230,7 @@ pub enum Range {
 pub struct InjuryCurve {
     /// The injury whose risk it gives.
     pub injury: Injury,
-    /// What the risk runs against.
+    /// The measure that the risk is given for.
     pub measure: Measure,
     /// Its law and parameters.
     pub form: CurveForm,
@@ -244,7 +244,7 @@ pub struct InjuryCurve {
     pub data: &'static str,
     /// How well founded it is.
     pub standing: Standing,
-    /// Anything a reader must know beside.
+    /// A remark for the reader; empty where there is none.
     pub remark: &'static str,
 }
 

@@ -57,7 +57,7 @@ impl FlyingObject {
     }
 
     /// What speaks against normalized energy for this object.
-    pub fn caution(&self) -> Option<Caution> {
+    pub(super) fn caution(&self) -> Option<Caution> {
         if self.diameter > ORBIT {
             Some(Caution::LargerThanOrbit)
         } else if self.diameter > EYE {
@@ -78,6 +78,11 @@ pub enum Caution {
 }
 
 impl Caution {
+    /// What speaks against risks by energy of the object of a scenario; none without an object.
+    pub fn of(scenario: &Scenario) -> Option<Self> {
+        FlyingObject::of(scenario)?.caution()
+    }
+
     /// Its name in JSON.
     pub fn key(self) -> &'static str {
         match self {

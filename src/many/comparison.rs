@@ -19,10 +19,10 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 
-/// What is known of a scenario; an answer may be wrapped into what a screen draws of it.
+/// The answer to a scenario, as far as it is known; a screen may wrap it into what it draws.
 #[derive(Debug, Clone)]
 pub enum Found<A = Answer> {
-    /// Nothing yet.
+    /// It is still being computed.
     Awaited,
     /// Its answer.
     Answer(A),
@@ -44,7 +44,7 @@ pub struct Entry<A = Answer> {
 }
 
 impl<A: Borrow<Answer>> Entry<A> {
-    /// One of which nothing is known yet.
+    /// An entry without an answer yet.
     pub fn new(name: &str, scenario: &Scenario) -> Self {
         Self {
             name: name.to_owned(),
@@ -94,7 +94,7 @@ impl ComparisonColumn {
         matches!(self, Self::Result(of) if matches!(of.derived(), Some(Derived::Believed(_))))
     }
 
-    /// What is believed before what that is read off, then other risks and the rest.
+    /// Place from the left: believed risks, what they are read off, other risks, the rest.
     fn rank(self) -> u8 {
         match self {
             Self::Name => 0,
@@ -152,8 +152,8 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         .collect()
 }
 
-/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard`
-/// is told how many are done of how many.
+/// Answers all of them, in their order; `keep` says what each scenario's recording holds.
+/// `progress` is told how many are done of how many.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.
@@ -161,7 +161,7 @@ pub fn compare(
     asked: &[(String, CheckedScenario)],
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,
     stop: &AtomicBool,
-    mut heard: impl FnMut(usize, usize) + Send,
+    mut progress: impl FnMut(usize, usize) + Send,
 ) -> Result<Vec<Entry>, Refusal> {
     let solved = |scenario: &CheckedScenario| {
         let mut watch = until(stop);
@@ -183,7 +183,7 @@ pub fn compare(
         })
     };
     ordered::run((0, asked.len()), stop, job, |at, entry| {
-        heard(at + 1, asked.len());
+        progress(at + 1, asked.len());
         entries.push(entry);
         ControlFlow::Continue(())
     });

@@ -37,7 +37,8 @@ impl Bracket {
     }
 }
 
-/// The bracket no wider than `width`, by `value`; a value of exactly zero counts as above zero.
+/// Narrows a bracket of a root of `value` to `width`; a value of exactly zero counts as above
+/// zero.
 ///
 /// # Errors
 /// The first that `value` gives.

@@ -25,7 +25,7 @@ use crate::scenario::{Impact, Scenario, fields, set};
 pub enum Shape {
     /// Every factor as likely as its inverse, from the first to the second.
     LogUniform(f64, f64),
-    /// Every value as likely, from the first to the second.
+    /// Every value equally likely, from the first to the second.
     Uniform(f64, f64),
     /// Mean and standard deviation, cut off at the field's bounds.
     Normal(f64, f64),
@@ -37,9 +37,9 @@ pub struct Spread {
     pub path: &'static str,
     /// The value that the model takes unless told otherwise.
     pub nominal: f64,
-    /// What was measured.
+    /// The range that was measured.
     pub shape: Shape,
-    /// Where that stands.
+    /// The source of that range.
     pub source: &'static str,
 }
 
@@ -144,14 +144,14 @@ pub static SPREADS: &[Spread] = &[
     },
 ];
 
-/// Something that an ensemble draws.
+/// An input that is not known and that an ensemble draws.
 #[derive(Clone)]
 pub struct UncertainInput {
-    /// Where it goes.
+    /// The field of the scenario that it stands for.
     pub field: &'static Field,
-    /// What the scenario holds.
+    /// The value in the scenario.
     pub nominal: f64,
-    /// What it is drawn from.
+    /// The distribution that it is drawn from.
     pub shape: Shape,
     /// The bounds of the field.
     bounds: (f64, f64),

@@ -7,7 +7,7 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::brief::{BriefAnswer, checked};
-use crate::injury::{Caution, FlyingObject};
+use crate::injury::Caution;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
@@ -184,11 +184,7 @@ impl Sweep {
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number);
-        let blow = scenario
-            .as_ref()
-            .ok()
-            .and_then(|scenario| FlyingObject::of(scenario));
-        let caution = blow.and_then(|blow| blow.caution());
+        let caution = scenario.as_ref().ok().and_then(|valid| Caution::of(valid));
         let outcome = match scenario {
             Err(error) => Err(error.to_string()),
             Ok(scenario) => match checked(&scenario, watch) {

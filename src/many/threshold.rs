@@ -21,7 +21,7 @@ use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
-use crate::injury::{Caution, FlyingObject, Measures, Risk};
+use crate::injury::{Caution, Measures, Risk};
 use crate::many::ordered::{self, until};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
@@ -347,7 +347,7 @@ impl ThresholdSearch {
         let Some(of) = answer.rests_on(self.quantity) else {
             // A risk by nothing but the inputs is as exact as they are.
             (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
-            crossing.caution = FlyingObject::of(&scenario).and_then(|blow| blow.caution());
+            crossing.caution = Caution::of(&scenario);
             let aside = self.aside(at).map(|end| self.at(end));
             let [low, high] =
                 aside.map(|end| Some(RiskInputs::of(&end.ok()?).measures(None, None)));

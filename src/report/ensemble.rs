@@ -1,6 +1,6 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use crate::injury::{Caution, FlyingObject};
+use crate::injury::Caution;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::many::spreads::{Shape, UncertainInput};
@@ -10,11 +10,6 @@ use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
-
-/// What speaks against the risks by energy of this scenario's object.
-fn caution(scenario: &Scenario) -> Option<Caution> {
-    FlyingObject::of(scenario)?.caution()
-}
 
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
@@ -103,7 +98,7 @@ pub fn text(
     for remark in outside(ensemble) {
         paragraph(&remark, out)?;
     }
-    if let Some(caution) = caution(scenario) {
+    if let Some(caution) = Caution::of(scenario) {
         let text = caution.text();
         paragraph(&format!("! rupture and retina, energy: {text}"), out)?;
     }
@@ -280,7 +275,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
         "seed": ensemble.seed,
         "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
         "results": results,
-        "energy_caution": caution(scenario).map(Caution::key),
+        "energy_caution": Caution::of(scenario).map(Caution::key),
         "counted": {
             "in_the_bands": ensemble.valid().count(),
             "folded": ensemble.folded(),

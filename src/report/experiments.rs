@@ -154,7 +154,7 @@ fn row(row: &Rerun) -> Value {
     })
 }
 
-/// The same as JSON.
+/// The rows as JSON.
 pub fn json(rows: &[Rerun]) -> Value {
     json!({ "rows": rows.iter().map(row).collect::<Vec<_>>() })
 }
@@ -193,7 +193,7 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     lines(&fit.best.rows.iter().collect::<Vec<_>>(), out)
 }
 
-/// The same as JSON.
+/// The fit as JSON.
 pub fn fit_json(fit: &Fit) -> Value {
     let tried: Vec<Value> = fit
         .tried

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 
 use crate::report::text::paragraph;
 
-/// What is said of a risk that means nothing here.
+/// The words for a risk that is not usable here.
 pub const VOID: &str = "not valid here";
 
 /// The part that a curve has in the verdicts.
@@ -19,7 +19,7 @@ pub fn part_of<'a>(verdicts: &'a [Verdict], curve: &InjuryCurve) -> Option<&'a P
     Some(&part.1)
 }
 
-/// Whether a result is a risk that means nothing here.
+/// Whether a result is a risk that is not usable here.
 pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
     let Some(Derived::Risk(injury, measure)) = of.derived() else {
         return false;

@@ -22,7 +22,7 @@ use crate::scenario::{
 pub struct CheckedScenario(Scenario);
 
 impl Scenario {
-    /// The same as something that can be simulated.
+    /// Checks every value and gives the scenario as a type that can be simulated.
     ///
     /// # Errors
     /// Names every field that is not allowed, its value and what would be, in the order of the
@@ -75,7 +75,7 @@ impl From<CheckedScenario> for Scenario {
 }
 
 impl CheckedScenario {
-    /// The same by a name that need not be one of a file: it changes no figure.
+    /// The scenario under another name, which changes no figure.
     #[cfg(feature = "app")]
     pub(crate) fn renamed(mut self, name: String) -> Self {
         self.0.name = name;

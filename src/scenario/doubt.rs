@@ -76,7 +76,7 @@ pub(crate) fn begun(text: &str) -> Option<&str> {
     SIGNS.iter().find_map(|sign| ends(sign)).map(str::trim_end)
 }
 
-/// The value and the doubt of what was typed.
+/// Splits typed text such as `300 +- 20` into its value and its doubt.
 pub(super) fn split(text: &str) -> (&str, Option<&str>) {
     let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));
     match parts {

@@ -44,7 +44,7 @@ pub enum Kind {
     Choice(&'static (dyn Choices + Sync)),
     /// A set of whole numbers between the first two, at most as many as the third.
     Integers(u32, u32, usize, Place<Vec<u32>>),
-    /// Text of 1 to so many characters.
+    /// Text of 1 character to this many.
     Text(usize, Place<String>),
 }
 
@@ -63,9 +63,9 @@ pub struct Bounds {
 
 /// How to reach a value; `None` where the present variant has no such field.
 pub struct Place<T: 'static> {
-    /// Reads it.
+    /// Gives the value to read.
     pub get: fn(&Scenario) -> Option<&T>,
-    /// Lends it for a change.
+    /// Gives the value to change.
     pub get_mut: fn(&mut Scenario) -> Option<&mut T>,
 }
 
@@ -219,7 +219,7 @@ macro_rules! within {
     };
 }
 
-/// Both accessors of what the eye of a section alone has.
+/// Both accessors of a field that only the Paper model has.
 macro_rules! of_section {
     ($part:ident) => {
         Place {

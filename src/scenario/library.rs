@@ -75,7 +75,7 @@ pub enum Origin {
     User(PathBuf),
 }
 
-/// A scenario with a name to call it by.
+/// A scenario that can be asked for by name.
 #[derive(Debug, Clone)]
 pub struct Preset {
     /// The file's name without `.ron`.

@@ -129,7 +129,7 @@ pub fn plain(number: f64) -> String {
 
 /// Characters from which on a part of a name can stand for it.
 const SHORTEST_PART: usize = 4;
-/// A name is like another from this likeness on, of 1 at most.
+/// From this likeness on, of 1 at most, one name is proposed for another.
 pub const ALIKE: f64 = 0.8;
 
 /// Up to three candidates that resemble a mistyped name, the nearest first.

@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use crate::answer::derived::Derived;
-use crate::injury::{Caution, FlyingObject, Measure};
+use crate::injury::{Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::text::{capital, significant};
@@ -296,8 +296,8 @@ pub(crate) fn is_void_there(map: &Map, model: &Model, of: Quantity) -> bool {
         return false;
     };
     let there = map.adopted(&model.work.scenario);
-    let blow = there.and_then(|(_, scenario)| FlyingObject::of(&scenario));
-    blow.and_then(|blow| blow.caution()) == Some(Caution::LargerThanOrbit)
+    let caution = there.and_then(|(_, scenario)| Caution::of(&scenario));
+    caution == Some(Caution::LargerThanOrbit)
 }
 
 /// What is known under the cursor.
