@@ -287,7 +287,7 @@ fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
     physiological_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
 }
 
-/// What only a section has.
+/// The scenario, if it is of the Paper model.
 fn section(scenario: &Scenario) -> Option<&Scenario> {
     physiological(scenario).is_none().then_some(scenario)
 }

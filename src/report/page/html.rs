@@ -5,13 +5,14 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
+use crate::injury::lines;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
+use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, version};
 use crate::report::text::{capital, percent};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
@@ -72,7 +73,7 @@ fn comparison(entries: &[Entry]) -> Markup {
             h1 { "Side by side" }
             @for entry in entries {
                 @if let Some(answer) = entry.answer() {
-                    @if let Some((name, words)) = verdicts(answer).into_iter().next() {
+                    @if let Some((name, words)) = lines(&answer.verdicts()).into_iter().next() {
                         p.verdict { strong { (printable(&entry.name)) } ": " (name) ": " (words) }
                     }
                 }
@@ -106,7 +107,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
-                    @for (name, words) in verdicts(answer) {
+                    @for (name, words) in lines(&answer.verdicts()) {
                         p.verdict { strong { (name) } ": " (words) }
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }

@@ -2,12 +2,13 @@
 
 use std::io::{self, Write};
 
+use crate::injury::lines;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
-use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, version};
 use crate::run::quantity::Quantity;
 
 /// Writes it.
@@ -40,7 +41,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         return writeln!(out, "No answer: {}\n", escaped(&why));
     };
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
-    for (name, words) in verdicts(answer) {
+    for (name, words) in lines(&answer.verdicts()) {
         writeln!(out, "- **{name}**: {}", escaped(&words))?;
     }
     if let Some(why) = unusable(answer) {

@@ -17,7 +17,6 @@ use std::path::Path;
 
 use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
-use crate::injury::{Verdict, lines};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_word};
@@ -27,7 +26,7 @@ use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::run::watch::unwatched;
 use crate::scenario::Scenario;
-use crate::scenario::fields::{FIELDS, Kind};
+use crate::scenario::fields::{FIELDS, Kind, find};
 
 /// Where the model comes from.
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
@@ -114,18 +113,15 @@ fn version() -> String {
 fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
     let mut usual = Scenario::default();
     // The usual parts are those of the same model.
-    let model = FIELDS.iter().find(|field| field.path == "model");
-    if let Some(Kind::Choice(models)) = model.map(|field| &field.kind)
+    if let Some(Kind::Choice(models)) = find("model").map(|field| &field.kind)
         && let Some(name) = models.get(scenario)
     {
         models.set(&mut usual, name);
     }
     let worth = |path: &str, text: &String| {
         let own = path == "model" || path.starts_with("impact");
-        let other = FIELDS.iter().find(|field| field.path == path);
-        own || other
-            .and_then(|field| field.text(&usual))
-            .is_none_or(|usual| usual != *text)
+        let usual = find(path).and_then(|field| field.text(&usual));
+        own || usual.is_none_or(|usual| usual != *text)
     };
     let asked = FIELDS.iter().filter(|field| field.path != "name");
     asked
@@ -141,7 +137,7 @@ fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
 
 /// A result as a row: name, value with as many digits as its errors allow, when or whether it
 /// means nothing here, and both errors.
-struct Row {
+struct ResultRow {
     name: String,
     value: String,
     unit: &'static str,
@@ -150,12 +146,12 @@ struct Row {
     mesh: String,
 }
 
-fn rows(answer: &Answer) -> Vec<Row> {
+fn rows(answer: &Answer) -> Vec<ResultRow> {
     let (errors, verdicts) = (&answer.errors, answer.verdicts());
     let row = |(of, _): (Quantity, f64)| {
         let mesh = errors.mesh.as_ref();
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
-        Row {
+        ResultRow {
             name: capital(of.row().label),
             value: range(answer, of).unwrap_or_else(|| value(answer, of)),
             unit: of.row().unit,
@@ -182,12 +178,6 @@ fn value(answer: &Answer, of: Quantity) -> String {
     })
 }
 
-/// What is to be believed of each injury: its name and the words.
-fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
-    let verdicts: Vec<Verdict> = answer.verdicts();
-    lines(&verdicts)
-}
-
 /// Everything that the page rests on, each once.
 fn sources(entries: &[Entry]) -> Vec<&'static str> {
     let mut sources = vec![SOURCE];
@@ -202,9 +192,7 @@ fn sources(entries: &[Entry]) -> Vec<&'static str> {
 
 /// What the mesh is, in words.
 fn mesh(answer: &Answer, scenario: &Scenario) -> String {
-    let model = FIELDS.iter().find(|field| field.path == "model");
-    let model = model
-        .and_then(|field| field.text(scenario))
-        .unwrap_or_default();
+    let model = find("model").and_then(|field| field.text(scenario));
+    let model = model.unwrap_or_default();
     format!("{model} model, mesh level {}", answer.case.level())
 }
