@@ -45,7 +45,7 @@ const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
 
-/// One integrator at one step on one level, and what came of it.
+/// One integrator at one step on one level, with its results and times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// The level.
@@ -267,15 +267,15 @@ impl Accuracy {
                 let trial = &mut self.trials[place];
                 let case = case(trial.level);
                 let began = Instant::now();
-                let ran = case.run(&trial.plan, Keep::default(), watch);
+                let run = case.run(&trial.plan, Keep::default(), watch);
                 let took = began.elapsed().as_secs_f64();
-                match ran {
+                match run {
                     Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
                     Err(_) => {}
-                    Ok(ran) => {
+                    Ok(run) => {
                         let each = case.elements_per_evaluation();
-                        trial.elements = (ran.cost.evaluations * each) as f64;
-                        trial.results = Some(case.results(&ran));
+                        trial.elements = (run.cost.evaluations * each) as f64;
+                        trial.results = Some(case.results(&run));
                     }
                 }
                 trial.times.push(took);

@@ -156,7 +156,7 @@ impl ThresholdSearch {
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
     }
 
-    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
+    fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
         let scenario = self.at(value)?.check()?;
         solve(&scenario, Keep::default(), &mut until(stop))
     }
@@ -204,9 +204,9 @@ impl ThresholdSearch {
         stop: &AtomicBool,
         mut progress: impl FnMut(f64) + Send,
     ) -> Result<Threshold, Refusal> {
-        let seen = self.looked_at(stop, &mut progress)?;
+        let seen = self.run_grid(stop, &mut progress)?;
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
-            let there = self.once(seen[0].0, stop)?;
+            let there = self.results_at(seen[0].0, stop)?;
             let there: Vec<&str> = there.present().map(|(of, _)| of.key()).collect();
             let risk = if self.quantity.is_risk() {
                 "; `contrecoup run` says why no measure of a risk is usable here"
@@ -240,7 +240,7 @@ impl ThresholdSearch {
     /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th
     /// value is looked at first, and others only between two of which one has no result, or where
     /// the target may lie. Each is one run: its error matters at a crossing, where it is stated.
-    fn looked_at(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
+    fn run_grid(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
         let grid = self.grid();
         let last = grid.len() - 1;
         let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
@@ -249,8 +249,8 @@ impl ThresholdSearch {
             .filter(|i| i % coarse == 0 || *i == last)
             .collect();
         let mut done = 0;
-        let mut look = |at: &[usize], seen: &mut Vec<_>| {
-            let run = |i: usize| match self.once(grid[at[i]], stop) {
+        let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
+            let run = |i: usize| match self.results_at(grid[at[i]], stop) {
                 Err(Refusal::Cancelled) => None,
                 Err(refusal) => Some(Err(refusal.to_string())),
                 Ok(results) => Some(Ok(results[self.quantity])),
@@ -267,7 +267,7 @@ impl ThresholdSearch {
             }
             Ok(())
         };
-        look(&first, &mut seen)?;
+        run_at(&first, &mut seen)?;
         let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
         let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
             (Some(a), Some(b)) => {
@@ -280,7 +280,7 @@ impl ThresholdSearch {
         let between = pairs
             .filter(|pair| worth(*pair))
             .flat_map(|(a, b)| a + 1..b);
-        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        run_at(&between.collect::<Vec<_>>(), &mut seen)?;
         let pairs = grid.into_iter().zip(seen);
         Ok(pairs
             .filter_map(|(at, result)| Some((at, result?)))
@@ -288,7 +288,7 @@ impl ThresholdSearch {
     }
 
     /// The results of one run at a value of the field.
-    fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
+    fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         let scenario = self.at(value)?.check()?;
         Ok(single(&scenario, None, &mut until(stop))?.values)
     }
@@ -318,13 +318,13 @@ impl ThresholdSearch {
         let rising = bracket.low.1 < 0.0;
         let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
         let mut left = 1.0;
-        let mut tell = || {
+        let mut one_more_run = || {
             left *= PATIENCE;
             progress(1.0 - left);
         };
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
-            let result = self.solved(value, stop)?.results()[self.quantity];
-            tell();
+            let result = self.answer_at(value, stop)?.results()[self.quantity];
+            one_more_run();
             Ok(result.ok_or_else(|| self.absent())? - self.target)
         })?;
         let at = bracket.secant();
@@ -343,7 +343,7 @@ impl ThresholdSearch {
         };
         let mut watch = until(stop);
         let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
-        tell();
+        one_more_run();
         let Some(of) = answer.rests_on(self.quantity) else {
             // A risk by nothing but the inputs is as exact as they are.
             (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
@@ -355,10 +355,10 @@ impl ThresholdSearch {
             return Ok(crossing);
         };
         add_mesh_error(&scenario, &mut answer, &mut watch)?;
-        tell();
+        one_more_run();
         crossing.flags.clone_from(&answer.flags);
         if jump.is_none() {
-            let [low, high] = self.aside(at).map(|end| match self.solved(end, stop) {
+            let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
                 Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
                 // Beyond there is nothing: the slope is not known.
                 solved => Ok(solved.ok()),

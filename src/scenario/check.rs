@@ -354,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_of_revolution_has_its_own_limits_and_none_of_the_sections() {
+    fn the_axisymmetric_eye_has_its_own_limits_and_none_of_the_sections() {
         let mut scenario = Scenario {
             model: Model::Physiological(crate::scenario::Physiological::default()),
             impact: Impact::Projectile(Projectile {

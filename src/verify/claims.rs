@@ -60,7 +60,7 @@ impl Serialize for Subject {
     }
 }
 
-/// What is claimed of one answer, and what is true.
+/// One claim about an answer, with the true error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Claim {
     /// What it is about.
@@ -92,7 +92,7 @@ pub struct Checked {
     /// Number of the scene.
     #[serde(rename = "scene")]
     pub index: u32,
-    /// What was claimed of it; none where the mesh folds or the object goes through.
+    /// The claims about it; none where the mesh folds or the object goes through.
     pub claims: Option<Vec<Claim>>,
 }
 
@@ -206,7 +206,7 @@ impl Study {
         }
     }
 
-    /// What is claimed of one scene; none where nothing is promised.
+    /// The claims about one scene; none where nothing is promised.
     fn claims(self, scene: &Scenario) -> Result<Option<Vec<Claim>>, Refusal> {
         match self {
             Self::Steps(_) => step_errors(scene, self.fineness().unwrap_or(1.0)),
@@ -259,7 +259,7 @@ fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refus
     Ok(Some(about_results(&mesh.errors, &truth)))
 }
 
-/// What becomes of each tolerance. No answer rests on the reference level.
+/// A claim for each tolerance. No answer rests on the reference level.
 fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
     let mut ladder = Ladder::default();
     let [_, finer] = witnesses(&scene.model, 1);

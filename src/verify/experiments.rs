@@ -18,7 +18,7 @@ use crate::scenario::{
     Support, Surface,
 };
 
-/// What is read from a run to be compared.
+/// The figure of a run that is compared with a measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gauge {
     /// Force of contact when the object has come so far in, in mm: N.
@@ -46,7 +46,7 @@ impl Gauge {
     }
 }
 
-/// What was measured, in the unit of what is read.
+/// The measured value or range, in the unit of its gauge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MeasuredBand {
     /// A mean with its spread.
@@ -62,7 +62,7 @@ pub enum MeasuredBand {
 }
 
 impl MeasuredBand {
-    /// Least and greatest value that agrees.
+    /// Least and greatest value that agrees with the measurement.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Spread(mean, sd) => (mean - sd, mean + sd),
@@ -98,17 +98,17 @@ pub struct Experiment {
     pub key: &'static str,
     /// What was done and measured.
     pub what: &'static str,
-    /// The same as a scenario, on the coarsest of the meshes that are compared.
+    /// The experiment as a scenario, on the coarsest of the meshes that are compared.
     pub scenario: fn() -> Scenario,
-    /// What is compared.
+    /// The figure that is compared.
     pub reading: Gauge,
-    /// With what.
+    /// The measurement that it is compared with.
     pub measured: MeasuredBand,
     /// Whether the model was fitted to it.
     pub fitted: bool,
     /// Whether part of the figure is from memory.
     pub unverified: bool,
-    /// Whose eyes.
+    /// The species of the eyes.
     pub species: &'static str,
     /// Where it was published.
     pub source: &'static str,

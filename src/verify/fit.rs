@@ -84,7 +84,7 @@ impl Tried {
     }
 }
 
-/// Fits the free number; `watch` hears the share done.
+/// Fits the free number; `watch` is told the share done.
 ///
 /// # Errors
 /// [`Refusal::Cancelled`] if the watch stopped it.

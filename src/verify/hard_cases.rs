@@ -38,9 +38,9 @@ pub struct HardCase {
     pub name: &'static str,
     /// What it stresses.
     pub stresses: &'static str,
-    /// What is asked.
+    /// The scenario that is asked for.
     pub scenario: Scenario,
-    /// What is done to the eye first.
+    /// What is done to the eye before the blow.
     pub start: Start,
     /// How the truth is found.
     pub references: References,
@@ -66,7 +66,7 @@ const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 /// For the one case that takes a quarter of a million steps.
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
 
-/// What became of a case.
+/// The verdict on a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CaseVerdict {
     /// No flag, and every listed result within its claimed step error or within 1 %.
@@ -94,7 +94,7 @@ impl CaseVerdict {
     }
 }
 
-/// A case with what became of it.
+/// A case with its verdict and errors.
 #[derive(Debug, Clone)]
 pub struct CaseOutcome {
     /// The case's name.

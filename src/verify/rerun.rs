@@ -66,7 +66,7 @@ impl Rerun {
         self.predicted.each_ref().map(inside)
     }
 
-    /// Whether all do.
+    /// Whether the prediction of every mesh does.
     pub fn is_met(&self) -> bool {
         self.inside() == [true; MESHES]
     }

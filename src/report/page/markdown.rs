@@ -11,7 +11,7 @@ use crate::report::limit;
 use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, version};
 use crate::run::quantity::Quantity;
 
-/// Writes it.
+/// Writes the page as Markdown.
 ///
 /// # Errors
 /// Whatever `out` reports.

@@ -60,7 +60,7 @@ impl PageFormat {
     }
 }
 
-/// What a page needs of a run.
+/// What a run must keep for a page: traces, and the frames of its replay.
 pub fn keep(scenario: &Scenario) -> Keep {
     Keep {
         traces: true,
@@ -68,7 +68,7 @@ pub fn keep(scenario: &Scenario) -> Keep {
     }
 }
 
-/// When the frames of a replay are, of a window in s.
+/// The times of the frames of a replay; `window` is in s.
 fn spacing(window: f64, frames: f64) -> Spacing {
     let early = LIVELY.min(0.5 * window);
     let half = (0.5 * frames).round();
