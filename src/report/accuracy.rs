@@ -3,8 +3,8 @@
 use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::models::kernel_name;
 use crate::plain_text::printable;
+use crate::report::format::{percent, significant};
 use crate::report::json::{by_result, evaluations};
-use crate::report::text::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};

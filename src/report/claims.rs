@@ -1,7 +1,7 @@
 //! How often what is claimed holds, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::report::text::{WIDTH, significant, wrapped};
+use crate::report::format::{WIDTH, significant, wrapped};
 use crate::verify::claims::{Claim, Coverage, Findings, REFERENCE_LEVEL, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
@@ -10,7 +10,7 @@ use std::io::{self, Write};
 /// An error in percent with two digits, however small.
 fn error(percent: f64) -> String {
     if percent == 0.0 || (1e-3..1e3).contains(&percent) {
-        crate::report::text::percent(percent)
+        crate::report::format::percent(percent)
     } else {
         format!("{percent:.1e} %")
     }

@@ -13,8 +13,8 @@ use crate::injury::{Caution, lines};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{CUT, Figure};
+use crate::report::format::{WIDTH, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::text::{WIDTH, paragraph, percent};
 use crate::report::verdict::{mixed, range};
 use crate::run::quantity::Quantity;
 

@@ -5,7 +5,7 @@ use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::many::spreads::{Shape, UncertainInput};
 use crate::plain_text::printable;
-use crate::report::text::{paragraph, percent, significant};
+use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};

@@ -2,7 +2,7 @@
 //! of a leading result with the name of that result.
 
 use crate::answer::results::Results;
-use crate::report::text::percent;
+use crate::report::format::percent;
 use crate::run::quantity::Quantity;
 
 /// The error of the damage index, in words.

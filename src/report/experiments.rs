@@ -1,6 +1,6 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
-use crate::report::text::{block, digits, significant};
+use crate::report::format::{block, digits, significant};
 use crate::scenario::Physiological;
 use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::fit::{Fit, PATH, STEP};
@@ -215,7 +215,7 @@ pub fn fit_json(fit: &Fit) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::text::WIDTH;
+    use crate::report::format::WIDTH;
     use crate::verify::experiments::EXPERIMENTS;
 
     /// Every experiment with a figure on each mesh: those of every third are far off on one of

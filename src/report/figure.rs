@@ -9,8 +9,8 @@ use std::fmt;
 
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
-use crate::report::injury::share;
-use crate::report::text::{digits, percent, significant};
+use crate::report::format::share;
+use crate::report::format::{digits, percent, significant};
 use crate::run::course::{Beside, Course};
 use crate::run::quantity::Quantity;
 use crate::run::trace::Group;

@@ -5,19 +5,7 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 use crate::report::figure::within;
-use crate::report::text::{WIDTH, block, wrapped};
-
-/// A share as whole percent, or finer where it is small.
-pub(super) fn share(risk: f64) -> String {
-    let percent = 100.0 * risk;
-    if percent < 0.1 {
-        "< 0.1 %".to_owned()
-    } else if percent < 9.95 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
-    }
-}
+use crate::report::format::{WIDTH, block, share, wrapped};
 
 /// Prints the risks by injury and the sources; nothing if there are none.
 ///

@@ -3,7 +3,7 @@
 use crate::answer::mesh_error::Limit;
 use crate::answer::solve::Answer;
 use crate::report::figure::{with_unit, within};
-use crate::report::text::{digits, significant};
+use crate::report::format::{digits, significant};
 use crate::run::quantity::Quantity;
 
 /// A result on the answer's mesh and in the limit of finer ones, as in

@@ -8,8 +8,8 @@ use crate::injury::Caution;
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
+use crate::report::format::{block, capital, digits, significant};
 use crate::report::json::flags;
-use crate::report::text::{block, capital, digits, significant};
 use crate::scenario::Scenario;
 
 /// A text with the unit of the field that is varied.

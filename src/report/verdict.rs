@@ -7,7 +7,7 @@ use crate::run::quantity::Quantity;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use crate::report::text::paragraph;
+use crate::report::format::paragraph;
 
 /// The words for a risk that is not usable here.
 pub const VOID: &str = "not valid here";

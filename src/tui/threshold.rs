@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::answer::derived::Derived;
 use crate::injury::Injury;
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;

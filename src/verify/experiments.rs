@@ -6,11 +6,11 @@
 //! What the sources leave open is taken as follows, and said in the row. The impactor in the
 //! orbit: a cylinder of 20 mm with an edge of 2 mm, heavy enough (1 kg) to keep its speed. The
 //! slow rod: 3.5 g, about 19 mm of aluminium. The airsoft pellet: 0.25 g, which at 99 m/s has the
-//! energy over area of the source. The surface of the baseball: 50 MPa, from its force over
+//! energy over area of the source. The surface of the baseball: 50 `MPa`, from its force over
 //! compression between plates.
 //!
 //! Pressure in a pig's eye is compared with pressure computed in a pig's, whose wall is taken
-//! twice as thick, and bursting with the limit of its own species (1.64 against 0.91 MPa).
+//! twice as thick, and bursting with the limit of its own species (1.64 against 0.91 `MPa`).
 
 use crate::run::quantity::Quantity;
 use crate::scenario::{

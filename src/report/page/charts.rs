@@ -6,7 +6,7 @@ use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::run::course::{Beside, Course};
 use crate::run::quantity::Quantity;
 use crate::run::trace::Group;

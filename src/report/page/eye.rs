@@ -13,7 +13,7 @@ use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
-use crate::report::page::{FRAMES, spacing};
+use crate::report::page::content::{FRAMES, spacing};
 use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;

@@ -8,7 +8,7 @@ use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
-use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, version};
+use crate::report::page::content::{DISCLAIMER, inputs, mesh, rows, sources, version};
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::run::course::{Beside, COURSES, Course};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;

@@ -12,7 +12,7 @@ use crate::many::accuracy::Total;
 use crate::many::accuracy::cheapest;
 use crate::many::accuracy::finest_tried;
 use crate::many::accuracy::measure;
-use crate::report::text::{percent, significant};
+use crate::report::format::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;

@@ -13,7 +13,7 @@ use crate::many::accuracy::ROUNDS;
 use crate::many::accuracy::TOLERANCES;
 use crate::many::accuracy::Total;
 use crate::many::accuracy::cheapest;
-use crate::report::text::{percent, significant};
+use crate::report::format::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::look::Look;

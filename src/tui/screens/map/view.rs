@@ -15,7 +15,7 @@ use crate::answer::derived::Derived;
 use crate::injury::{Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
-use crate::report::text::{capital, significant};
+use crate::report::format::{capital, significant};
 use crate::report::verdict::VOID;
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
