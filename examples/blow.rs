@@ -1,7 +1,7 @@
 //! One blow: what it does to the eye, and how far each number may be off.
 //!
-//! `cargo run --release --example blow` takes 300 N for 0.2 ms; `... --example blow -- bb-62` another preset
-//! or the path of a scenario file.
+//! `cargo run --release --example blow` takes 300 N for 0.2 ms; `... --example blow -- bb-62`
+//! another preset or the path of a scenario file.
 
 use contrecoup::Error;
 use contrecoup::answer::mesh_error::add_mesh_error;

@@ -1,8 +1,8 @@
-//! A force curve of one's own: read from the CSV file of a load cell, put on the eye, and compared with the
-//! smooth pulse of the same peak and duration.
+//! A force curve of one's own: read from the CSV file of a load cell, put on the eye, and compared
+//! with the smooth pulse of the same peak and duration.
 //!
-//! `cargo run --release --example measured_pulse -- FILE.csv` takes another file of two columns: time in ms
-//! from the start of the blow, and force in N.
+//! `cargo run --release --example measured_pulse -- FILE.csv` takes another file of two columns:
+//! time in ms from the start of the blow, and force in N.
 
 use contrecoup::Error;
 use contrecoup::answer::solve::solve;
@@ -20,8 +20,8 @@ fn main() -> Result<(), Error> {
         .from_path(path)?;
     let knots: Vec<(f64, f64)> = table.deserialize().collect::<Result<_, _>>()?;
 
-    // A curve holds shares of the scenario's force; of a force of 1 N they are newtons. Times must rise,
-    // and a refusal names the knot that is wrong.
+    // A curve holds shares of the scenario's force; of a force of 1 N they are newtons. Times must
+    // rise, and a refusal names the knot that is wrong.
     let mut measured = ForcePulse {
         force_n: 1.0,
         ..ForcePulse::default()

@@ -1,7 +1,8 @@
 //! A blow by the portable kernel, which rounds alike on every machine and at every vector width.
 //!
-//! `cargo run --release --example portable -- paper-300n` prints ten digits of each result. What is left of a
-//! difference between two machines is how their C libraries round sines; `.ci/elsewhere` compares.
+//! `cargo run --release --example portable -- paper-300n` prints ten digits of each result. What
+//! is left of a difference between two machines is how their C libraries round sines;
+//! `.ci/elsewhere` compares.
 
 use contrecoup::Error;
 use contrecoup::answer::compiled::Compiled;

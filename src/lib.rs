@@ -1,9 +1,9 @@
 //! What a blow does to a human eye, and how far to trust the answer.
 //!
 //! ```
-//! use contrecoup::answer::{mesh_error::add_mesh_error, quantity::Quantity, solve::solve};
-//! use contrecoup::run::watch::unwatched;
-//! use contrecoup::{Error, run::kept::Keep, scenario::Scenario};
+//! use contrecoup::answer::{mesh_error::add_mesh_error, solve::solve};
+//! use contrecoup::run::{kept::Keep, quantity::Quantity, watch::unwatched};
+//! use contrecoup::{Error, scenario::Scenario};
 //!
 //! fn main() -> Result<(), Error> {
 //!     let blow = Scenario::default().check()?; // 300 N for 0.2 ms
@@ -22,18 +22,27 @@
 //! is also read [from a file](scenario::load) or from the [presets](scenario::library).
 //! [`check`](scenario::Scenario::check) refuses what is out of range and gives the only type that
 //! can be [solved](answer::solve::solve). The [`Answer`](answer::solve::Answer) holds each result
-//! by its [`Quantity`](answer::quantity::Quantity), its errors in % of it, and
+//! by its [`Quantity`](run::quantity::Quantity), its errors in % of it, and
 //! [flags](run::flags::Flag) for what limits it. Many runs: [`many::sweep`], [`many::ensemble`],
 //! [`many::comparison`]; the folder `examples` has a blow, a parallel sweep and a force curve of
 //! one's own. Without default features the library has none of the command line's and the
 //! terminal's dependencies.
 //!
-//! Data flows one way. [`scenario`] is what a person asks for, in their units; [`models`] turn it
-//! into a mesh and move that; [`run`] holds what a run gives, whichever model it is of; [`answer`]
-//! is one blow with its errors, and [`injury`] reads injuries off it; [`many`] is built of many
-//! runs, and [`verify`] checks all that against references and experiments. Above them stand the
-//! reports, the command line and the terminal app, which are no part of the library. A lower room
-//! never imports a higher one. [`guide`] is what to read besides.
+//! The rooms, from the lowest; a lower one never imports a higher one:
+//!
+//! - [`scenario`]: what a person asks for, in their units, read, checked and changed;
+//! - [`run`]: the socket. A run's readings, traces, frames, flags and cost, whichever model gave
+//!   them;
+//! - [`models`]: one folder a model. A model turns a scenario into a mesh and moves it;
+//! - [`injury`]: the paper's damage index and published injury curves, from readings;
+//! - [`answer`]: one blow with the errors of step and mesh, and the risks that follow;
+//! - [`many`]: sweeps, ensembles, maps, thresholds and comparisons, built of many runs;
+//! - [`verify`]: stated errors against references, and the models against experiments;
+//! - reports, the command line and the terminal app, which are no part of the library.
+//!
+//! A new model fills [`EyeModel`](run::model::EyeModel), states its [`Rules`](run::rules::Rules)
+//! and is named in [`models`]; all above asks these two only. A new result is a row of
+//! [`Quantity`](run::quantity::Quantity). [`guide`] is what to read besides.
 //!
 //! Sines, logarithms and the like that lead to a result come from the crate `libm`: the C library
 //! of each system rounds them in its own way, and the contact of an object carries such a last bit

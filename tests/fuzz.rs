@@ -18,7 +18,7 @@ use contrecoup::scenario::fields::{FIELDS, Kind};
 use contrecoup::scenario::load::{parse, to_ron};
 
 use contrecoup::answer::solve::solve;
-use contrecoup::many::sweep::{Axis, MAX_ROWS, Sweep};
+use contrecoup::many::sweep::{MAX_ROWS, Sweep, SweepAxis};
 use contrecoup::run::refusal::Refusal;
 use contrecoup::scenario::set::{full_path, set};
 use contrecoup::scenario::{Scenario, ScenarioError, library};
@@ -350,7 +350,7 @@ fn grids() {
     };
     campaign("grids", make, |input| {
         let text = String::from_utf8_lossy(input);
-        let axes: Result<Vec<Axis>, String> = text.lines().map(Axis::read).collect();
+        let axes: Result<Vec<SweepAxis>, String> = text.lines().map(SweepAxis::read).collect();
         let Ok(axes) = axes else { return };
         match Sweep::new(Scenario::default(), axes) {
             Err(error) => assert_readable(&error),

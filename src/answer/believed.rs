@@ -1,30 +1,32 @@
-//! The risk of an injury by the curve that is believed first: a result like any other, and the range of an
-//! input over which what is believed may reach a value.
+//! The risk of an injury by the curve that is believed first: a result like any other, and the
+//! range of an input over which what is believed may reach a value.
 //!
-//! Which curve that is says [`crate::injury::verdicts`] by the rule of the guide. Where the run left the
-//! model's validity it is another than where it did not, so the result may jump there.
+//! Which curve that is says [`crate::injury::verdicts`] by the rule of the guide. Where the run
+//! left the model's validity it is another than where it did not, so the result may jump there.
 
-use crate::injury::{Blow, Computed, Injury, Measures, Risk, Validity, Verdict, assess, verdict};
+use crate::injury::{
+    Computed, FlyingObject, Injury, Measures, Risk, Validity, Verdict, assess, verdict,
+};
 use crate::scenario::{Scenario, Species};
 
-/// What risks rest on beside what a run left.
+/// The inputs of a risk that the scenario gives; the rest are readings of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Scene {
+pub struct RiskInputs {
     /// The object that hits, if there is one.
-    pub blow: Option<Blow>,
+    pub blow: Option<FlyingObject>,
     /// Whether the eye is a pig's.
     pub pig: bool,
-    /// Whether the eye of revolution is hit beyond the trusted angle.
+    /// Whether the blow comes at a larger angle than the model trusts.
     pub aslant: bool,
 }
 
-impl Scene {
-    /// That of a scenario.
+impl RiskInputs {
+    /// The inputs that `scenario` gives.
     pub fn of(scenario: &Scenario) -> Self {
         let model = &scenario.model;
         let angle = scenario.impact.angle_deg().abs();
         Self {
-            blow: Blow::of(scenario),
+            blow: FlyingObject::of(scenario),
             pig: model.species() == Species::Pig,
             aslant: model
                 .trusted_angle_deg()
@@ -32,7 +34,7 @@ impl Scene {
         }
     }
 
-    /// What the curves run against after a run that left this peak pressure and stress, in Pa.
+    /// The measures of the curves after a run with this peak pressure and stress, in Pa.
     pub(crate) fn measures(&self, pressure: Option<f64>, stress: Option<f64>) -> Measures {
         let sure = |value| Computed { value, error: 0.0 };
         Measures {
@@ -42,8 +44,8 @@ impl Scene {
         }
     }
 
-    /// The risk of `injury` by the curve that is believed first; `spoiled` says whether the run left the
-    /// model's validity.
+    /// The risk of `injury` by the curve that is believed first; `spoiled` says whether the run
+    /// left the model's validity.
     pub(crate) fn believed(
         &self,
         injury: Injury,
@@ -61,14 +63,14 @@ impl Scene {
     }
 }
 
-/// How far from a crossing an end of its range is looked for, as a ratio.
+/// An end of the range of a crossing is looked for up to this ratio away from it.
 const FARTHEST: f64 = 100.0;
-/// Halvings of that, in the logarithm.
+/// Halvings of the logarithm of that ratio in the search for an end.
 const HALVINGS: usize = 40;
 
-/// From which to which value of an input what is believed may have the risk `target`, 0 to 1; an end is none where
-/// there is no such value within a ratio of [`FARTHEST`] to `at`, near which each believed measure goes with the power
-/// of the input that `power` says.
+/// From which to which value of an input what is believed may have the risk `target`, 0 to 1; an
+/// end is none where there is no such value within a ratio of [`FARTHEST`] to `at`, near which
+/// each believed measure goes with the power of the input that `power` says.
 pub(crate) fn reaches(
     verdict: &Verdict,
     at: f64,
@@ -76,7 +78,8 @@ pub(crate) fn reaches(
     power: impl Fn(&Risk) -> f64,
 ) -> (Option<f64>, Option<f64>) {
     let range = |ratio: f64| verdict.range_with(|risk| risk.value * libm::pow(ratio, power(risk)));
-    // Least and greatest ratio at which an end of the range, which rises with the measures, has the target.
+    // Least and greatest ratio at which an end of the range, which rises with the measures, has
+    // the target.
     let ratio = |end: fn((f64, f64)) -> f64| {
         let above = |log: f64| end(range(libm::exp(log))) >= target;
         let (mut low, mut high) = (-libm::log(FARTHEST), libm::log(FARTHEST));
@@ -107,7 +110,7 @@ pub(crate) fn reaches(
 mod tests {
     use super::*;
 
-    const BB: Blow = Blow {
+    const BB: FlyingObject = FlyingObject {
         mass: 0.345e-3,
         diameter: 4.5e-3,
         speed: 56.0,
@@ -115,20 +118,20 @@ mod tests {
 
     #[test]
     fn the_curve_that_is_believed_first_depends_on_what_the_run_is_worth() {
-        let bb = Scene {
+        let bb = RiskInputs {
             blow: Some(BB),
-            ..Scene::default()
+            ..RiskInputs::default()
         };
         let measures = bb.measures(Some(0.6e6), Some(17e6));
-        let of = |scene: &Scene, spoiled| {
-            let risk = scene.believed(Injury::GlobeRupture, &measures, spoiled);
+        let of = |risk_inputs: &RiskInputs, spoiled| {
+            let risk = risk_inputs.believed(Injury::GlobeRupture, &measures, spoiled);
             risk.unwrap().curve.measure.key()
         };
         assert_eq!(of(&bb, false), "scleral_stress");
         assert_eq!(of(&bb, true), "normalized_energy");
-        let aslant = Scene { aslant: true, ..bb };
+        let aslant = RiskInputs { aslant: true, ..bb };
         assert_eq!(of(&aslant, false), "normalized_energy");
-        let none = Scene::default();
+        let none = RiskInputs::default();
         let measures = none.measures(Some(0.6e6), Some(17e6));
         let lens = none.believed(Injury::LensDislocation, &measures, false);
         assert!(
@@ -148,7 +151,8 @@ mod tests {
         };
         let validity = Validity::default();
         let verdict = verdict(Injury::GlobeRupture, &assess(&measures), &validity);
-        // Half the people at the point of 50 %, which is 15 % and the error off: with the square of the input.
+        // Half the people at the point of 50 %, which is 15 % and the error off: with the square
+        // of the input.
         let (from, to) = reaches(&verdict, 60.0, 0.5, |_| 2.0);
         let (from, to) = (from.unwrap(), to.unwrap());
         assert!(

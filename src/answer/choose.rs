@@ -15,8 +15,7 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
 use crate::run::watch::Watch;
-use crate::scenario::Integrator;
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, Integrator, Scenario};
 
 /// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
 /// 8 can tell whether what is answered is true.
@@ -44,7 +43,7 @@ pub struct Chosen {
 pub(crate) struct Ladder(Vec<OnMesh>);
 
 impl Ladder {
-    /// On the mesh of `level`.
+    /// The results on the mesh of `level`, computed at the first call.
     pub fn at(&mut self, scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
         while self.0.len() < level as usize {
             let next = self.0.len() as u32 + 1;
@@ -82,7 +81,7 @@ pub fn within(
     within_by(&mut Ladder::default(), scenario, percent, keep, watch)
 }
 
-/// The same with what `ladder` has of this scenario.
+/// As [`within`], with the meshes of this scenario that `ladder` already has.
 pub(crate) fn within_by(
     ladder: &mut Ladder,
     scenario: &CheckedScenario,

@@ -1,17 +1,13 @@
-//! A scenario compiled: the eye of its model, and what risks rest on beside what a run reads off it.
+//! A scenario ready to be run: the eye of its model, and the inputs of its risks.
 
-use crate::answer::believed::Scene;
+use crate::answer::believed::RiskInputs;
 use crate::answer::derived;
 use crate::answer::results::Results;
 use crate::models;
-use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
-use std::ops::ControlFlow;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// A scenario ready to be run; a copy shares the eye.
@@ -19,8 +15,8 @@ use std::sync::Arc;
 pub struct Compiled {
     /// The eye and what hits it.
     pub eye: Arc<dyn EyeModel>,
-    /// What risks rest on beside what a run reads.
-    pub scene: Scene,
+    /// What the scenario gives for risks; the rest are readings of a run.
+    pub risk_inputs: RiskInputs,
 }
 
 impl Compiled {
@@ -33,61 +29,19 @@ impl Compiled {
     pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
         Self {
             eye,
-            scene: Scene::of(scenario),
+            risk_inputs: RiskInputs::of(scenario),
         }
     }
 
-    /// The same on the mesh of another level, which may be finer than a scenario may ask for.
+    /// This scenario on the mesh of `level`, which may be finer than a scenario may ask for.
     pub(crate) fn at_level(&self, level: u32) -> Self {
         if level == self.level() {
             return self.clone();
         }
         Self {
             eye: self.eye.at_level(level),
-            scene: self.scene,
+            risk_inputs: self.risk_inputs,
         }
-    }
-
-    /// What holds for every scene of the model.
-    pub fn rules(&self) -> &'static Rules {
-        self.eye.rules()
-    }
-
-    /// Simulated time, in s.
-    pub fn window(&self) -> f64 {
-        self.eye.window()
-    }
-
-    /// Refinement level of the mesh.
-    pub fn level(&self) -> u32 {
-        self.eye.level()
-    }
-
-    /// Largest stable step of `integrator`, in s, of the eye at rest.
-    pub fn step_limit(&self, integrator: Integrator) -> f64 {
-        self.eye.step_limit(integrator)
-    }
-
-    /// Order by which the step error of `integrator` is taken to fall.
-    pub fn order(&self, integrator: Integrator) -> i32 {
-        self.eye.order(integrator)
-    }
-
-    /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
-    /// has a second run for its error.
-    ///
-    /// # Errors
-    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
-    pub fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.eye.plan(scenario)
-    }
-
-    /// The same for one run alone, as a mesh error makes it.
-    ///
-    /// # Errors
-    /// As [`Self::plan`].
-    pub fn plan_alone(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
-        self.eye.plan_alone(scenario)
     }
 
     /// An integrator at a share of its stability limit, on the scenario's own window.
@@ -101,29 +55,17 @@ impl Compiled {
         }
     }
 
-    /// Moves the eye by `plan` and records it under the eyes of `watch`.
-    ///
-    /// # Errors
-    /// As [`EyeModel::run`].
-    pub fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        self.eye.run(plan, keep, watch)
-    }
-
-    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
-    ///
-    /// # Errors
-    /// As [`EyeModel::frames`].
-    pub fn frames(
-        &self,
-        plan: &Plan,
-        spacing: Spacing,
-        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
-    ) -> Result<(), Refusal> {
-        self.eye.frames(plan, spacing, take)
-    }
-
-    /// Every result of a run of it.
+    /// Every result of a run of this scenario, in the unit of each.
     pub fn results(&self, run: &Run) -> Results {
-        Results::from_fn(|of| derived::result(of, run, &self.scene))
+        Results::from_fn(|of| derived::result(of, run, &self.risk_inputs))
+    }
+}
+
+/// A compiled scenario is asked like its eye: for rules, plans, limits, runs and frames.
+impl Deref for Compiled {
+    type Target = dyn EyeModel;
+
+    fn deref(&self) -> &Self::Target {
+        &*self.eye
     }
 }

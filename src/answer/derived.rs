@@ -1,7 +1,8 @@
-//! The results that no run reads off an eye: the paper's index and the risks, made of its readings.
+//! The results that no run reads off an eye: the paper's index and the risks, made of its
+//! readings.
 
-use crate::answer::believed::Scene;
-use crate::injury::{Curve, DamageIndex, Injury, Measure, Measures, curve_of};
+use crate::answer::believed::RiskInputs;
+use crate::injury::{DamageIndex, Injury, InjuryCurve, Measure, Measures, curve_of};
 use crate::run::model::Run;
 use crate::run::quantity::Quantity;
 use crate::run::raised::ENERGY_ALARM;
@@ -39,14 +40,16 @@ impl Quantity {
     /// The curve that a risk is read from; none of what is no risk.
     pub(crate) fn curve(
         self,
-        scene: &Scene,
+        risk_inputs: &RiskInputs,
         measures: &Measures,
         spoiled: bool,
-    ) -> Option<&'static Curve> {
+    ) -> Option<&'static InjuryCurve> {
         match self.derived()? {
             Derived::Index => None,
             Derived::Risk(injury, measure) => curve_of(injury, measure),
-            Derived::Believed(injury) => Some(scene.believed(injury, measures, spoiled)?.curve),
+            Derived::Believed(injury) => {
+                Some(risk_inputs.believed(injury, measures, spoiled)?.curve)
+            }
         }
     }
 }
@@ -57,10 +60,10 @@ fn is_spoiled(run: &Run) -> bool {
 }
 
 /// A result of a run in its unit; none where the scene has no such result.
-pub(crate) fn result(of: Quantity, run: &Run, scene: &Scene) -> Option<f64> {
+pub(crate) fn result(of: Quantity, run: &Run, risk_inputs: &RiskInputs) -> Option<f64> {
     let measures = || {
         let value = |of| run.readings.value(of);
-        scene.measures(value(Quantity::Pressure), value(Quantity::ScleralStress))
+        risk_inputs.measures(value(Quantity::Pressure), value(Quantity::ScleralStress))
     };
     // An eye that was not hit is not hurt.
     let unless_missed = |risk: f64| if run.missed { 0.0 } else { risk };
@@ -72,7 +75,7 @@ pub(crate) fn result(of: Quantity, run: &Run, scene: &Scene) -> Option<f64> {
             unless_missed(curve_of(injury, measure)?.risk(value))
         }
         Some(Derived::Believed(injury)) => {
-            let risk = scene.believed(injury, &measures(), is_spoiled(run))?;
+            let risk = risk_inputs.believed(injury, &measures(), is_spoiled(run))?;
             unless_missed(risk.risk)
         }
     };

@@ -1,21 +1,23 @@
 //! The mesh error of an answer, from two finer meshes, and the limit that they show.
 //!
-//! From level 2 on every level has the whole lens and measures over the same tissue, so that the levels
-//! lie round a limit with no order that could be extrapolated: the shell crumples a little differently on
-//! each. With d(a) and d(b) the results of the two levels after the answer's, b the finer,
+//! From level 2 on every level has the whole lens and measures over the same tissue, so that the
+//! levels lie round a limit with no order that could be extrapolated: the shell crumples a little
+//! differently on each. With d(a) and d(b) the results of the two levels after the answer's, b the
+//! finer,
 //!
-//!   limit = d(b), known to 2 |d(a) - d(b)| + s f |d(b)|;  error = |d - limit| + what it is known to.
+//!   limit = d(b), known to 2 |d(a) - d(b)| + s f |d(b)|;  error = |d - limit| + what it is known
+//!   to.
 //!
-//! Two levels may agree by chance, so s, the scatter of the result, is what level 3 may be off by in any
-//! case, and f the width of the cells of level b over those of level 3: in general to the first power, for the
-//! damage index and the meridian of a section, which are smoother, to the second. The factor 2 and the shares s were
-//! read off 144 random scenes, in which the error of the damage index at levels 1 to 3 then holds in 99 % or
-//! more, and for the eye of revolution off random objects; they are checked on others, see
-//! [`crate::verify::claims`].
+//! Two levels may agree by chance, so s, the scatter of the result, is what level 3 may be off by
+//! in any case, and f the width of the cells of level b over those of level 3: in general to the
+//! first power, for the damage index and the meridian of a section, which are smoother, to the
+//! second. The factor 2 and the shares s were read off 144 random scenes, in which the error of
+//! the damage index at levels 1 to 3 then holds in 99 % or more, and for the axisymmetric eye from
+//! random objects; they are checked on others, see [`crate::verify::claims`].
 //!
-//! A result has no limit, and no error is stated, where d(a) and d(b) are far apart, where the error is
-//! several times the result, and where the mesh folds at one of the levels. Left out: what all levels
-//! share, as the load's sharp edges and the shell without a thickness of its own.
+//! A result has no limit, and no error is stated, where d(a) and d(b) are far apart, where the
+//! error is several times the result, and where the mesh folds at one of the levels. Left out:
+//! what all levels share, as the load's sharp edges and the shell without a thickness of its own.
 
 use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
@@ -73,7 +75,7 @@ pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
     Ok(OnMesh {
         results: case.results(&run),
         folded: run.folded_at(),
-        elements: (run.cost.evaluations * case.eye.elements_per_evaluation()) as f64,
+        elements: (run.cost.evaluations * case.elements_per_evaluation()) as f64,
     })
 }
 

@@ -3,7 +3,8 @@
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
 
-/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such result.
+/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such
+/// result.
 pub type Results = PerQuantity<Option<f64>>;
 
 impl Results {
@@ -13,7 +14,7 @@ impl Results {
             .filter_map(|(quantity, value)| Some((quantity, (*value)?)))
     }
 
-    /// Those of them that lead: damage, apex displacement and, in general, the four node forces, the
+    /// The leading results: damage, apex displacement and, in general, the four node forces, the
     /// peak pressure and the force of contact. The scene is known by the results that it has.
     pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
         let projectile = self[Quantity::Contact].is_some();
@@ -21,20 +22,19 @@ impl Results {
             .filter(move |(quantity, _)| !projectile || quantity.row().leads == Leads::Always)
     }
 
-    /// Those of them that lead in some scene: a node force does not where a projectile acts, but is listed all
-    /// the same.
+    /// The results that lead in some scene: a node force leads only where no projectile acts.
     pub(crate) fn that_may_lead(&self) -> impl Iterator<Item = (Quantity, f64)> {
         self.present()
             .filter(|(quantity, _)| quantity.row().leads != Leads::Never)
     }
 
-    /// Of errors: the largest of a leading result, and of which. One that is not a number is the
-    /// largest of all.
+    /// The leading result with the largest value, for `self` as errors in %. NaN counts as the
+    /// largest.
     pub fn worst(&self) -> Option<(Quantity, f64)> {
         largest(self.leading())
     }
 
-    /// Of errors: the largest of a leading result, in %.
+    /// The largest error of a leading result, for `self` as errors in %; 0 without any.
     pub fn headline(&self) -> f64 {
         self.worst().map_or(0.0, |(_, error)| error)
     }
@@ -46,7 +46,7 @@ impl Results {
         self.apart_percent(b, b)
     }
 
-    /// |self - b| in % of `whole`, likewise.
+    /// As [`Self::difference_percent`], but in % of `whole`.
     #[must_use]
     pub(crate) fn apart_percent(&self, b: &Self, whole: &Self) -> Self {
         self.map(|quantity, a| {
@@ -63,7 +63,7 @@ impl Results {
         })
     }
 
-    /// Of errors of `results`, in %: none is below what rounding does.
+    /// Raises errors of `results`, in %, to what rounding alone may do.
     #[must_use]
     pub(crate) fn no_finer_than_rounding(self, results: &Self) -> Self {
         self.map(|quantity, error| {
@@ -74,13 +74,13 @@ impl Results {
         })
     }
 
-    /// Of errors of `results`: the largest of one that may lead and is more than rounding, and of which.
+    /// The largest error among `results` that may lead and are more than rounding, with its result.
     pub(crate) fn worst_listed(&self, results: &Results) -> Option<(Quantity, f64)> {
         let counts = |(of, _): &(Quantity, f64)| !results[*of].is_some_and(|v| of.is_rounding(v));
         largest(self.that_may_lead().filter(counts))
     }
 
-    /// Of errors: none of `family` is below `share` of the worst of it. What is no number stays so.
+    /// Raises errors of `family` to `share` of the largest of that family; NaN stays NaN.
     #[must_use]
     pub(crate) fn raised(mut self, family: Family, share: f64) -> Self {
         let member = |quantity: Quantity| quantity.row().family == family;
@@ -97,7 +97,7 @@ impl Results {
     }
 }
 
-/// The largest of some errors, and of which. One that is not a number is the largest of all.
+/// The largest error with its result; NaN counts as the largest.
 fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
     let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
     errors.reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })

@@ -1,6 +1,7 @@
 //! One scenario answered: results, their errors, and what limits them.
 //!
-//! The step error of each result comes from a second run with another step, see [`crate::answer::step_error`].
+//! The step error of each result comes from a second run with another step, see
+//! [`crate::answer::step_error`].
 
 use crate::answer::compiled::Compiled;
 use crate::answer::derived::{self, Derived};
@@ -9,16 +10,12 @@ use crate::answer::results::Results;
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled, validity};
 use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
-use crate::run::flags::END;
-use crate::run::flags::Flag;
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::kept::Peak;
+use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::kept::{Keep, Peak};
 use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
-use crate::run::raised::TwoRuns;
-use crate::run::raised::of_motion;
+use crate::run::raised::{TwoRuns, of_motion};
 use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
 use crate::run::watch::Watch;
@@ -35,7 +32,7 @@ pub struct Errors {
     pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
     pub mesh: Option<Results>,
-    /// What finer meshes tend to, likewise.
+    /// The limits that finer meshes tend to, once they have been estimated.
     pub limits: Option<Limits>,
     /// Energy residual, in % of the work in.
     pub energy_balance: f64,
@@ -47,7 +44,7 @@ impl Errors {
         self.time_step.headline()
     }
 
-    /// The same for the mesh, of those that have a limit.
+    /// Largest mesh error of a leading result that has a limit, in %; none until it is estimated.
     pub fn mesh_percent(&self) -> Option<f64> {
         Some(self.mesh.as_ref()?.worst()?.1)
     }
@@ -58,8 +55,8 @@ impl Errors {
         0.01 * (self.time_step[of].unwrap_or(0.0) + mesh.unwrap_or(0.0))
     }
 
-    /// The results that have no limit as the mesh gets finer, or none that could be seen, once the mesh
-    /// error has been estimated.
+    /// The results that have no limit as the mesh gets finer, or none that could be seen, once the
+    /// mesh error has been estimated.
     pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
         let errors = self.mesh.as_ref();
         let unknown =
@@ -83,11 +80,11 @@ pub enum Cut {
 /// A scenario's answer.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// The scenario compiled: its eye, and what the engine moved.
+    /// The scenario compiled: its eye, and what hits it.
     pub case: Compiled,
     /// The integrator and the step that were asked of it.
     pub plan: Plan,
-    /// Longest step taken, in s; at the eye of revolution, whose steps follow the motion, the step at rest.
+    /// Longest step taken, in s; where steps follow the motion, the step at rest.
     pub step: f64,
     /// Largest stable step of the integrator, in s, of the eye at rest.
     pub step_limit: f64,
@@ -95,7 +92,7 @@ pub struct Answer {
     pub run: Run,
     /// How far the results may be off.
     pub errors: Errors,
-    /// What limits them: the flags of the run, and those that only errors tell.
+    /// What limits the results: the flags of the run, and those that follow from the errors.
     pub flags: Vec<Flag>,
     /// Springs or cells computed in the run.
     pub element_evaluations: usize,
@@ -113,7 +110,7 @@ impl Answer {
 
     /// One result in its unit, if the scene has it.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        derived::result(of, &self.run, &self.case.scene)
+        derived::result(of, &self.run, &self.case.risk_inputs)
     }
 
     /// The paper's index and its parts.
@@ -121,7 +118,7 @@ impl Answer {
         DamageIndex::of(&self.run.readings)
     }
 
-    /// The peak that a result is, SI, with its time; none where it is a number without one.
+    /// The peak behind a result, in SI, with its time; none for a result that is no peak.
     pub fn peak(&self, of: Quantity) -> Option<Peak> {
         self.run.readings.peak(of)
     }
@@ -131,8 +128,7 @@ impl Answer {
         self.case.window()
     }
 
-    /// What the published injury curves say, beside the paper's index. An object that never
-    /// touched the eye has none.
+    /// The risk by each published injury curve; empty if the object never touched the eye.
     pub fn risks(&self) -> Vec<Risk> {
         if self.run.missed {
             return Vec::new();
@@ -148,7 +144,7 @@ impl Answer {
             value.map(|value| Computed { value, error })
         };
         Measures {
-            blow: self.case.scene.blow,
+            blow: self.case.risk_inputs.blow,
             pressure: computed(Quantity::Pressure),
             stress: computed(Quantity::ScleralStress),
         }
@@ -159,20 +155,21 @@ impl Answer {
         spoiled(&self.flags, self.case.rules())
     }
 
-    /// What to believe of them: one verdict an injury.
+    /// One verdict for each injury, from all its curves.
     pub fn verdicts(&self) -> Vec<Verdict> {
         let computed = [Quantity::Pressure, Quantity::ScleralStress];
         let read = |of: &Quantity| self.run.readings[*of].is_some();
         self.verdicts_of(computed.iter().any(|of| read(of) && self.at_least(*of)))
     }
 
-    /// The same where it is known whether pressure or stress may still grow.
+    /// The verdicts, where `cut` says whether pressure or stress may still grow.
     fn verdicts_of(&self, cut: bool) -> Vec<Verdict> {
-        let (rules, pig) = (self.case.rules(), self.case.scene.pig);
+        let (rules, pig) = (self.case.rules(), self.case.risk_inputs.pig);
         verdicts(&self.risks(), &validity(&self.flags, rules, cut, pig))
     }
 
-    /// The result that was computed for one, itself where it is no risk; none where inputs alone decide it.
+    /// The computed result behind `of`: the measure of a risk, else `of` itself; none for a risk by
+    /// energy, which inputs alone decide.
     pub fn rests_on(&self, of: Quantity) -> Option<Quantity> {
         let measure = match of.derived() {
             None | Some(Derived::Index) => return Some(of),
@@ -190,7 +187,7 @@ impl Answer {
         }
     }
 
-    /// What the end of the run means for a result, if it came too early for it.
+    /// How a result is limited by a run that ended too early; none if it is final.
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
         let of = self.rests_on(of)?;
@@ -217,7 +214,7 @@ impl Answer {
     }
 }
 
-/// Answers `scenario` under the eyes of `watch`.
+/// Answers `scenario`; `watch` is told the share done and may stop it.
 ///
 /// An automatic step is shortened until every leading result's step error is below 1 %, unless
 /// the mesh folds, where no step helps.
@@ -315,7 +312,8 @@ struct Measured {
 }
 
 impl Measured {
-    /// By its energy where one of them does not keep it to `balance_percent`, else by its step error.
+    /// By its energy where one of them does not keep it to `balance_percent`, else by its step
+    /// error.
     fn is_better_than(&self, other: &Self, balance_percent: f64) -> bool {
         let balance = |run: &Self| run.errors.energy_balance.max(balance_percent);
         let error = |run: &Self| run.errors.time_step_percent();
@@ -325,7 +323,7 @@ impl Measured {
 
 fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Measured, Refusal> {
     let started = Instant::now();
-    let (second, factor) = case.eye.second_plan(plan);
+    let (second, factor) = case.second_plan(plan);
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
     let (first, second, time) = thread::scope(|scope| {
@@ -386,9 +384,9 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
     Answer {
-        step: case.eye.longest_step(&plan),
+        step: case.longest_step(&plan),
         step_limit: case.step_limit(plan.integrator),
-        element_evaluations: run.cost.evaluations * case.eye.elements_per_evaluation(),
+        element_evaluations: run.cost.evaluations * case.elements_per_evaluation(),
         run,
         errors,
         flags,

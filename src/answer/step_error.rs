@@ -5,9 +5,8 @@
 use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
 
-/// What is stated of `results` of a run whose second run differs by `difference` %, of which `factor`
-/// makes the estimate: no less than the floor and than rounding, and raised where it is small by
-/// chance.
+/// The step error of each of `results`, in %: `factor` times the `difference` of the second run,
+/// in %, but at least the model's floor and rounding, and raised where it is small by chance.
 pub(crate) fn stated(
     case: &Compiled,
     results: &Results,

@@ -1,4 +1,5 @@
-//! What the flags of a run say of the results that it computed, and what to do where they are not usable.
+//! What the flags of a run say of the results that it computed, and what to do where they are not
+//! usable.
 
 use crate::injury::Validity;
 use crate::run::flags::{Flag, FlagKind};
@@ -15,7 +16,7 @@ pub struct Spoiled {
     pub next: &'static str,
 }
 
-/// Of a run with these flags by a model with these rules.
+/// Why the motion cannot be believed, from the flags of a run and the rules of its model.
 pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
     // An eye that nothing touched rests, whatever becomes of the object.
     if flags.iter().any(|flag| flag.kind == FlagKind::EyeMissed) {
@@ -31,8 +32,8 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
     })
 }
 
-/// Of a run with these flags by a model with these rules. `cut` says whether it ended while pressure or
-/// stress may still grow.
+/// What limits the injury curves, from the flags of a run and the rules of its model. `cut` says
+/// whether the run ended while pressure or stress may still grow.
 pub(crate) fn validity(flags: &[Flag], rules: &Rules, cut: bool, pig: bool) -> Validity {
     let has = |kind| flags.iter().any(|flag| flag.kind == kind);
     let (why, next) = match spoiled(flags, rules) {

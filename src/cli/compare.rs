@@ -6,7 +6,7 @@ use crate::cli::ensemble::result;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
-use crate::many::comparison::{Column, Entry, compare, leading, order};
+use crate::many::comparison::{ComparisonColumn, Entry, compare, leading, order};
 use crate::plain_text::write_json;
 use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
@@ -45,7 +45,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         .transpose()?;
     let mut entries = answered(&asked, |_| Keep::default(), "nothing is known yet")?;
     if let Some(by) = by {
-        entries.sort_by(|a, b| order(a, b, (Column::Result(by), true)));
+        entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(by), true)));
     }
     if args.json {
         return Ok(write_json(out, &json(&entries))?);

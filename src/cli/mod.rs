@@ -36,7 +36,7 @@ use std::sync::LazyLock;
 use clap::{Args, Parser, Subcommand};
 
 use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
-use crate::many::sweep::Axis;
+use crate::many::sweep::SweepAxis;
 use crate::models::kernel_name;
 use crate::tui;
 
@@ -213,10 +213,10 @@ pub struct SweepArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which
-    /// the last one runs fastest
-    #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = Axis::read)]
-    pub vary: Vec<Axis>,
+    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which the
+    /// last one runs fastest
+    #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = SweepAxis::read)]
+    pub vary: Vec<SweepAxis>,
     /// Only the rows r with r mod N = I - 1; all N shards together are the whole
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: Shard,

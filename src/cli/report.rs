@@ -6,7 +6,7 @@ use crate::cli::compare::answered;
 use crate::cli::{CliError, ReportArgs};
 use crate::plain_text::{printable, quoted};
 use crate::report::command::line;
-use crate::report::page::{Form, keep, write};
+use crate::report::page::{PageFormat, keep, write};
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.
@@ -15,7 +15,7 @@ use crate::whole_file;
 /// Where a scenario is refused, the file cannot be written, or the work was interrupted.
 pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let name = printable(&args.output.display().to_string()).into_owned();
-    let Some(form) = Form::of(&args.output) else {
+    let Some(form) = PageFormat::of(&args.output) else {
         let name = quoted(&args.output.display().to_string());
         return Err(CliError::Input(format!(
             "-o {name}: the end of the name says what to write: allowed .html, .md, .svg"

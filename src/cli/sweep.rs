@@ -16,10 +16,10 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
 use crate::many::ordered;
-use crate::many::sweep::{Axis, Sweep};
+use crate::many::sweep::{Sweep, SweepAxis};
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};
-use crate::report::sweep::Form;
+use crate::report::sweep::SweepFormat;
 use crate::scenario::problem::Problem;
 
 /// No row is longer, in bytes.
@@ -65,7 +65,7 @@ impl Shard {
 /// interrupted.
 pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    let axes: Vec<Axis> = args.vary.clone();
+    let axes: Vec<SweepAxis> = args.vary.clone();
     let sweep = Sweep::new(scenario.into(), axes).map_err(|error| {
         let line = |p: &Problem| {
             let message = plain_text::message(&p.message);
@@ -73,7 +73,11 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         };
         CliError::Input(plain_text::lines(error.problems.iter().map(line)))
     })?;
-    let form = if args.json { Form::Json } else { Form::Csv };
+    let form = if args.json {
+        SweepFormat::Json
+    } else {
+        SweepFormat::Csv
+    };
     let rows = args.shard.rows(sweep.rows());
     let Some(path) = &args.out else {
         out.write_all(form.heading(&sweep).as_bytes())?;
@@ -125,7 +129,7 @@ impl Sink for File {
 
 fn work(
     sweep: &Sweep,
-    form: Form,
+    form: SweepFormat,
     rows: &[usize],
     done: usize,
     sink: &mut dyn Sink,
@@ -171,7 +175,12 @@ fn work(
 }
 
 /// Opens a file to append to, and how many of `rows` it holds already.
-fn open(path: &Path, heading: &str, form: Form, rows: &[usize]) -> Result<(File, usize), CliError> {
+fn open(
+    path: &Path,
+    heading: &str,
+    form: SweepFormat,
+    rows: &[usize],
+) -> Result<(File, usize), CliError> {
     let name = printable(&path.display().to_string()).into_owned();
     let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
     let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));

@@ -5,7 +5,7 @@ use std::io::Write;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ThresholdArgs};
-use crate::many::threshold::{Question, wanted};
+use crate::many::threshold::{ThresholdSearch, wanted};
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};
 use crate::run::refusal::Refusal;
@@ -23,7 +23,7 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
         move |error: ScenarioError| CliError::Input(format!("{flag} {error}"))
     };
     let until = wanted(&args.until).map_err(refused("--until"))?;
-    let question = Question::read((*scenario).clone(), &args.vary, until);
+    let question = ThresholdSearch::read((*scenario).clone(), &args.vary, until);
     let question = question.map_err(refused("--vary"))?;
     let stop = interrupt::flag()?;
     let progress = Progress::new();

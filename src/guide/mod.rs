@@ -1,8 +1,9 @@
 //! The guide: one page a topic, which `contrecoup guide TOPIC` prints and which stands below.
 //!
-//! A page is a Markdown file beside this one that reads well as plain text in 80 columns: no links, tables only where
-//! their rows line up. A new page costs its file and a line in the list of topics; its title is its first line.
-//! Tables of figures stand between comments that name where they come from: `tests/figures.rs` makes them.
+//! A page is a Markdown file beside this one that reads well as plain text in 80 columns: no
+//! links, tables only where their rows line up. A new page costs its file and a line in the list
+//! of topics; its title is its first line. Tables of figures stand between comments that name
+//! where they come from: `tests/figures.rs` makes them.
 
 #![allow(
     clippy::doc_markdown,
@@ -51,7 +52,8 @@ topics! {
     speed = "speed",
 }
 
-/// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go on with it.
+/// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go
+/// on with it.
 pub fn holds_here(line: &str) -> bool {
     cfg!(unix) || !line.starts_with("Ctrl-Z")
 }
@@ -63,8 +65,8 @@ impl Topic {
         first.trim_start_matches("# ")
     }
 
-    /// The page without what only a renderer of Markdown needs, comments and fences, and without what does not
-    /// hold here.
+    /// The page without what only a renderer of Markdown needs, comments and fences, and without
+    /// what does not hold here.
     pub fn plain(&self) -> String {
         let mut text = String::new();
         let mut blank = true;

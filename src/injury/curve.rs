@@ -1,12 +1,12 @@
 //! An injury curve: the chance of an injury against one measure of the blow.
 //!
-//! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the slope
-//! in units of x50. The regressions publish x50 but not s, so s is assumed and carries a range,
-//! which is shown as a range of risk and drawn from by an ensemble. No confidence limits of those x50 are
-//! at hand either: published points of one injury lie up to 20 % from their middle (rupture at 23.8 and
-//! 35.5 kJ/m2, at 0.90 and 1.01 `MPa`), so [`POINT`] to both sides counts as range.
-//! Normal, P = Phi((x - mean)/sd), where tests to failure publish both; its range is that of the mean,
-//! 1.96 sd / sqrt(n) to both sides.
+//! Logistic, P = 1 / (1 + exp(-s (x/x50 - 1))), with x50 the published point of 50 % and s the
+//! slope in units of x50. The regressions publish x50 but not s, so s is assumed and carries a
+//! range, which is shown as a range of risk and drawn from by an ensemble. No confidence limits of
+//! those x50 are at hand either: published points of one injury lie up to 20 % from their middle
+//! (rupture at 23.8 and 35.5 kJ/m2, at 0.90 and 1.01 `MPa`), so [`POINT`] to both sides counts as
+//! range. Normal, P = Phi((x - mean)/sd), where tests to failure publish both; its range is that
+//! of the mean, 1.96 sd / sqrt(n) to both sides.
 
 use crate::normal;
 
@@ -35,7 +35,7 @@ impl Injury {
         Self::CornealAbrasion,
     ];
 
-    /// Its name for people.
+    /// The name for people.
     pub const fn name(self) -> &'static str {
         match self {
             Self::CornealAbrasion => "corneal abrasion",
@@ -69,7 +69,7 @@ impl Injury {
     }
 }
 
-/// What a curve runs against.
+/// The measure of a blow that a curve gives the risk for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Measure {
     /// Kinetic energy over the object's projected area, J/m^2 (the literature's kg/s^2).
@@ -83,7 +83,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Its name for people.
+    /// The name for people.
     pub fn name(self) -> &'static str {
         match self {
             Self::NormalizedEnergy => "normalized energy",
@@ -112,7 +112,7 @@ impl Measure {
         }
     }
 
-    /// The unit that people read, and how many SI units it holds.
+    /// The unit for people, and its size in SI units.
     pub fn unit(self) -> (&'static str, f64) {
         match self {
             Self::NormalizedEnergy => ("kJ/m2", 1e3),
@@ -137,7 +137,7 @@ const POINT: f64 = 0.15;
 pub struct Slope {
     /// The flattest that data would still allow.
     pub least: f64,
-    /// Taken for the figure shown.
+    /// The slope behind the risk that is shown.
     pub usual: f64,
     /// The steepest.
     pub most: f64,
@@ -145,7 +145,7 @@ pub struct Slope {
 
 /// The law of a curve; values in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
+pub enum CurveForm {
     /// Logistic through 50 % at `half`.
     Logistic {
         /// Where the risk is 50 %.
@@ -217,23 +217,23 @@ impl Standing {
 /// The range of its data, beyond which a curve extrapolates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
-    /// Of the measure itself, SI.
+    /// Least and greatest value of the measure, in SI.
     Measure(f64, f64),
-    /// Of the object's speed, m/s: the source gives no other.
+    /// Least and greatest speed of the object, in m/s: the source gives nothing else.
     Speed(f64, f64),
-    /// Not at hand: every value counts as outside.
+    /// Not known: every value counts as outside.
     Unknown,
 }
 
 /// One published curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Curve {
+pub struct InjuryCurve {
     /// The injury whose risk it gives.
     pub injury: Injury,
-    /// What the risk runs against.
+    /// The measure that the risk is given for.
     pub measure: Measure,
     /// Its law and parameters.
-    pub form: Form,
+    pub form: CurveForm,
     /// Authors, year, journal.
     pub source: &'static str,
     /// The species whose eyes were hit.
@@ -244,42 +244,45 @@ pub struct Curve {
     pub data: &'static str,
     /// How well founded it is.
     pub standing: Standing,
-    /// Anything a reader must know beside.
+    /// A remark for the reader; empty where there is none.
     pub remark: &'static str,
 }
 
-impl Curve {
+impl InjuryCurve {
     /// Risk at `value`, 0 to 1.
     pub fn risk(&self, value: f64) -> f64 {
         match self.form {
-            Form::Logistic { slope, .. } => self.risk_with(value, slope.usual),
-            Form::Normal { .. } => self.risk_with(value, 0.0),
+            CurveForm::Logistic { slope, .. } => self.risk_with(value, slope.usual),
+            CurveForm::Normal { .. } => self.risk_with(value, 0.0),
         }
     }
 
     /// Risk at `value` if the slope were `slope`, in units of 1/x50; a normal curve has its own.
     pub fn risk_with(&self, value: f64, slope: f64) -> f64 {
         match self.form {
-            Form::Logistic { half, .. } => 1.0 / (1.0 + libm::exp(-slope * (value / half - 1.0))),
-            Form::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
+            CurveForm::Logistic { half, .. } => {
+                1.0 / (1.0 + libm::exp(-slope * (value / half - 1.0)))
+            }
+            CurveForm::Normal { mean, sd, .. } => normal::below((value - mean) / sd),
         }
     }
 
-    /// What a risk would be if the slope were `slope`, in units of 1/x50; a normal curve has its own.
+    /// What a risk would be if the slope were `slope`, in units of 1/x50; a normal curve has its
+    /// own.
     pub fn with_slope(&self, risk: f64, slope: f64) -> f64 {
         match self.form {
-            Form::Logistic { slope: own, .. } => {
+            CurveForm::Logistic { slope: own, .. } => {
                 let steps = libm::log(risk / (1.0 - risk)) * slope / own.usual;
                 1.0 / (1.0 + libm::exp(-steps))
             }
-            Form::Normal { .. } => risk,
+            CurveForm::Normal { .. } => risk,
         }
     }
 
     /// Least and greatest risk at `value` over the range of slopes, or of the mean.
     pub fn band(&self, value: f64) -> (f64, f64) {
         match self.form {
-            Form::Logistic { slope, .. } => {
+            CurveForm::Logistic { slope, .. } => {
                 let point = match self.standing {
                     Standing::SlopeAssumed | Standing::Unverified => POINT,
                     Standing::Published | Standing::Reconstructed => 0.0,
@@ -290,7 +293,7 @@ impl Curve {
                 let (low, high) = (risks(1.0 + point), risks(1.0 - point));
                 (low[0].min(low[1]), high[0].max(high[1]))
             }
-            Form::Normal { sd, tests, .. } => {
+            CurveForm::Normal { sd, tests, .. } => {
                 let off = STANDARD_ERRORS * sd / f64::from(tests).sqrt();
                 (self.risk(value - off), self.risk(value + off))
             }
@@ -300,8 +303,8 @@ impl Curve {
     /// Where the risk is 50 %, SI.
     pub fn half(&self) -> f64 {
         match self.form {
-            Form::Logistic { half, .. } => half,
-            Form::Normal { mean, .. } => mean,
+            CurveForm::Logistic { half, .. } => half,
+            CurveForm::Normal { mean, .. } => mean,
         }
     }
 }

@@ -10,10 +10,12 @@ mod risk;
 mod verdict;
 
 pub(crate) use crate::injury::curve::ASSUMED_SLOPE;
-pub use crate::injury::curve::{Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing};
+pub use crate::injury::curve::{
+    CurveForm, Eyes, Injury, InjuryCurve, Measure, Range, Slope, Standing,
+};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::published::CURVES;
-pub use crate::injury::risk::{Blow, Caution, Computed, MARKS, Measures, Risk};
+pub use crate::injury::risk::{Caution, Computed, FlyingObject, MARKS, Measures, Risk};
 pub(crate) use crate::injury::risk::{assess, curve_of};
 pub use crate::injury::verdict::{AT_LEAST, Part, Validity, Verdict, gravity, lines, span};
 pub(crate) use crate::injury::verdict::{verdict, verdicts};

@@ -3,26 +3,26 @@
 //! Each is kept as its source gives it: its measure, its species, its data. None is averaged with
 //! another, and where two of one injury disagree, both are shown.
 //!
-//! Left out: limits of strain, and limits of the force on synthetic eyes, which are not forces on a
-//! human one.
+//! Left out: limits of strain, and limits of the force on synthetic eyes, which are not forces on
+//! a human one.
 
 use crate::injury::curve::{
-    ASSUMED_SLOPE, Curve, Eyes, Form, Injury, Measure, Range, Slope, Standing,
+    ASSUMED_SLOPE, CurveForm, Eyes, Injury, InjuryCurve, Measure, Range, Slope, Standing,
 };
 
 const DUMA: &str = "Duma 2005, J Trauma 59:960";
 const PROJECTILES: &str = "BBs, metal rods and foam at 2 to 122 m/s";
 
-const fn logistic(half: f64) -> Form {
-    Form::Logistic {
+const fn logistic(half: f64) -> CurveForm {
+    CurveForm::Logistic {
         half,
         slope: ASSUMED_SLOPE,
     }
 }
 
 /// A curve against normalized energy by Duma and others, who pooled published tests.
-const fn pooled(injury: Injury, half: f64, remark: &'static str) -> Curve {
-    Curve {
+const fn pooled(injury: Injury, half: f64, remark: &'static str) -> InjuryCurve {
+    InjuryCurve {
         injury,
         measure: Measure::NormalizedEnergy,
         form: logistic(half),
@@ -35,14 +35,14 @@ const fn pooled(injury: Injury, half: f64, remark: &'static str) -> Curve {
     }
 }
 
-/// Two points of risk that were stated for water streams (3,156 and 7,006 mmHg) fix a logistic curve.
-/// Pressure was measured in eight pigs' eyes in 38 tests; the risks were computed from it, and that of
-/// rupture was 0 % throughout.
-const fn water_stream(injury: Injury, half: f64, slope: f64, remark: &'static str) -> Curve {
-    Curve {
+/// Two points of risk that were stated for water streams (3,156 and 7,006 mmHg) fix a logistic
+/// curve. Pressure was measured in eight pigs' eyes in 38 tests; the risks were computed from it,
+/// and that of rupture was 0 % throughout.
+const fn water_stream(injury: Injury, half: f64, slope: f64, remark: &'static str) -> InjuryCurve {
+    InjuryCurve {
         injury,
         measure: Measure::Pressure,
-        form: Form::Logistic {
+        form: CurveForm::Logistic {
             half,
             // The lower risks are rounded; +-15 % of the slope covers that.
             slope: Slope {
@@ -61,9 +61,9 @@ const fn water_stream(injury: Injury, half: f64, slope: f64, remark: &'static st
 }
 
 /// Every curve, the gravest injury first.
-pub static CURVES: &[Curve] = &[
+pub static CURVES: &[InjuryCurve] = &[
     pooled(Injury::GlobeRupture, 23_771.0, ""),
-    Curve {
+    InjuryCurve {
         source: "Kennedy 2006, Stapp Car Crash J 50",
         species: Eyes::Human,
         standing: Standing::Unverified,
@@ -75,10 +75,10 @@ pub static CURVES: &[Curve] = &[
             "figure from memory, not confirmed",
         )
     },
-    Curve {
+    InjuryCurve {
         injury: Injury::GlobeRupture,
         measure: Measure::Pressure,
-        form: Form::Normal {
+        form: CurveForm::Normal {
             mean: 0.93e6,
             sd: 0.29e6,
             tests: 20,
@@ -90,10 +90,10 @@ pub static CURVES: &[Curve] = &[
         standing: Standing::Published,
         remark: "fast means 0.91 and 0.97, 50 % at 0.90 MPa",
     },
-    Curve {
+    InjuryCurve {
         injury: Injury::GlobeRupture,
         measure: Measure::Pressure,
-        form: Form::Normal {
+        form: CurveForm::Normal {
             mean: 1.64e6,
             sd: 0.32e6,
             // Of 20 eyes: how many burst fast and how many slowly (at 1.00 MPa) is not at hand.
@@ -106,7 +106,7 @@ pub static CURVES: &[Curve] = &[
         standing: Standing::Published,
         remark: "50 % at 1.66 MPa; slow tests 1.00 +- 0.18 MPa",
     },
-    Curve {
+    InjuryCurve {
         source: "Weaver 2011, J Biomech Eng 133:031002",
         measure: Measure::Stress,
         range: Range::Measure(0.0, 30.18e6),
@@ -137,7 +137,7 @@ pub static CURVES: &[Curve] = &[
         "4.4 % at 0.42 MPa, 27.8 % at 0.93 MPa",
     ),
     pooled(Injury::CornealAbrasion, 1_503.0, ""),
-    Curve {
+    InjuryCurve {
         injury: Injury::CornealAbrasion,
         measure: Measure::KineticEnergy,
         form: logistic(0.183),
@@ -154,7 +154,7 @@ pub static CURVES: &[Curve] = &[
 mod tests {
     use super::*;
 
-    fn curve(injury: Injury, measure: Measure) -> &'static Curve {
+    fn curve(injury: Injury, measure: Measure) -> &'static InjuryCurve {
         CURVES
             .iter()
             .find(|c| c.injury == injury && c.measure == measure)
@@ -187,7 +187,7 @@ mod tests {
         }
         let rupture = curve(Injury::GlobeRupture, Measure::Pressure);
         assert!((rupture.risk(1.22e6) - 0.841_34).abs() < 1e-4);
-        let of_pigs = |c: &&Curve| (c.injury, c.species) == (Injury::GlobeRupture, Eyes::Pig);
+        let of_pigs = |c: &&InjuryCurve| (c.injury, c.species) == (Injury::GlobeRupture, Eyes::Pig);
         let pigs = CURVES.iter().find(of_pigs).unwrap();
         assert!((pigs.risk(1.96e6) - 0.841_34).abs() < 1e-4);
         assert!(

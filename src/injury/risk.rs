@@ -1,29 +1,30 @@
 //! What the published curves say of one blow.
 //!
-//! Normalized energy is the kinetic energy over the object's projected area, m v^2 / 2 / (pi d^2 / 4):
-//! it needs no simulation, and means something only while the object can enter the orbit. Peak
-//! pressure and stress come from the simulation, each with its own error, which widens the range of the
-//! risk. Where measures disagree, the reader sees all, and [`crate::injury::verdict`] says which to believe.
+//! Normalized energy is the kinetic energy over the object's projected area, m v^2 / 2 / (pi d^2 /
+//! 4): it needs no simulation, and means something only while the object can enter the orbit. Peak
+//! pressure and stress come from the simulation, each with its own error, which widens the range
+//! of the risk. Where measures disagree, the reader sees all, and [`crate::injury::verdict`] says
+//! which to believe.
 
-use crate::injury::curve::{Curve, Form, Injury, Measure, Range, Standing};
+use crate::injury::curve::{CurveForm, Injury, InjuryCurve, Measure, Range, Standing};
 use crate::injury::published::CURVES;
 use crate::scenario::{Impact, Scenario};
 use std::f64::consts::FRAC_PI_4;
 
-/// Width and height of the orbit's opening, in m (anatomy texts: 40 mm and 35 mm).
-const ORBIT: (f64, f64) = (0.040, 0.035);
+/// Height of the orbit's opening, in m (anatomy texts: 35 mm, and 40 mm wide).
+const ORBIT: f64 = 0.035;
 /// Diameter of the eye across, in m.
 const EYE: f64 = 0.0242;
 /// Normalized energy of a BB at 122 m/s, the fastest object of the pooled tests, in J/m^2.
 const MAX_TESTED_ENERGY: f64 = 161e3;
 
-/// Below this share of its point of 50 % a curve of an assumed slope shows that slope only: its risk
-/// of nothing is 1 %.
+/// Below this share of its point of 50 % a curve of an assumed slope shows that slope only: its
+/// risk of nothing is 1 %.
 const LITTLE: f64 = 0.1;
 
-/// An object on its way to the eye.
+/// The object that flies at the eye: what risks by energy are computed from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Blow {
+pub struct FlyingObject {
     /// Mass, in kg.
     pub mass: f64,
     /// Diameter, in m.
@@ -32,7 +33,7 @@ pub struct Blow {
     pub speed: f64,
 }
 
-impl Blow {
+impl FlyingObject {
     /// The object of a scenario; none if it has only a force.
     pub fn of(scenario: &Scenario) -> Option<Self> {
         match &scenario.impact {
@@ -55,15 +56,9 @@ impl Blow {
         self.kinetic_energy() / (FRAC_PI_4 * self.diameter * self.diameter)
     }
 
-    /// Kinetic energy in J/m^2, over no more than the opening of the orbit.
-    pub fn normalized_energy_in_the_orbit(&self) -> f64 {
-        let area = (self.diameter * self.diameter).min(ORBIT.0 * ORBIT.1);
-        self.kinetic_energy() / (FRAC_PI_4 * area)
-    }
-
     /// What speaks against normalized energy for this object.
-    pub fn caution(&self) -> Option<Caution> {
-        if self.diameter > ORBIT.1 {
+    pub(super) fn caution(&self) -> Option<Caution> {
+        if self.diameter > ORBIT {
             Some(Caution::LargerThanOrbit)
         } else if self.diameter > EYE {
             Some(Caution::LargerThanEye)
@@ -83,6 +78,11 @@ pub enum Caution {
 }
 
 impl Caution {
+    /// What speaks against risks by energy of the object of a scenario; none without an object.
+    pub fn of(scenario: &Scenario) -> Option<Self> {
+        FlyingObject::of(scenario)?.caution()
+    }
+
     /// Its name in JSON.
     pub fn key(self) -> &'static str {
         match self {
@@ -91,7 +91,7 @@ impl Caution {
         }
     }
 
-    /// In words.
+    /// The doubt in words.
     pub fn text(self) -> &'static str {
         match self {
             Self::LargerThanOrbit => {
@@ -107,7 +107,7 @@ impl Caution {
 /// A result of a simulation that curves run against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Computed {
-    /// SI.
+    /// The value, in SI.
     pub value: f64,
     /// The share of it by which it may be off, by step and mesh as far as they are known.
     pub error: f64,
@@ -117,7 +117,7 @@ pub struct Computed {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Measures {
     /// The object.
-    pub blow: Option<Blow>,
+    pub blow: Option<FlyingObject>,
     /// Peak pressure in the globe, Pa.
     pub pressure: Option<Computed>,
     /// Peak stress of the sclera, Pa.
@@ -127,13 +127,13 @@ pub struct Measures {
 impl Measures {
     /// The value of a measure; `None` where there is nothing to measure.
     pub fn get(&self, measure: Measure) -> Option<Computed> {
-        let of_blow = |value: fn(&Blow) -> f64| {
+        let of_blow = |value: fn(&FlyingObject) -> f64| {
             let value = value(&self.blow?);
             Some(Computed { value, error: 0.0 })
         };
         match measure {
-            Measure::NormalizedEnergy => of_blow(Blow::normalized_energy),
-            Measure::KineticEnergy => of_blow(Blow::kinetic_energy),
+            Measure::NormalizedEnergy => of_blow(FlyingObject::normalized_energy),
+            Measure::KineticEnergy => of_blow(FlyingObject::kinetic_energy),
             Measure::Pressure => self.pressure,
             Measure::Stress => self.stress,
         }
@@ -144,15 +144,15 @@ impl Measures {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Risk {
     /// The curve, with its source.
-    pub curve: &'static Curve,
+    pub curve: &'static InjuryCurve,
     /// The measure's value, SI.
     pub value: f64,
     /// The share of it by which the value may be off.
     pub error: f64,
     /// Probability of the injury, 0 to 1.
     pub risk: f64,
-    /// Least and greatest risk over the range of the curve and the error of the value, 0 to 1; beyond
-    /// the data everything that a rising curve allows.
+    /// Least and greatest risk over the range of the curve and the error of the value, 0 to 1;
+    /// beyond the data everything that a rising curve allows.
     pub band: (f64, f64),
     /// Whether the blow lies outside the curve's data.
     pub extrapolated: bool,
@@ -191,26 +191,26 @@ impl Risk {
 }
 
 /// The first curve of an injury against a measure.
-pub fn curve_of(injury: Injury, measure: Measure) -> Option<&'static Curve> {
-    let of = |curve: &&Curve| (curve.injury, curve.measure) == (injury, measure);
+pub fn curve_of(injury: Injury, measure: Measure) -> Option<&'static InjuryCurve> {
+    let of = |curve: &&InjuryCurve| (curve.injury, curve.measure) == (injury, measure);
     CURVES.iter().find(of)
 }
 
 /// The least and the greatest value of its measure that a curve has data of.
-fn reach(curve: &Curve) -> (f64, f64) {
+fn reach(curve: &InjuryCurve) -> (f64, f64) {
     let (first, last) = match curve.range {
         Range::Measure(first, last) => (first, last),
         Range::Speed(..) => (0.0, MAX_TESTED_ENERGY),
         Range::Unknown => (0.0, f64::INFINITY),
     };
     match curve.form {
-        Form::Logistic { half, .. } => (first.max(LITTLE * half), last),
-        Form::Normal { .. } => (first, last),
+        CurveForm::Logistic { half, .. } => (first.max(LITTLE * half), last),
+        CurveForm::Normal { .. } => (first, last),
     }
 }
 
 /// Least and greatest risk at a value that may be off by a share of it.
-fn band(curve: &Curve, value: f64, error: f64) -> (f64, f64) {
+fn band(curve: &InjuryCurve, value: f64, error: f64) -> (f64, f64) {
     let (first, last) = reach(curve);
     let least = curve.band(value * (1.0 - error)).0;
     // Beyond its data a curve tells only that the risk rises; and since nothing brings no risk and
@@ -226,7 +226,7 @@ fn band(curve: &Curve, value: f64, error: f64) -> (f64, f64) {
 
 /// What every curve that applies says of the measures of a blow.
 pub fn assess(measures: &Measures) -> Vec<Risk> {
-    let one = |curve: &'static Curve| {
+    let one = |curve: &'static InjuryCurve| {
         let Computed { value, error } = measures.get(curve.measure)?;
         let caution = match curve.measure {
             Measure::Pressure | Measure::Stress => None,
@@ -259,13 +259,13 @@ pub fn assess(measures: &Measures) -> Vec<Risk> {
 mod tests {
     use super::*;
 
-    const BB: Blow = Blow {
+    const BB: FlyingObject = FlyingObject {
         mass: 0.345e-3,
         diameter: 4.5e-3,
         speed: 56.0,
     };
 
-    fn of(blow: Option<Blow>, pressure: f64) -> Measures {
+    fn of(blow: Option<FlyingObject>, pressure: f64) -> Measures {
         Measures {
             blow,
             pressure: Some(Computed {
@@ -307,8 +307,8 @@ mod tests {
 
     #[test]
     fn beyond_its_data_a_curve_says_so() {
-        let slow = Blow { speed: 1.0, ..BB };
-        let fast = Blow { speed: 123.0, ..BB };
+        let slow = FlyingObject { speed: 1.0, ..BB };
+        let fast = FlyingObject { speed: 123.0, ..BB };
         let extrapolated = |blow| {
             assess(&of(Some(blow), 1e6))
                 .into_iter()
@@ -369,7 +369,7 @@ mod tests {
 
     #[test]
     fn an_object_that_cannot_enter_the_orbit_makes_normalized_energy_invalid() {
-        let ball = Blow {
+        let ball = FlyingObject {
             mass: 0.43,
             diameter: 0.22,
             speed: 18.0,
@@ -381,13 +381,12 @@ mod tests {
                 (!pressure).then_some(Caution::LargerThanOrbit)
             );
         }
-        assert!(ball.normalized_energy_in_the_orbit() > 30.0 * ball.normalized_energy());
-        let golf = Blow {
+        let golf = FlyingObject {
             diameter: 0.0427,
             ..ball
         };
         assert_eq!(golf.caution(), Some(Caution::LargerThanOrbit));
-        let cork = Blow {
+        let cork = FlyingObject {
             diameter: 0.031,
             ..ball
         };

@@ -1,36 +1,40 @@
-//! One answer for each injury: what to believe of the curves that speak of it, in a word and a range.
+//! One answer for each injury: what to believe of the curves that speak of it, in a word and a
+//! range.
 //!
 //! The rule, which the guide states for readers (`contrecoup guide injury`):
 //!
 //! 1. A measure is not used if it means nothing here: energy where the object is larger than the
-//!    orbit's opening, pressure and stress of a run that left the model's validity, pressure by eyes of
-//!    another species where the eye's own has a curve, and a curve whose figure comes from memory.
-//! 2. The others are ordered: first those without a reservation (eyes of another species, an object
-//!    larger than the eye), then what the eye felt before what the object carried, then the nearer to
-//!    what tears: stress of the wall before pressure, which is a mean over the globe.
+//!    orbit's opening, pressure and stress of a run that left the model's validity, pressure by
+//!    eyes of another species where the eye's own has a curve, and a curve whose figure comes from
+//!    memory.
+//! 2. The others are ordered: first those without a reservation (eyes of another species, an
+//!    object larger than the eye), then what the eye felt before what the object carried, then the
+//!    nearer to what tears: stress of the wall before pressure, which is a mean over the globe.
 //! 3. The first is believed, and with it those of the same rank whose risk is within a factor of
-//!    [`FACTOR`] of its own. The range spans all that are believed: slope, point and error of the measure.
-//! 4. What is farther off, and what counts less and lies outside the range, is named with the reason why
-//!    it counts less. Nothing is averaged. Two risks that are both below [`UNLIKELY`] agree.
-//! 5. Energy knows neither angle nor place. Where it is believed because what the eye felt cannot be used,
-//!    or beyond the trusted angle, it counts as known within a factor of [`FACTOR`] only: with less known
-//!    an answer must not look surer.
+//!    [`FACTOR`] of its own. The range spans all that are believed: slope, point and error of the
+//!    measure.
+//! 4. What is farther off, and what counts less and lies outside the range, is named with the
+//!    reason why it counts less. Nothing is averaged. Two risks that are both below [`UNLIKELY`]
+//!    agree.
+//! 5. Energy knows neither angle nor place. Where it is believed because what the eye felt cannot
+//!    be used, or beyond the trusted angle, it counts as known within a factor of [`FACTOR`] only:
+//!    with less known an answer must not look surer.
 //!
 //! Left out: weights, and any guess where no measure is left; the verdict then says so.
 
-use crate::injury::curve::{Curve, Eyes, Injury, Measure, Standing};
+use crate::injury::curve::{Eyes, Injury, InjuryCurve, Measure, Standing};
 use crate::injury::published::CURVES;
 use crate::injury::risk::{Caution, Risk};
 
 /// Said of what the end of the run cut off while it may still grow.
 pub const AT_LEAST: &str = "at least";
 
-/// Two risks that differ by more than this factor disagree. So do the measures of a BB at 62.5 m/s: its
-/// pressure says what a third of its energy would.
+/// Two risks that differ by more than this factor disagree. So do the measures of a BB at 62.5
+/// m/s: its pressure says what a third of its energy would.
 pub const FACTOR: f64 = 3.0;
 /// Below this risk an injury is unlikely.
 const UNLIKELY: f64 = 0.05;
-/// The scale: below so many percent the word holds.
+/// Upper ends of risk, in %, with the word for risks below each.
 const SCALE: [(f64, &str); 4] = [
     (5.0, "unlikely"),
     (50.0, "possible"),
@@ -55,7 +59,7 @@ pub struct Validity {
     pub silence: &'static str,
 }
 
-/// How one curve fares beside the believed one.
+/// The part that one curve has in a verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
     /// It is believed.
@@ -68,7 +72,7 @@ pub enum Part {
     NotValid(String),
 }
 
-/// What is to be believed of one injury.
+/// The verdict on one injury: a range of risk, and what each of its curves adds to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// The injury.
@@ -81,7 +85,7 @@ pub struct Verdict {
     pub at_least: bool,
     /// Whether the run ended while pressure or stress may still grow.
     cut: bool,
-    /// Whether it rests on energy that knows too little here, so that the range was widened.
+    /// Whether the range was widened because energy alone knows too little of this blow.
     pub alone: bool,
     /// Why there is no range, and what to do; empty where there is one.
     silence: String,
@@ -116,7 +120,7 @@ fn objection(risk: &Risk, validity: &Validity) -> Option<String> {
     // Nobody asks another species where the eye's own has a curve.
     if let Some(why) = of_others(risk.curve.species, validity) {
         let (injury, measure) = (risk.curve.injury, risk.curve.measure);
-        let own = |c: &&Curve| of_others(c.species, validity).is_none();
+        let own = |c: &&InjuryCurve| of_others(c.species, validity).is_none();
         let own = CURVES.iter().filter(own);
         if felt
             && own
@@ -149,7 +153,7 @@ fn reservation(risk: &Risk, validity: &Validity) -> Option<&'static str> {
     of_others(risk.curve.species, validity).or(larger.then_some("object larger than the eye"))
 }
 
-/// What is said of a curve of eyes of another species.
+/// The words for a curve of another species than the eye; none where they agree.
 fn of_others(eyes: Eyes, validity: &Validity) -> Option<&'static str> {
     match (eyes, validity.pig) {
         (Eyes::Pig, false) => Some("measured on pigs' eyes"),
@@ -167,10 +171,10 @@ fn why_less(risk: &Risk, validity: &Validity) -> &'static str {
     })
 }
 
-/// Whether a risk by energy is asked for where what the eye felt would come first, or at an angle that no
-/// energy knows.
+/// Whether a risk by energy is asked for where what the eye felt would come first, or at an angle
+/// that no energy knows.
 fn knows_too_little(risk: &Risk, validity: &Validity) -> bool {
-    let felt = |curve: &Curve| {
+    let felt = |curve: &InjuryCurve| {
         let own = curve.injury == risk.curve.injury && is_computed(curve.measure);
         own && of_others(curve.species, validity).is_none()
     };
@@ -209,7 +213,7 @@ pub fn gravity(risk: f64) -> usize {
     place.unwrap_or(SCALE.len() - 1)
 }
 
-/// What is named though it counts less.
+/// A curve outside the verdict that is named all the same.
 struct Other {
     measure: &'static str,
     risk: f64,
@@ -307,13 +311,13 @@ impl Verdict {
         }
         let mut reasons = self.not_valid();
         // What mends a run helps where a curve runs against something computed.
-        let computed = |c: &Curve| c.injury == self.injury && is_computed(c.measure);
+        let computed = |c: &InjuryCurve| c.injury == self.injury && is_computed(c.measure);
         let helps = !validity.next.is_empty() && CURVES.iter().any(computed);
         reasons.extend(helps.then(|| validity.next.to_owned()));
         format!("no measure is usable: {}", reasons.join("; "))
     }
 
-    /// What is believed, the first in order first.
+    /// The risks that the verdict believes, in the order of their rank.
     pub fn believed(&self) -> impl Iterator<Item = &Risk> {
         let believed = self
             .parts
@@ -322,7 +326,7 @@ impl Verdict {
         believed.map(|(risk, _)| risk)
     }
 
-    /// Whether it believes something that was computed, which has errors of step and mesh.
+    /// Whether a believed risk comes from a computed measure, which has errors of step and mesh.
     pub fn rests_on_the_run(&self) -> bool {
         self.believed().any(|r| is_computed(r.curve.measure))
     }
@@ -341,7 +345,7 @@ impl Verdict {
         })
     }
 
-    /// Whether its range goes from the least word to the greatest.
+    /// Whether the range goes from the least word of the scale to the greatest.
     pub fn is_unclear(&self) -> bool {
         let whole = |(low, high)| gravity(high) - gravity(low) == SCALE.len() - 1;
         self.range.is_some_and(whole)
@@ -357,12 +361,14 @@ impl Verdict {
         })
     }
 
-    /// What to say after the injury's name, the longest words first, for places where room may be short.
+    /// What to say after the injury's name, the longest words first, for places where room may be
+    /// short.
     pub fn forms(&self) -> Vec<String> {
         let mut forms = vec![self.words()];
         if let (Some(word), Some(percent)) = (self.word(), self.percent()) {
             let believed = format!("{word} ({percent}), by {}", self.rests_on());
-            // Without its reason, another figure by energy would only confuse beside one that is believed.
+            // Without its reason, another figure by energy would only confuse beside one that is
+            // believed.
             let believes = |name| self.believed().any(|r| r.curve.measure.short() == name);
             let others: Vec<String> = self
                 .others()
@@ -382,7 +388,7 @@ impl Verdict {
         forms
     }
 
-    /// What is named though it counts less.
+    /// The curves outside the verdict that are named all the same.
     fn others(&self) -> impl Iterator<Item = Other> {
         self.parts.iter().filter_map(|(risk, part)| match part {
             Part::Disagrees(why) => Some(Other {
@@ -458,7 +464,7 @@ impl Verdict {
         text
     }
 
-    /// The reservation that even the believed one bears.
+    /// The reservation about the risk that is believed first.
     fn doubt(&self) -> Option<&'static str> {
         let first = self.believed().next()?;
         match (first.curve.species, first.caution) {
@@ -469,8 +475,8 @@ impl Verdict {
     }
 }
 
-/// What to say of each injury, under its name. Where nothing can be said of any for one and the same
-/// reason, it is said once.
+/// What to say of each injury, under its name. Where nothing can be said of any for one and the
+/// same reason, it is said once.
 pub fn lines(verdicts: &[Verdict]) -> Vec<(&'static str, String)> {
     if let [first, rest @ ..] = verdicts
         && first.range.is_none()

@@ -39,13 +39,13 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
-/// The step of the reference as a share of its stability limit: beside mesh errors its own error is
-/// nothing.
+/// The step of the reference as a share of its stability limit: beside mesh errors its own error
+/// is nothing.
 const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
 
-/// One integrator at one step on one level, and what came of it.
+/// One integrator at one step on one level, with its results and times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// The level.
@@ -56,7 +56,7 @@ pub struct Trial {
     pub is_answer: bool,
     /// Longest step taken, in s.
     pub step: f64,
-    /// What came of it; none where it diverged.
+    /// The results; none where the run diverged.
     pub results: Option<Results>,
     /// Springs or cells that were computed.
     pub elements: f64,
@@ -83,7 +83,7 @@ pub struct Total {
     pub mesh: f64,
     /// Error by the step, in %.
     pub by_step: f64,
-    /// Whether it is more exact than all that is faster, by more than a trifle.
+    /// Whether its error is clearly below that of every faster trial.
     pub on_front: bool,
 }
 
@@ -184,7 +184,7 @@ enum Job {
     Trial(usize),
 }
 
-/// The work and what each piece costs, from coarse to fine; then the further rounds.
+/// All jobs with their cost in springs or cells, from coarse to fine; then the further rounds.
 fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
     let most = cases.len() as u32;
     let case = |level: u32| &cases[level.min(most) as usize - 1];
@@ -215,7 +215,7 @@ fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> 
     jobs
 }
 
-/// How an answer is computed.
+/// The plan of an answer.
 fn answer(case: &Compiled) -> Plan {
     let automatic = case.rules().answer;
     case.plan_at(automatic.integrator, automatic.share)
@@ -225,7 +225,7 @@ fn reference(case: &Compiled) -> Plan {
     case.plan_at(case.rules().reference, REFERENCE_SHARE)
 }
 
-/// What is tried on a level, the answer's own plan first.
+/// The trials on a level, the plan of an answer first.
 fn trials(case: &Compiled) -> Vec<Trial> {
     let fixed = |integrator: &&Integrator| !integrator.method().adaptive();
     let others = case.rules().integrators.iter().filter(fixed);
@@ -233,12 +233,12 @@ fn trials(case: &Compiled) -> Vec<Trial> {
     let mut plans: Vec<Plan> = [answer(case)].into_iter().chain(others).collect();
     // In a short window several steps come to the same.
     let mut seen = HashSet::new();
-    plans.retain(|plan| seen.insert((plan.integrator, case.eye.steps(plan))));
+    plans.retain(|plan| seen.insert((plan.integrator, case.steps(plan))));
     let trial = |plan: Plan| Trial {
         level: case.level(),
         plan,
         is_answer: plan == answer(case),
-        step: case.eye.longest_step(&plan),
+        step: case.longest_step(&plan),
         results: None,
         elements: 0.0,
         times: Vec::new(),
@@ -267,15 +267,15 @@ impl Accuracy {
                 let trial = &mut self.trials[place];
                 let case = case(trial.level);
                 let began = Instant::now();
-                let ran = case.run(&trial.plan, Keep::default(), watch);
+                let run = case.run(&trial.plan, Keep::default(), watch);
                 let took = began.elapsed().as_secs_f64();
-                match ran {
+                match run {
                     Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
                     Err(_) => {}
-                    Ok(ran) => {
-                        let each = case.eye.elements_per_evaluation();
-                        trial.elements = (ran.cost.evaluations * each) as f64;
-                        trial.results = Some(case.results(&ran));
+                    Ok(run) => {
+                        let each = case.elements_per_evaluation();
+                        trial.elements = (run.cost.evaluations * each) as f64;
+                        trial.results = Some(case.results(&run));
                     }
                 }
                 trial.times.push(took);
@@ -286,8 +286,8 @@ impl Accuracy {
     }
 }
 
-/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`, whose
-/// mesh errors come from two more. `show` is told what there is after each job.
+/// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`,
+/// whose mesh errors come from two more. `show` is told what there is after each job.
 ///
 /// # Errors
 /// Whatever a run refuses, and [`Refusal::Cancelled`] if the watch stops it.

@@ -1,13 +1,15 @@
-//! What the samples of an ensemble say together: bands, what drives them, and how they are counted.
+//! What the samples of an ensemble say together: bands, what drives them, and how they are
+//! counted.
 //!
-//! The bands hold every sample that ran. Those whose mesh folded are beyond the model's validity and
-//! are counted, but they stay: they are the hardest hit, so that bands without them would be too low.
+//! The bands hold every sample that ran. Those whose mesh folded are beyond the model's validity
+//! and are counted, but they stay: they are the hardest hit, so that bands without them would be
+//! too low.
 //!
 //! Left out: how sure the quantiles themselves are.
 
-use crate::answer::point::Point;
+use crate::answer::brief::BriefAnswer;
 use crate::many::ensemble::{Ensemble, PILOT, Sample};
-use crate::many::spreads::Input;
+use crate::many::spreads::UncertainInput;
 use crate::many::statistics::{quantile, rank_correlation};
 use crate::run::quantity::Quantity;
 
@@ -36,20 +38,21 @@ pub struct Checks {
     pub refined: usize,
     /// How many of those after the pilot, whose step was what the unchecked ones take.
     pub missed: usize,
-    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked there.
+    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked
+    /// there.
     pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,
 }
 
 impl Ensemble {
-    /// Whether it was stopped before the end.
+    /// Whether the ensemble was stopped before its last sample.
     pub fn stopped(&self) -> bool {
         self.samples.len() < self.asked as usize
     }
 
     /// The samples that the bands hold: all that ran.
-    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &Point)> {
+    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &BriefAnswer)> {
         self.samples
             .iter()
             .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
@@ -67,7 +70,7 @@ impl Ensemble {
 
     /// Samples whose mesh folded.
     pub fn folded(&self) -> usize {
-        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(Point::folded);
+        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(BriefAnswer::folded);
         self.samples.iter().filter(folded).count()
     }
 
@@ -105,9 +108,10 @@ impl Ensemble {
         })
     }
 
-    /// Whether a result of the scenario as it stands lies outside its band, and the input that may be why:
-    /// of those that stand at an end of what they are drawn from, the one that drives the result most.
-    pub fn outside(&self, of: Quantity) -> Option<Option<&Input>> {
+    /// Whether a result of the scenario as it stands lies outside its band, and the input that may
+    /// be why: of those that stand at an end of what they are drawn from, the one that drives the
+    /// result most.
+    pub fn outside(&self, of: Quantity) -> Option<Option<&UncertainInput>> {
         let (band, nominal) = (self.band(of)?, self.nominal.as_ref()?[of]?);
         // What is not drawn has a band of no width, and rounding is no news.
         let slack = WIDTH_OF_NOTHING * band.median.abs();

@@ -11,20 +11,18 @@ use std::sync::atomic::AtomicBool;
 
 use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::solve::Answer;
-use crate::answer::solve::solve;
+use crate::answer::solve::{Answer, solve};
 use crate::many::ordered;
 use crate::many::ordered::until;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
-use crate::scenario::CheckedScenario;
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Scenario};
 
-/// What is known of a scenario; an answer may be wrapped into what a screen draws of it.
+/// The answer to a scenario, as far as it is known; a screen may wrap it into what it draws.
 #[derive(Debug, Clone)]
 pub enum Found<A = Answer> {
-    /// Nothing yet.
+    /// It is still being computed.
     Awaited,
     /// Its answer.
     Answer(A),
@@ -37,16 +35,16 @@ pub enum Found<A = Answer> {
 pub struct Entry<A = Answer> {
     /// The preset, the file or the place in a list that it was asked for by.
     pub name: String,
-    /// What is simulated.
+    /// The scenario.
     pub scenario: Scenario,
-    /// What came of it.
+    /// Its answer, or why there is none.
     pub found: Found<A>,
     /// Whether its mesh error was refused.
     pub without_mesh: bool,
 }
 
 impl<A: Borrow<Answer>> Entry<A> {
-    /// One of which nothing is known yet.
+    /// An entry without an answer yet.
     pub fn new(name: &str, scenario: &Scenario) -> Self {
         Self {
             name: name.to_owned(),
@@ -75,14 +73,14 @@ impl<A: Borrow<Answer>> Entry<A> {
 
 /// A column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
+pub enum ComparisonColumn {
     /// The name of each scenario.
     Name,
     /// One result; of what is believed of an injury the verdict stands there.
     Result(Quantity),
 }
 
-impl Column {
+impl ComparisonColumn {
     /// The value of an answer in this column, where it has one.
     pub fn of(self, answer: &Answer) -> Option<f64> {
         match self {
@@ -91,12 +89,12 @@ impl Column {
         }
     }
 
-    /// Whether it holds what is believed of an injury.
+    /// Whether the column is the believed risk of an injury.
     pub fn is_believed(self) -> bool {
         matches!(self, Self::Result(of) if matches!(of.derived(), Some(Derived::Believed(_))))
     }
 
-    /// What is believed before what that is read off, then other risks and the rest.
+    /// Place from the left: believed risks, what they are read off, other risks, the rest.
     fn rank(self) -> u8 {
         match self {
             Self::Name => 0,
@@ -113,12 +111,12 @@ impl Column {
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,
-    (column, largest): (Column, bool),
+    (column, largest): (ComparisonColumn, bool),
 ) -> Ordering {
     let value = |entry: &Entry<A>| column.of(entry.answer()?);
     match (column, value(a), value(b)) {
-        (Column::Name, ..) if largest => b.name.cmp(&a.name),
-        (Column::Name, ..) => a.name.cmp(&b.name),
+        (ComparisonColumn::Name, ..) if largest => b.name.cmp(&a.name),
+        (ComparisonColumn::Name, ..) => a.name.cmp(&b.name),
         (_, Some(a), Some(b)) if largest => b.total_cmp(&a),
         (_, Some(a), Some(b)) => a.total_cmp(&b),
         (_, a, b) => b.is_some().cmp(&a.is_some()),
@@ -127,14 +125,14 @@ pub fn order<A: Borrow<Answer>>(
 
 /// Every column, from the left: the names, what to believe, then the results that some answer has,
 /// or all before there are answers.
-pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<Column> {
+pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn> {
     let answers = || entries.iter().filter_map(Entry::answer);
     let none = answers().next().is_none();
-    let there = |column: &Column| none || answers().any(|a| column.of(a).is_some());
-    let results = Quantity::ALL.iter().map(|of| Column::Result(*of));
-    let mut columns: Vec<Column> = results.filter(there).collect();
+    let there = |column: &ComparisonColumn| none || answers().any(|a| column.of(a).is_some());
+    let results = Quantity::ALL.iter().map(|of| ComparisonColumn::Result(*of));
+    let mut columns: Vec<ComparisonColumn> = results.filter(there).collect();
     columns.sort_by_key(|column| column.rank());
-    columns.insert(0, Column::Name);
+    columns.insert(0, ComparisonColumn::Name);
     columns
 }
 
@@ -142,7 +140,7 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<Column> {
 /// first, and the one that sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
-        let is_believed = Column::Result(of).is_believed();
+        let is_believed = ComparisonColumn::Result(of).is_believed();
         entries.iter().filter_map(Entry::answer).any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);
@@ -154,8 +152,8 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         .collect()
 }
 
-/// Answers all of them, in their order; `keep` says what each scenario's recording holds. `heard`
-/// is told how many are done of how many.
+/// Answers all of them, in their order; `keep` says what each scenario's recording holds.
+/// `progress` is told how many are done of how many.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.
@@ -163,7 +161,7 @@ pub fn compare(
     asked: &[(String, CheckedScenario)],
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,
     stop: &AtomicBool,
-    mut heard: impl FnMut(usize, usize) + Send,
+    mut progress: impl FnMut(usize, usize) + Send,
 ) -> Result<Vec<Entry>, Refusal> {
     let solved = |scenario: &CheckedScenario| {
         let mut watch = until(stop);
@@ -185,7 +183,7 @@ pub fn compare(
         })
     };
     ordered::run((0, asked.len()), stop, job, |at, entry| {
-        heard(at + 1, asked.len());
+        progress(at + 1, asked.len());
         entries.push(entry);
         ControlFlow::Continue(())
     });
@@ -219,7 +217,7 @@ mod tests {
             entries.iter().map(|entry| entry.name.clone()).collect()
         };
         assert_eq!(names(&entries), ["100", "300", "200"]);
-        entries.sort_by(|a, b| order(a, b, (Column::Result(Quantity::Apex), true)));
+        entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(Quantity::Apex), true)));
         assert_eq!(names(&entries), ["300", "200", "100"]);
         for entry in &entries {
             assert!(entry.answer().unwrap().errors.mesh.is_some());

@@ -1,25 +1,26 @@
 //! How far the answer may be off because the inputs are not known: many runs over their spreads.
 //!
 //! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
-//! its inputs, one dimension an [`Input`]. What a sample gives depends on the scenario, the seed
-//! and its number alone, so the result is the same bits for any number of threads, a run that was
-//! stopped after k samples is an ensemble of k, and one that goes on from there is the whole.
+//! its inputs, one dimension an [`UncertainInput`]. What a sample gives depends on the scenario,
+//! the seed and its number alone, so the result is the same bits for any number of threads, a run
+//! that was stopped after k samples is an ensemble of k, and one that goes on from there is the
+//! whole.
 //!
 //! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
-//! gives the longest step that the others may take: a stiff eye that keeps the promise at its longest
-//! stable step says nothing of soft ones, which may take longer. Of the others every
+//! gives the longest step that the others may take: a stiff eye that keeps the promise at its
+//! longest stable step says nothing of soft ones, which may take longer. Of the others every
 //! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`promise_percent`].
 //!
 //! What samples say together is a [`Band`](crate::many::bands::Band) for each result.
 //!
 //! Left out: the mesh error, which all samples share, and inputs that hang together.
 
-use crate::answer::believed::Scene;
-use crate::answer::point::{Point, compared, promise_percent, single};
+use crate::answer::believed::RiskInputs;
+use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
 use crate::injury::Standing;
 use crate::many::ordered::{self, until};
-use crate::many::spreads::{Input, SLOPE, inputs};
+use crate::many::spreads::{SLOPE, UncertainInput, inputs};
 use crate::many::statistics::median;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -34,30 +35,31 @@ pub const FEWEST_SAMPLES: u32 = 8;
 pub const MAX_SAMPLES: u32 = 1 << 16;
 /// Samples that are checked before all others.
 pub const PILOT: u32 = 8;
-/// One in so many of the others is checked.
+/// After the pilot, one sample in this many is checked.
 pub const CHECK_EVERY: u32 = 64;
 /// The share of the longest good step of the pilot that the others may take.
 const HEADROOM: f64 = 0.8;
-/// One in so many times the scenario itself is run too, for its time.
+/// One sample in this many is timed together with a run of the scenario itself.
 const TIME_EVERY: usize = 50;
 
 /// One sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// What was drawn for each input.
+    /// The value drawn for each input.
     pub drawn: Vec<f64>,
-    /// What came of it, or the name of what stood against it.
-    pub outcome: Result<Point, String>,
+    /// The answer, or the name of the refusal.
+    pub outcome: Result<BriefAnswer, String>,
 }
 
-/// What the runs took.
+/// The times of an ensemble.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Timing {
     /// From the first sample to the last, in s.
     pub wall: f64,
     /// On all cores together, in s.
     pub cores: f64,
-    /// A single run of the scenario itself, results only, in s: the median of runs among the samples.
+    /// A single run of the scenario itself, results only, in s: the median of runs among the
+    /// samples.
     pub single: Option<f64>,
     /// Threads that shared the samples.
     pub threads: usize,
@@ -66,8 +68,8 @@ pub struct Timing {
 /// Many runs of one scenario.
 #[derive(Clone)]
 pub struct Ensemble {
-    /// What was drawn.
-    pub inputs: Vec<Input>,
+    /// The inputs that are drawn.
+    pub inputs: Vec<UncertainInput>,
     /// Results of the scenario as it stands.
     pub nominal: Option<Results>,
     /// The samples done, in their order.
@@ -80,12 +82,17 @@ pub struct Ensemble {
     pub cap: Option<f64>,
     /// The step error that its runs keep to, in %.
     pub promise: f64,
-    /// What it took.
+    /// The times of its runs.
     pub timing: Timing,
 }
 
 /// The scenario with sample number `index` in place of its nominal values.
-fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scenario, Vec<f64>) {
+fn drawn(
+    scenario: &Scenario,
+    inputs: &[UncertainInput],
+    index: u32,
+    seed: u32,
+) -> (Scenario, Vec<f64>) {
     let mut changed = scenario.clone();
     changed.doubt.clear();
     let mut values = Vec::with_capacity(inputs.len());
@@ -100,14 +107,14 @@ fn drawn(scenario: &Scenario, inputs: &[Input], index: u32, seed: u32) -> (Scena
 }
 
 /// Reads the risks of a scene that rest on an assumed slope again, with this one.
-fn put_slope(point: &mut Point, scene: &Scene, slope: f64) {
-    let computed = |of: Quantity| Some(point.values[of]? / of.row().factor);
+fn put_slope(answer: &mut BriefAnswer, risk_inputs: &RiskInputs, slope: f64) {
+    let computed = |of: Quantity| Some(answer.values[of]? / of.row().factor);
     let (pressure, stress) = (Quantity::Pressure, Quantity::ScleralStress);
-    let measures = scene.measures(computed(pressure), computed(stress));
+    let measures = risk_inputs.measures(computed(pressure), computed(stress));
     for &quantity in Quantity::ALL {
-        let curve = quantity.curve(scene, &measures, point.is_spoiled());
+        let curve = quantity.curve(risk_inputs, &measures, answer.is_spoiled());
         // Of an eye that was missed it is 0 and stays so.
-        if let Some(value) = &mut point.values[quantity]
+        if let Some(value) = &mut answer.values[quantity]
             && *value > 0.0
             && let Some(curve) = curve.filter(|c| c.standing == Standing::SlopeAssumed)
         {
@@ -135,7 +142,7 @@ fn name(refusal: &Refusal) -> String {
 /// What every sample needs.
 struct Job<'a> {
     scenario: &'a CheckedScenario,
-    inputs: &'a [Input],
+    inputs: &'a [UncertainInput],
     seed: u32,
     cap: Option<f64>,
     stop: &'a AtomicBool,
@@ -167,11 +174,11 @@ impl Job<'_> {
             outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
         }
         let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
-        let outcome = outcome.map(|mut point| {
+        let outcome = outcome.map(|mut answer| {
             if let Some(place) = slope {
-                put_slope(&mut point, &Scene::of(&scenario), drawn[place]);
+                put_slope(&mut answer, &RiskInputs::of(&scenario), drawn[place]);
             }
-            point
+            answer
         });
         match outcome {
             Err(Refusal::Cancelled) => None,
@@ -183,12 +190,12 @@ impl Job<'_> {
     }
 }
 
-/// Told after each sample, on any thread, of the ensemble so far; may stop the rest.
-pub type Heard<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
+/// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
+pub type OnSample<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
 
 impl Job<'_> {
     /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
-    fn gather(&self, to: u32, heard: Heard, into: &mut Ensemble) -> Vec<f64> {
+    fn gather(&self, to: u32, on_sample: OnSample, into: &mut Ensemble) -> Vec<f64> {
         let from = into.samples.len();
         let mut singles = Vec::new();
         let job = |index: usize| {
@@ -207,16 +214,16 @@ impl Job<'_> {
             into.samples.push(sample);
             into.timing.cores += took;
             singles.extend(single);
-            heard(into)
+            on_sample(into)
         };
         ordered::run((from, to as usize), self.stop, job, deliver);
         singles
     }
 }
 
-/// The longest step that the pilot allows, in s: a little below those at which its samples would just
-/// keep `promise`, in %, of the samples that did not keep it at their longest stable step. Where all did,
-/// none longer than they took. Infinite if all have folded.
+/// The longest step that the pilot allows, in s: a little below those at which its samples would
+/// just keep `promise`, in %, of the samples that did not keep it at their longest stable step.
+/// Where all did, none longer than they took. Infinite if all have folded.
 fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
     let checks = || {
         let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
@@ -231,8 +238,8 @@ fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
         .map_or(f64::INFINITY, |step| HEADROOM * step)
 }
 
-/// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed, lacks. Where
-/// `heard` breaks, or `stop` is set, the samples done so far are the result.
+/// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed,
+/// lacks. Where `on_sample` breaks, or `stop` is set, the samples done so far are the result.
 ///
 /// # Errors
 /// Whatever the scenario itself is refused for.
@@ -241,7 +248,7 @@ pub fn run(
     (count, seed): (u32, u32),
     known: Option<Ensemble>,
     stop: &AtomicBool,
-    heard: Heard,
+    on_sample: OnSample,
 ) -> Result<Ensemble, Refusal> {
     let inputs = inputs(scenario);
     let began = Instant::now();
@@ -280,13 +287,13 @@ pub fn run(
     };
     let before = ensemble.timing.wall;
     let pilot = count.min(PILOT);
-    let mut singles = job.gather(pilot, heard, &mut ensemble);
+    let mut singles = job.gather(pilot, on_sample, &mut ensemble);
     let first = ensemble.samples.len().min(pilot as usize);
     let cap = longest_step(&ensemble.samples[..first], ensemble.promise);
     job.cap = Some(cap);
     ensemble.cap = Some(cap).filter(|cap| cap.is_finite());
     if first == pilot as usize {
-        singles.extend(job.gather(count, heard, &mut ensemble));
+        singles.extend(job.gather(count, on_sample, &mut ensemble));
     }
     ensemble.timing.single = median(singles).or(ensemble.timing.single);
     ensemble.timing.wall = before + began.elapsed().as_secs_f64();
@@ -296,7 +303,7 @@ pub fn run(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::point::Check;
+    use crate::answer::brief::Check;
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {
@@ -308,7 +315,7 @@ mod tests {
         scenario
     }
 
-    fn go(_: &Ensemble) -> ControlFlow<()> {
+    fn proceed(_: &Ensemble) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
@@ -318,7 +325,7 @@ mod tests {
             (count, seed),
             None,
             &AtomicBool::new(false),
-            &go,
+            &proceed,
         )
         .unwrap()
     }
@@ -355,7 +362,7 @@ mod tests {
             assert!(part.stopped() && !whole.stopped());
             assert_eq!(part.samples, whole.samples[..most]);
             let stop = AtomicBool::new(false);
-            let rest = run(&scenario, (40, 1), Some(part), &stop, &go).unwrap();
+            let rest = run(&scenario, (40, 1), Some(part), &stop, &proceed).unwrap();
             assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
         }
     }
@@ -417,7 +424,7 @@ mod tests {
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
         let sample = |first, tried, good_step| Sample {
             drawn: Vec::new(),
-            outcome: Ok(Point {
+            outcome: Ok(BriefAnswer {
                 values: Results::from_fn(|_| None),
                 flags: Vec::new(),
                 check: Some(Check {

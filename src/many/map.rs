@@ -1,13 +1,13 @@
 //! The results over two inputs: a square grid that is filled in from coarse to fine.
 //!
-//! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on, so that
-//! what is known spreads over the whole range at once. Each point holds every result of its run; a place
-//! is read off the nearest four points of the finest grid that is known round it, linearly in both
-//! directions.
+//! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on,
+//! so that what is known spreads over the whole range at once. Each point holds every result of
+//! its run; a place is read off the nearest four points of the finest grid that is known round it,
+//! linearly in both directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
-use crate::answer::point::single;
+use crate::answer::brief::single;
 use crate::answer::results::Results;
 use crate::many::ordered::{self, until};
 use crate::many::sweep::spaced;
@@ -24,7 +24,7 @@ pub const SIDE: usize = 33;
 /// One input and its range.
 #[derive(Clone, Copy)]
 pub struct Span {
-    /// The field; it holds a number.
+    /// The field, which is a number.
     pub field: &'static Field,
     /// Its least value.
     pub from: f64,
@@ -44,12 +44,12 @@ impl std::fmt::Debug for Span {
     }
 }
 
-/// What is known at one point.
+/// The state of one point of the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
     /// Every result.
     Known(Results),
-    /// The same beyond the model's validity: the mesh folded.
+    /// Simulated, but beyond the model's validity: the mesh folded.
     Folded(Results),
     /// The inputs are not allowed, or the run failed.
     Refused,
@@ -70,9 +70,9 @@ impl Spot {
     }
 }
 
-/// What is known of a result at a place.
+/// A result at a place of the map, with how it is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
+pub struct MapReading {
     /// The result in its unit; none where the inputs are not allowed.
     pub value: Option<f64>,
     /// Whether the mesh folded at the nearest point.
@@ -90,7 +90,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// A grid of so many points a side, 2^k + 1, of which nothing is known.
+    /// An empty grid of `side` points a side, which is 2^k + 1.
     pub fn new(side: usize) -> Self {
         Self {
             side,
@@ -103,7 +103,7 @@ impl Grid {
         self.side
     }
 
-    /// What is known at a point.
+    /// The state of a point; none until it was simulated.
     pub fn at(&self, (x, y): (usize, usize)) -> Option<&Spot> {
         self.spots[y * self.side + x].as_ref()
     }
@@ -148,12 +148,13 @@ impl Grid {
     }
 
     /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
-    pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<Reading> {
+    pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<MapReading> {
         let last = (self.side - 1) as f64;
         let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
         let mut every = 1;
         while every < self.side {
-            // The cell of that width round the place: its lower corner, and the share on from there.
+            // The cell of that width round the place: its lower corner, and the share on from
+            // there.
             let place = |at: f64| {
                 let cell =
                     ((at / every as f64).floor() as usize * every).min(self.side - 1 - every);
@@ -164,7 +165,7 @@ impl Grid {
             let here = self.at((i + near(u), j + near(v)));
             let is_point = |share: f64| share == 0.0 || share == 1.0;
             if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
-                return Some(Reading {
+                return Some(MapReading {
                     value: spot.value(quantity),
                     folded: spot.folded(),
                     exact: true,
@@ -179,7 +180,7 @@ impl Grid {
                     let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
                     Some(low * (1.0 - v) + high * v)
                 };
-                return Some(Reading {
+                return Some(MapReading {
                     value: value(),
                     folded: here.is_some_and(Spot::folded),
                     exact: false,
@@ -191,7 +192,7 @@ impl Grid {
     }
 }
 
-/// The scenario at a point of a grid of so many points a side.
+/// The scenario at a point of a grid of `side` points a side.
 pub fn scenario_at(
     scenario: &Scenario,
     (x, y): (Span, Span),
@@ -218,8 +219,8 @@ fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
     }
 }
 
-/// Told after each point, on any thread, of the grid so far; may stop the rest.
-pub type Heard<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
+/// Called with the grid so far after each point, on any thread; `Break` stops the rest.
+pub type OnPoint<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
 
 /// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has.
 pub fn fill(
@@ -227,7 +228,7 @@ pub fn fill(
     spans: (Span, Span),
     mut grid: Grid,
     stop: &AtomicBool,
-    heard: Heard,
+    on_point: OnPoint,
 ) -> Grid {
     let mut lacking = grid.order();
     lacking.retain(|at| grid.at(*at).is_none());
@@ -235,7 +236,7 @@ pub fn fill(
     let job = |index: usize| spot(&scenario_at(scenario, spans, lacking[index], side), stop);
     ordered::run((0, lacking.len()), stop, job, |index, spot| {
         grid.put(lacking[index], spot);
-        heard(&grid)
+        on_point(&grid)
     });
     grid
 }
@@ -281,10 +282,13 @@ mod tests {
             &coarse,
         );
         assert_eq!(part.known(), (9, 25));
-        let go = |_: &Grid| ControlFlow::Continue(());
+        let proceed = |_: &Grid| ControlFlow::Continue(());
         let fresh = || AtomicBool::new(false);
-        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &go);
-        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &go));
+        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &proceed);
+        assert_eq!(
+            whole,
+            fill(&scenario, spans(), Grid::new(5), &fresh(), &proceed)
+        );
         assert_eq!(whole.known(), (25, 25));
         for at in part.order().into_iter().take(9) {
             assert_eq!(part.at(at), whole.at(at));

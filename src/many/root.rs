@@ -1,9 +1,9 @@
 //! Where a function of one number is zero, from two numbers between which it changes its sign.
 //!
-//! The method is ITP (Oliveira and Takahashi 2020): the secant's guess, moved towards the middle and held
-//! near it, so that it never takes more than one step more than halving would and on smooth functions far
-//! fewer. With n = ceil(log2((b - a) / 2e)) halvings needed, the guess of step k stays within
-//! r = e 2^(n + 1 - k) - (b - a) / 2 of the middle.
+//! The method is ITP (Oliveira and Takahashi 2020): the secant's guess, moved towards the middle
+//! and held near it, so that it never takes more than one step more than halving would and on
+//! smooth functions far fewer. With n = ceil(log2((b - a) / 2e)) halvings needed, the guess of
+//! step k stays within r = e 2^(n + 1 - k) - (b - a) / 2 of the middle.
 //!
 //! Left out: functions that touch zero without crossing it, which no change of sign tells.
 
@@ -37,7 +37,8 @@ impl Bracket {
     }
 }
 
-/// The bracket no wider than `width`, by `value`; a value of exactly zero counts as above zero.
+/// Narrows a bracket of a root of `value` to `width`; a value of exactly zero counts as above
+/// zero.
 ///
 /// # Errors
 /// The first that `value` gives.

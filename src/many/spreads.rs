@@ -1,32 +1,31 @@
 //! How far published measurements of the eye differ, and what an ensemble draws from.
 //!
-//! [`SPREADS`] holds one line for each material or measure with a published range, named by the path
-//! of its field. A line counts where the scenario has that field and it holds the nominal value: a
-//! value of one's own is taken at its word, and a doubt (`± 20`, or `± 0` for a known value) takes
-//! the place of the line.
+//! [`SPREADS`] holds one line for each material or measure with a published range, named by the
+//! path of its field. A line counts where the scenario has that field and it holds the nominal
+//! value: a value of one's own is taken at its word, and a doubt (`± 20`, or `± 0` for a known
+//! value) takes the place of the line.
 //!
-//! The published ranges are wide, and the Paper model's values are nominal: its lens (6880 kPa) and
-//! fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need not lie
-//! round the single result. That is what the measurements say, not an error of the draw.
+//! The published ranges are wide, and the Paper model's values are nominal: its lens (6880 kPa)
+//! and fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need
+//! not lie round the single result. That is what the measurements say, not an error of the draw.
 //!
-//! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to four
-//! orders below the nominal 42 kPa, which in this model stands for what keeps the globe's volume; drawn
-//! from the measurements the mesh would have nothing to hold it. Left out too: densities and
-//! correlations between tissues, for which no spread is published.
+//! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to
+//! four orders below the nominal 42 kPa, which in this model stands for what keeps the globe's
+//! volume; drawn from the measurements the mesh would have nothing to hold it. Left out too:
+//! densities and correlations between tissues, for which no spread is published.
 
 use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Impact, Scenario, set};
+use crate::scenario::{Impact, Scenario, fields, set};
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// Every factor as likely as its inverse, from the first to the second.
     LogUniform(f64, f64),
-    /// Every value as likely, from the first to the second.
+    /// Every value equally likely, from the first to the second.
     Uniform(f64, f64),
     /// Mean and standard deviation, cut off at the field's bounds.
     Normal(f64, f64),
@@ -38,9 +37,9 @@ pub struct Spread {
     pub path: &'static str,
     /// The value that the model takes unless told otherwise.
     pub nominal: f64,
-    /// What was measured.
+    /// The range that was measured.
     pub shape: Shape,
-    /// Where that stands.
+    /// The source of that range.
     pub source: &'static str,
 }
 
@@ -54,7 +53,8 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
     Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio)
 }
 
-/// The slope of the injury curves, which no scenario holds: drawn where an object brings such a curve.
+/// The slope of the injury curves, which no scenario holds: drawn where an object brings such a
+/// curve.
 pub static SLOPE: Field = Field {
     help: "How steep the curve of a risk is where no source says it",
     path: "injury.slope",
@@ -144,14 +144,14 @@ pub static SPREADS: &[Spread] = &[
     },
 ];
 
-/// Something that an ensemble draws.
+/// An input that is not known and that an ensemble draws.
 #[derive(Clone)]
-pub struct Input {
-    /// Where it goes.
+pub struct UncertainInput {
+    /// The field of the scenario that it stands for.
     pub field: &'static Field,
-    /// What the scenario holds.
+    /// The value in the scenario.
     pub nominal: f64,
-    /// What it is drawn from.
+    /// The distribution that it is drawn from.
     pub shape: Shape,
     /// The bounds of the field.
     bounds: (f64, f64),
@@ -159,7 +159,7 @@ pub struct Input {
     pub source: Option<&'static str>,
 }
 
-impl Input {
+impl UncertainInput {
     /// The value below which the share `u` of the draws lies.
     pub fn value(&self, u: f64) -> f64 {
         let (min, max) = self.bounds;
@@ -171,7 +171,8 @@ impl Input {
         value.clamp(min, max)
     }
 
-    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either side.
+    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
+    /// side.
     pub fn stands_at_an_end(&self) -> bool {
         self.nominal < self.value(0.05) || self.nominal > self.value(0.95)
     }
@@ -184,11 +185,11 @@ impl Input {
 
 /// Everything that an ensemble of `scenario` draws: first what the person doubts, then what is
 /// published, each in the order of its table.
-pub fn inputs(scenario: &Scenario) -> Vec<Input> {
+pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
     let doubted = FIELDS.iter().filter_map(|field| {
         let (value, bounds) = number(field, scenario)?;
         let sd = *scenario.doubt.get(field.path)?;
-        (sd > 0.0).then_some(Input {
+        (sd > 0.0).then_some(UncertainInput {
             field,
             nominal: value,
             shape: Shape::Normal(value, sd),
@@ -200,7 +201,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
         let field = fields::find(spread.path)?;
         let (value, bounds) = number(field, scenario)?;
         let own = value != spread.nominal || scenario.doubt.contains_key(spread.path);
-        (!own).then_some(Input {
+        (!own).then_some(UncertainInput {
             field,
             nominal: value,
             shape: spread.shape,
@@ -208,7 +209,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<Input> {
             source: Some(spread.source),
         })
     });
-    let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(Input {
+    let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(UncertainInput {
         field: &SLOPE,
         nominal: ASSUMED_SLOPE.usual,
         shape: Shape::Uniform(ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),

@@ -3,10 +3,10 @@
 //! A quantile interpolates between the two order statistics next to (n - 1) p. Spearman's rank
 //! correlation is Pearson's of the ranks, where equal numbers share the mean of their ranks.
 //!
-//! Left out: confidence intervals of either. The draws are of low discrepancy, not independent, so the
-//! usual ones do not hold.
+//! Left out: confidence intervals of either. The draws are of low discrepancy, not independent, so
+//! the usual ones do not hold.
 
-/// The value below which the share `p` of sorted numbers lies; none of nothing.
+/// The quantile `p`, 0 to 1, of sorted numbers; none of an empty list.
 pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
     let at = last as f64 * p;
@@ -17,7 +17,7 @@ pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     Some(if between { a + (b - a) * at.fract() } else { a })
 }
 
-/// The value below which half lies; none of nothing.
+/// The median; none of an empty list.
 pub fn median(mut of: Vec<f64>) -> Option<f64> {
     of.sort_by(f64::total_cmp);
     quantile(&of, 0.5)

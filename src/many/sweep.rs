@@ -1,21 +1,20 @@
 //! A grid of runs over some fields of a scenario.
 //!
 //! Rows are numbered from 0 with the last axis the fastest. Shard i of n (from 1) holds the rows r
-//! with r mod n = i - 1, so all shards together are the whole. Every row is checked for its step error
-//! and refined to [`crate::answer::point::promise_percent`]; what is refused is a row too.
+//! with r mod n = i - 1, so all shards together are the whole. Every row is checked for its step
+//! error and refined to [`crate::answer::brief::promise_percent`]; what is refused is a row too.
 //!
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
-use crate::answer::point::{Point, checked};
-use crate::injury::{Blow, Caution};
+use crate::answer::brief::{BriefAnswer, checked};
+use crate::injury::Caution;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::fields;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, set};
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, Scenario, fields};
 
 /// Most rows of a grid.
 pub const MAX_ROWS: usize = 10_000_000;
@@ -24,7 +23,7 @@ pub const MAX_VALUES: usize = 100_000;
 
 /// One field and the values that it takes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub struct SweepAxis {
     /// Dotted path of the field.
     pub path: String,
     /// Its values, as they would be typed.
@@ -42,7 +41,7 @@ pub fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
     (0..count).map(at).collect()
 }
 
-impl Axis {
+impl SweepAxis {
     /// Reads `path=from:to:n` or `path=a,b,c`.
     ///
     /// # Errors
@@ -84,18 +83,18 @@ impl Axis {
 #[derive(Debug, Clone)]
 pub struct Sweep {
     scenario: Scenario,
-    axes: Vec<Axis>,
+    axes: Vec<SweepAxis>,
 }
 
 /// One row.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct SweepRow {
     /// Its number.
     pub number: usize,
     /// The value of each axis.
     pub values: Vec<String>,
-    /// What came of it, or why nothing did.
-    pub outcome: Result<Point, String>,
+    /// The answer, or why there is none.
+    pub outcome: Result<BriefAnswer, String>,
     /// What speaks against its risks by energy.
     pub caution: Option<Caution>,
 }
@@ -104,9 +103,9 @@ impl Sweep {
     /// A grid of checked axes. Values are written as the field itself writes them.
     ///
     /// # Errors
-    /// Where a field is not there or given twice, a value is not allowed by itself, or there are too
-    /// many rows.
-    pub fn new(scenario: Scenario, mut axes: Vec<Axis>) -> Result<Self, ScenarioError> {
+    /// Where a field is not there or given twice, a value is not allowed by itself, or there are
+    /// too many rows.
+    pub fn new(scenario: Scenario, mut axes: Vec<SweepAxis>) -> Result<Self, ScenarioError> {
         let mut rows = 1_usize;
         for i in 0..axes.len() {
             let path = full_path(&scenario, &axes[i].path).to_owned();
@@ -118,7 +117,8 @@ impl Sweep {
                 let mut changed = scenario.clone();
                 set(&mut changed, &path, value)?;
                 let plain = fields::find(&path).and_then(|field| field.text(&changed));
-                // The word for a curve that was recorded does not say which: there the name of its file stands.
+                // The word for a curve that was recorded does not say which: there the name of its
+                // file stands.
                 let says_all = |plain: &String| {
                     let mut again = scenario.clone();
                     set(&mut again, &path, plain).is_ok() && again == changed
@@ -143,7 +143,7 @@ impl Sweep {
     }
 
     /// The axes.
-    pub fn axes(&self) -> &[Axis] {
+    pub fn axes(&self) -> &[SweepAxis] {
         &self.axes
     }
 
@@ -182,13 +182,9 @@ impl Sweep {
     }
 
     /// Runs a row; nothing if the watch stopped it.
-    pub fn run(&self, number: usize, watch: Watch) -> Option<Row> {
+    pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number);
-        let blow = scenario
-            .as_ref()
-            .ok()
-            .and_then(|scenario| Blow::of(scenario));
-        let caution = blow.and_then(|blow| blow.caution());
+        let caution = scenario.as_ref().ok().and_then(|valid| Caution::of(valid));
         let outcome = match scenario {
             Err(error) => Err(error.to_string()),
             Ok(scenario) => match checked(&scenario, watch) {
@@ -196,7 +192,7 @@ impl Sweep {
                 other => other.map_err(|refusal| refusal.to_string()),
             },
         };
-        Some(Row {
+        Some(SweepRow {
             number,
             values: self.values(number).into_iter().map(str::to_owned).collect(),
             outcome,
@@ -204,7 +200,8 @@ impl Sweep {
         })
     }
 
-    /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and version.
+    /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and
+    /// version.
     pub fn fingerprint(&self) -> u64 {
         let mut text = to_ron(&self.scenario);
         for axis in &self.axes {
@@ -228,7 +225,7 @@ mod tests {
     use crate::run::watch::unwatched;
 
     fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
-        let axes = axes.iter().map(|a| Axis::read(a).unwrap()).collect();
+        let axes = axes.iter().map(|a| SweepAxis::read(a).unwrap()).collect();
         let scenario = Scenario {
             window_ms: 0.3,
             ..Scenario::default()
@@ -238,7 +235,7 @@ mod tests {
 
     #[test]
     fn axes_are_read_as_ranges_and_lists() {
-        let values = |text: &str| Axis::read(text).unwrap().values;
+        let values = |text: &str| SweepAxis::read(text).unwrap().values;
         assert_eq!(values("a=0:0.3:4"), ["0", "0.1", "0.2", "0.3"]);
         assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
         assert_eq!(values("a=2:2:1"), ["2"]);
@@ -254,7 +251,7 @@ mod tests {
             "a=1,,2",
             "a=nan:1:2",
         ] {
-            assert!(Axis::read(bad).is_err(), "{bad}");
+            assert!(SweepAxis::read(bad).is_err(), "{bad}");
         }
     }
 

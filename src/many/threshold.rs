@@ -1,25 +1,27 @@
 //! Where a result reaches a value as one number of the scenario goes through a range.
 //!
-//! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it; wherever two
-//! neighbours lie on two sides of the value, the crossing between them is bracketed to [`WIDTH`] of itself (see [`crate::many::root`]). With e the error of the
-//! result there, as answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off
-//! by e / s: one figure for the step, one for the mesh. A risk has no error of its own; one by pressure has that
-//! of the pressure. The risk that is believed first carries the verdict there, and the range of the field over
-//! which what is believed may be the value (see [`crate::answer::believed`]).
+//! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it;
+//! wherever two neighbours lie on two sides of the value, the crossing between them is bracketed
+//! to [`WIDTH`] of itself (see [`crate::many::root`]). With e the error of the result there, as
+//! answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off by
+//! e / s: one figure for the step, one for the mesh. A risk has no error of its own; one by
+//! pressure has that of the pressure. The risk that is believed first carries the verdict there,
+//! and the range of the field over which what is believed may be the value (see
+//! [`crate::answer::believed`]).
 //!
-//! Left out: two crossings between neighbours of the grid, which leave no change of sign to be seen, and what
-//! the inputs that are not varied may be off by (see [`crate::many::ensemble`]).
+//! Left out: two crossings between neighbours of the grid, which leave no change of sign to be
+//! seen, and what the inputs that are not varied may be off by (see [`crate::many::ensemble`]).
 
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
-use crate::answer::believed::{Scene, reaches};
+use crate::answer::believed::{RiskInputs, reaches};
+use crate::answer::brief::single;
 use crate::answer::derived::Derived;
 use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::point::single;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
-use crate::injury::{Blow, Caution, Measures, Risk};
+use crate::injury::{Caution, Measures, Risk};
 use crate::many::ordered::{self, until};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
@@ -27,11 +29,10 @@ use crate::run::flags::Flag;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::set::{full_path, set};
+use crate::scenario::{Scenario, fields};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 const WIDTH: f64 = 1e-4;
@@ -42,25 +43,26 @@ const INTERVALS: usize = 24;
 const LARGEST_RATIO: f64 = 2.0;
 /// The grid goes down to this share of the present value, and then to the end of the range.
 const LEAST_SHARE: f64 = 1e-3;
-/// Of a range that nobody narrowed one value in so many is looked at first.
+/// Of a range that nobody narrowed, one value of the grid in this many is looked at first.
 const COARSE: usize = 4;
-/// The share of the work that looking at the grid is told as.
+/// The share of the progress that stands for the grid.
 const LOOKED: f64 = 0.6;
-/// Of a crossing nobody knows how many runs it takes: each is told as this share of what was left before.
+/// How many runs a crossing takes is not known: each leaves this share of its progress to go.
 const PATIENCE: f64 = 0.85;
-/// A result that changes within a bracket by more than this share of its range on the grid jumps there.
+/// A result that changes within a bracket by more than this share of its range on the grid jumps
+/// there.
 const JUMP: f64 = 0.05;
 
-/// What is asked: at which value of `field` the result reaches `target`.
+/// A search for the values of `field` at which a result reaches `target`.
 #[derive(Clone)]
-pub struct Question {
+pub struct ThresholdSearch {
     scenario: Scenario,
-    /// What is varied.
+    /// The field that is varied.
     pub field: &'static Field,
     bounds: Bounds,
-    /// From where to where.
+    /// Least and greatest value of the field.
     pub range: (f64, f64),
-    /// Whether the person said so; else the range is all that the field may be.
+    /// Whether the person gave that range; else it is all that the field may be.
     narrow: bool,
     /// The result.
     pub quantity: Quantity,
@@ -68,7 +70,7 @@ pub struct Question {
     pub target: f64,
 }
 
-/// What was found.
+/// The crossings that a search found, and the grid that it looked at.
 #[derive(Debug, Clone)]
 pub struct Threshold {
     /// Values of the field on the grid, and the result there or why there is none.
@@ -87,9 +89,9 @@ pub struct Crossing {
     pub at: f64,
     /// Whether the result rises there.
     pub rising: bool,
-    /// By how much it may be off for the time step; none where that is not known.
+    /// By how much the value may be off for the time step; none where that is not known.
     pub step: Option<f64>,
-    /// The same for the mesh.
+    /// By how much the value may be off for the mesh; none where that is not known.
     pub mesh: Option<f64>,
     /// From which value to which the result jumps there, if it does.
     pub jump: Option<(f64, f64)>,
@@ -97,21 +99,23 @@ pub struct Crossing {
     pub flags: Vec<Flag>,
     /// What speaks against a risk by energy of this object.
     pub caution: Option<Caution>,
-    /// Of a risk that is believed: what is believed there.
+    /// The verdict there, where the result is a believed risk.
     pub believed: Option<Believed>,
 }
 
-/// What is believed of an injury where its risk passes the target.
+/// The verdict on an injury where its risk passes the target.
 #[derive(Debug, Clone)]
 pub struct Believed {
-    /// In words.
+    /// The verdict in words.
     pub verdict: String,
-    /// From which to which value of the field what is believed may have the target, where it may at all.
+    /// From which to which value of the field what is believed may have the target, where it may
+    /// at all.
     pub range: (Option<f64>, Option<f64>),
 }
 
-impl Question {
-    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
+impl ThresholdSearch {
+    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see
+    /// [`wanted`].
     ///
     /// # Errors
     /// Says why the field cannot be varied so, and what could.
@@ -152,7 +156,7 @@ impl Question {
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
     }
 
-    fn solved(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
+    fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
         let scenario = self.at(value)?.check()?;
         solve(&scenario, Keep::default(), &mut until(stop))
     }
@@ -167,8 +171,8 @@ impl Question {
         .unwrap_or(f64::NAN)
     }
 
-    /// The values that are looked at first: evenly where the range has both signs or is narrow, else by
-    /// ratios from the present value on.
+    /// The values that are looked at first: evenly where the range has both signs or is narrow,
+    /// else by ratios from the present value on.
     fn grid(&self) -> Vec<f64> {
         let (from, to) = self.range;
         if from < 0.0 || to <= 4.0 * from || from == to {
@@ -191,18 +195,18 @@ impl Question {
         grid
     }
 
-    /// Looks for every crossing. `heard` is told the share done.
+    /// Looks for every crossing. `progress` is told the share done.
     ///
     /// # Errors
     /// Where the scenario has no such result or was stopped.
     pub fn answer(
         &self,
         stop: &AtomicBool,
-        mut heard: impl FnMut(f64) + Send,
+        mut progress: impl FnMut(f64) + Send,
     ) -> Result<Threshold, Refusal> {
-        let seen = self.looked_at(stop, &mut heard)?;
+        let seen = self.run_grid(stop, &mut progress)?;
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
-            let there = self.once(seen[0].0, stop)?;
+            let there = self.results_at(seen[0].0, stop)?;
             let there: Vec<&str> = there.present().map(|(of, _)| of.key()).collect();
             let risk = if self.quantity.is_risk() {
                 "; `contrecoup run` says why no measure of a risk is usable here"
@@ -227,16 +231,16 @@ impl Question {
             values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
         for (i, bracket) in brackets.iter().enumerate() {
             let each = (1.0 - LOOKED) / brackets.len() as f64;
-            let mut heard = |share: f64| heard(LOOKED + each * (i as f64 + share));
-            crossings.push(self.crossing(*bracket, spread, stop, &mut heard)?);
+            let mut progress = |share: f64| progress(LOOKED + each * (i as f64 + share));
+            crossings.push(self.crossing(*bracket, spread, stop, &mut progress)?);
         }
         Ok(Threshold { seen, crossings })
     }
 
-    /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th value is looked at
-    /// first, and others only between two of which one has no result, or where the target may lie. Each is one run:
-    /// its error matters at a crossing, where it is stated.
-    fn looked_at(&self, stop: &AtomicBool, heard: &mut (impl FnMut(f64) + Send)) -> Seen {
+    /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th
+    /// value is looked at first, and others only between two of which one has no result, or where
+    /// the target may lie. Each is one run: its error matters at a crossing, where it is stated.
+    fn run_grid(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
         let grid = self.grid();
         let last = grid.len() - 1;
         let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
@@ -245,8 +249,8 @@ impl Question {
             .filter(|i| i % coarse == 0 || *i == last)
             .collect();
         let mut done = 0;
-        let mut look = |at: &[usize], seen: &mut Vec<_>| {
-            let run = |i: usize| match self.once(grid[at[i]], stop) {
+        let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
+            let run = |i: usize| match self.results_at(grid[at[i]], stop) {
                 Err(Refusal::Cancelled) => None,
                 Err(refusal) => Some(Err(refusal.to_string())),
                 Ok(results) => Some(Ok(results[self.quantity])),
@@ -255,7 +259,7 @@ impl Question {
             ordered::run((0, at.len()), stop, run, |i, result| {
                 seen[at[i]] = Some(result);
                 done += 1;
-                heard(LOOKED * done as f64 / grid.len() as f64);
+                progress(LOOKED * done as f64 / grid.len() as f64);
                 ControlFlow::Continue(())
             });
             if done < begun + at.len() {
@@ -263,7 +267,7 @@ impl Question {
             }
             Ok(())
         };
-        look(&first, &mut seen)?;
+        run_at(&first, &mut seen)?;
         let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
         let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
             (Some(a), Some(b)) => {
@@ -276,7 +280,7 @@ impl Question {
         let between = pairs
             .filter(|pair| worth(*pair))
             .flat_map(|(a, b)| a + 1..b);
-        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        run_at(&between.collect::<Vec<_>>(), &mut seen)?;
         let pairs = grid.into_iter().zip(seen);
         Ok(pairs
             .filter_map(|(at, result)| Some((at, result?)))
@@ -284,7 +288,7 @@ impl Question {
     }
 
     /// The results of one run at a value of the field.
-    fn once(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
+    fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         let scenario = self.at(value)?.check()?;
         Ok(single(&scenario, None, &mut until(stop))?.values)
     }
@@ -309,18 +313,18 @@ impl Question {
         bracket: Bracket,
         spread: f64,
         stop: &AtomicBool,
-        heard: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64),
     ) -> Result<Crossing, Refusal> {
         let rising = bracket.low.1 < 0.0;
         let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
         let mut left = 1.0;
-        let mut tell = || {
+        let mut one_more_run = || {
             left *= PATIENCE;
-            heard(1.0 - left);
+            progress(1.0 - left);
         };
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
-            let result = self.solved(value, stop)?.results()[self.quantity];
-            tell();
+            let result = self.answer_at(value, stop)?.results()[self.quantity];
+            one_more_run();
             Ok(result.ok_or_else(|| self.absent())? - self.target)
         })?;
         let at = bracket.secant();
@@ -339,21 +343,22 @@ impl Question {
         };
         let mut watch = until(stop);
         let mut answer = solve(&scenario, Keep::default(), &mut watch)?;
-        tell();
+        one_more_run();
         let Some(of) = answer.rests_on(self.quantity) else {
             // A risk by nothing but the inputs is as exact as they are.
             (crossing.step, crossing.mesh) = (Some(0.0), Some(0.0));
-            crossing.caution = Blow::of(&scenario).and_then(|blow| blow.caution());
+            crossing.caution = Caution::of(&scenario);
             let aside = self.aside(at).map(|end| self.at(end));
-            let [low, high] = aside.map(|end| Some(Scene::of(&end.ok()?).measures(None, None)));
+            let [low, high] =
+                aside.map(|end| Some(RiskInputs::of(&end.ok()?).measures(None, None)));
             crossing.believed = self.believed(&answer, at, low.zip(high));
             return Ok(crossing);
         };
         add_mesh_error(&scenario, &mut answer, &mut watch)?;
-        tell();
+        one_more_run();
         crossing.flags.clone_from(&answer.flags);
         if jump.is_none() {
-            let [low, high] = self.aside(at).map(|end| match self.solved(end, stop) {
+            let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
                 Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
                 // Beyond there is nothing: the slope is not known.
                 solved => Ok(solved.ok()),
@@ -387,8 +392,8 @@ impl Question {
         [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
     }
 
-    /// What is believed at a crossing, where a believed risk is asked for; `ends` holds what the curves run against
-    /// on both sides.
+    /// What is believed at a crossing, where a believed risk is asked for; `ends` holds what the
+    /// curves run against on both sides.
     fn believed(
         &self,
         answer: &Answer,
@@ -506,7 +511,7 @@ mod tests {
     use super::*;
 
     fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
-        let question = Question::read(scenario, vary, wanted(until).unwrap()).unwrap();
+        let question = ThresholdSearch::read(scenario, vary, wanted(until).unwrap()).unwrap();
         question.answer(&AtomicBool::new(false), |_| {}).unwrap()
     }
 
@@ -585,7 +590,8 @@ mod tests {
             "{believed:?}"
         );
         let (from, to) = (believed.range.0.unwrap(), believed.range.1.unwrap());
-        // Far more than the errors of step and mesh: the slope and the point of the curve are in it.
+        // Far more than the errors of step and mesh: the slope and the point of the curve are in
+        // it.
         assert!(from < 0.9 * one.at && to > 1.1 * one.at, "{believed:?}");
         assert!(to - one.at > one.mesh.unwrap());
         // The coarse look leaves out what is far away.
@@ -602,13 +608,13 @@ mod tests {
     #[test]
     fn questions_that_make_no_sense_are_refused_in_words() {
         let refused = |vary: &str| {
-            let question = Question::read(short(), vary, (Quantity::Damage, 50.0));
+            let question = ThresholdSearch::read(short(), vary, (Quantity::Damage, 50.0));
             question.err().unwrap().to_string()
         };
         assert!(refused("impact.farce_n").contains("did you mean"));
         assert!(refused("impact.shape").contains("is no number"));
         assert!(refused("eye").contains("holds several fields"));
-        let by_end = Question::read(short(), "force", (Quantity::Damage, 50.0)).unwrap();
+        let by_end = ThresholdSearch::read(short(), "force", (Quantity::Damage, 50.0)).unwrap();
         assert_eq!(by_end.field.path, "impact.force_n");
         assert!(refused("eye.level").contains("whole number"));
         assert!(refused("impact.speed_m_s").contains("which has no"));
@@ -621,7 +627,7 @@ mod tests {
         assert!(unread("damage_percent=x").contains("is no number"));
         assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);
         let until = (Quantity::Pressure, 1.0);
-        let question = Question::read(short(), "impact.force_n=100:200", until).unwrap();
+        let question = ThresholdSearch::read(short(), "impact.force_n=100:200", until).unwrap();
         let error = question
             .answer(&AtomicBool::new(false), |_| {})
             .unwrap_err();

@@ -1,14 +1,10 @@
 //! Total error against time as text and as JSON, for one result.
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::ROUNDS;
-use crate::many::accuracy::TOLERANCES;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
+use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::models::kernel_name;
 use crate::plain_text::printable;
+use crate::report::format::{percent, significant};
 use crate::report::json::{by_result, evaluations};
-use crate::report::text::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};

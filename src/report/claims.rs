@@ -1,7 +1,8 @@
 //! How often what is claimed holds, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::report::text::{block, significant};
+use crate::report::format::block;
+use crate::report::format::significant;
 use crate::verify::claims::{Claim, Coverage, Findings, REFERENCE_LEVEL, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
@@ -10,7 +11,7 @@ use std::io::{self, Write};
 /// An error in percent with two digits, however small.
 fn error(percent: f64) -> String {
     if percent == 0.0 || (1e-3..1e3).contains(&percent) {
-        crate::report::text::percent(percent)
+        crate::report::format::percent(percent)
     } else {
         format!("{percent:.1e} %")
     }
@@ -157,7 +158,8 @@ pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// The same as one object. A claim that did not hold comes with its scenario, to be run again.
+/// The table as one JSON object. A claim that did not hold comes with its scenario, to be run
+/// again.
 pub fn json(found: &Findings) -> Value {
     let study = found.study;
     let miss = |(scene, claim): (u32, Claim)| {

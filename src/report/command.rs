@@ -4,8 +4,9 @@ use crate::scenario::Scenario;
 use crate::scenario::fields::FIELDS;
 use crate::scenario::set::set;
 
-/// The arguments after the program's name and the subcommand: the source, and `--set` for each field that differs
-/// from it. `None` where no such list gives the scenario, as for a curve that was recorded.
+/// The arguments after the program's name and the subcommand: the source, and `--set` for each
+/// field that differs from it. `None` where no such list gives the scenario, as for a curve that
+/// was recorded.
 pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Option<Vec<String>> {
     let mut arguments = vec![source.to_owned()];
     let mut built = original.clone();

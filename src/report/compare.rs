@@ -9,12 +9,12 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::{Blow, Caution, lines};
+use crate::injury::{Caution, lines};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{CUT, Figure};
+use crate::report::format::{WIDTH, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::text::{WIDTH, paragraph, percent};
 use crate::report::verdict::{mixed, range};
 use crate::run::quantity::Quantity;
 
@@ -27,13 +27,13 @@ const WIDEST_NAME: usize = 20;
 pub struct Table {
     /// The short name of each result.
     pub heads: Vec<String>,
-    /// Its unit.
+    /// The unit of each result.
     pub units: Vec<&'static str>,
     /// A name, and a cell for each head.
     pub rows: Vec<(String, Vec<String>)>,
-    /// What to know before reading the cells.
+    /// Notes on the whole table.
     pub notes: Vec<String>,
-    /// What limits or refuses each of the rows that something does.
+    /// Flags, verdict or refusal of each row, in words.
     pub remarks: Vec<String>,
 }
 
@@ -44,12 +44,7 @@ fn cell(answer: &Answer, of: Quantity) -> String {
     cell.unwrap_or_else(|| "-".to_owned())
 }
 
-/// What speaks against the risks by energy of a blow.
-fn caution(entry: &Entry) -> Option<Caution> {
-    Blow::of(&entry.scenario)?.caution()
-}
-
-/// Text that stays text in a table of Markdown.
+/// Text escaped for a table of Markdown.
 pub fn escaped(text: &str) -> String {
     text.replace('|', "\\|").replace('<', "&lt;")
 }
@@ -215,14 +210,15 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
         let flags = answer.map_or(&[][..], |answer| &answer.flags);
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));
-        record.push(caution(entry).map_or("", Caution::key).to_owned());
+        let caution = Caution::of(&entry.scenario);
+        record.push(caution.map_or("", Caution::key).to_owned());
         record.push(entry.refused().unwrap_or_default().to_owned());
         writer.write_record(&record)?;
     }
     writer.flush()
 }
 
-/// The same as `run --json`, one object for each blow.
+/// The blows as JSON: the object of `run --json` for each.
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match entry.answer() {

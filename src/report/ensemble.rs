@@ -1,26 +1,21 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use crate::injury::{Blow, Caution};
+use crate::injury::Caution;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
-use crate::many::spreads::{Input, Shape};
+use crate::many::spreads::{Shape, UncertainInput};
 use crate::plain_text::printable;
-use crate::report::text::{paragraph, percent, significant};
+use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
-/// What speaks against the risks by energy of this scenario's object.
-fn caution(scenario: &Scenario) -> Option<Caution> {
-    Blow::of(scenario)?.caution()
-}
-
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
 
 /// A distribution in words.
-pub fn distribution(input: &Input) -> String {
+pub fn distribution(input: &UncertainInput) -> String {
     let unit = input.field.unit;
     let text = match input.shape {
         Shape::LogUniform(a, b) => {
@@ -103,7 +98,7 @@ pub fn text(
     for remark in outside(ensemble) {
         paragraph(&remark, out)?;
     }
-    if let Some(caution) = caution(scenario) {
+    if let Some(caution) = Caution::of(scenario) {
         let text = caution.text();
         paragraph(&format!("! rupture and retina, energy: {text}"), out)?;
     }
@@ -240,7 +235,7 @@ fn band(ensemble: &Ensemble, of: Quantity) -> Value {
     })
 }
 
-fn input(of: &Input) -> Value {
+fn input(of: &UncertainInput) -> Value {
     let (kind, a, b) = match of.shape {
         Shape::LogUniform(a, b) => ("log_uniform", a, b),
         Shape::Uniform(a, b) => ("uniform", a, b),
@@ -261,7 +256,7 @@ fn input(of: &Input) -> Value {
     })
 }
 
-/// The same as one object.
+/// An ensemble as one JSON object.
 pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let checks = ensemble.checks();
     let timing = &ensemble.timing;
@@ -280,7 +275,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
         "seed": ensemble.seed,
         "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
         "results": results,
-        "energy_caution": caution(scenario).map(Caution::key),
+        "energy_caution": Caution::of(scenario).map(Caution::key),
         "counted": {
             "in_the_bands": ensemble.valid().count(),
             "folded": ensemble.folded(),

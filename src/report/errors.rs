@@ -1,8 +1,8 @@
-//! How an error is said, on every page and screen alike: that of the damage index, and the largest of a
-//! leading result with the name of that result.
+//! How an error is said, on every page and screen alike: that of the damage index, and the largest
+//! of a leading result with the name of that result.
 
 use crate::answer::results::Results;
-use crate::report::text::percent;
+use crate::report::format::percent;
 use crate::run::quantity::Quantity;
 
 /// The error of the damage index, in words.
@@ -10,7 +10,7 @@ pub fn of_damage(errors: &Results) -> String {
     errors[Quantity::Damage].map_or_else(|| "unknown".to_owned(), percent)
 }
 
-/// The largest error of a leading result, and of which.
+/// The largest error of a leading result, with its name, in words.
 pub fn worst(errors: &Results) -> String {
     errors.worst().map_or_else(
         || "unknown".to_owned(),
@@ -18,8 +18,9 @@ pub fn worst(errors: &Results) -> String {
     )
 }
 
-/// The largest error of all and of which result, where that does not lead and is farther off than those that do.
-pub fn beside(errors: &Results) -> Option<String> {
+/// The largest error of a result that does not lead, with its name; none if a leading one is
+/// larger.
+pub fn largest_other(errors: &Results) -> Option<String> {
     let larger = |a: &(Quantity, f64), b: &(Quantity, f64)| a.1.total_cmp(&b.1);
     let (of, error) = errors.present().max_by(larger)?;
     let lead = errors.worst()?.1;
@@ -39,9 +40,9 @@ mod tests {
         assert_eq!(worst(&errors), "2.0 % (peak force, top)");
         errors[Quantity::Contact] = Some(1.0);
         assert_eq!(worst(&errors), "1.0 % (contact force)");
-        assert_eq!(beside(&errors).unwrap(), "2.0 % (peak force, top)");
+        assert_eq!(largest_other(&errors).unwrap(), "2.0 % (peak force, top)");
         errors[Quantity::Contact] = Some(3.0);
-        assert_eq!(beside(&errors), None);
+        assert_eq!(largest_other(&errors), None);
         assert_eq!(of_damage(&errors), "0.50 %");
     }
 }

@@ -1,6 +1,6 @@
 //! Published experiments against the model, as text of 80 columns and as one JSON object.
 
-use crate::report::text::{block, digits, significant};
+use crate::report::format::{block, digits, significant};
 use crate::scenario::Physiological;
 use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::fit::{Fit, PATH, STEP};
@@ -154,7 +154,7 @@ fn row(row: &Rerun) -> Value {
     })
 }
 
-/// The same as JSON.
+/// The rows as JSON.
 pub fn json(rows: &[Rerun]) -> Value {
     json!({ "rows": rows.iter().map(row).collect::<Vec<_>>() })
 }
@@ -193,7 +193,7 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     lines(&fit.best.rows.iter().collect::<Vec<_>>(), out)
 }
 
-/// The same as JSON.
+/// The fit as JSON.
 pub fn fit_json(fit: &Fit) -> Value {
     let tried: Vec<Value> = fit
         .tried
@@ -215,10 +215,11 @@ pub fn fit_json(fit: &Fit) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::text::WIDTH;
+    use crate::report::format::WIDTH;
     use crate::verify::experiments::EXPERIMENTS;
 
-    /// Every experiment with a figure on each mesh: those of every third are far off on one of them.
+    /// Every experiment with a figure on each mesh: those of every third are far off on one of
+    /// them.
     fn made_up() -> Vec<Rerun> {
         let row = |(i, experiment): (usize, &'static Experiment)| {
             let inside = match experiment.measured {

@@ -1,18 +1,22 @@
 //! A result as people read it: no digit finer than its error, and that error behind it.
 //!
-//! An error is that of step and mesh together, in % of the result. While the mesh error is not estimated it is that
-//! of the step alone, and [`causes`] says so once a page. What is unknown of the inputs is never part of it: that is
-//! the work of an ensemble. JSON and CSV have all digits, and both errors apart.
+//! An error is that of step and mesh together, in % of the result. While the mesh error is not
+//! estimated it is that of the step alone, and [`causes`] says so once a page. What is unknown of
+//! the inputs is never part of it: that is the work of an ensemble. JSON and CSV have all digits,
+//! and both errors apart.
 
 use std::fmt;
 
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
-use crate::report::injury::share;
-use crate::report::text::{digits, percent, significant};
+use crate::report::format::digits;
+use crate::report::format::percent;
+use crate::report::format::share;
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
-use crate::run::trace::{OtherTrace, Trace};
+use crate::run::trace::OtherTrace;
+use crate::run::trace::Trace;
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -86,7 +90,7 @@ pub struct Figure {
     pub unit: &'static str,
     /// How far it may be off.
     pub off: Off,
-    /// What the end of the run means for it, if it came too early.
+    /// How it is limited by a run that ended too early.
     pub cut: Option<Cut>,
 }
 
@@ -129,7 +133,8 @@ impl Figure {
         })
     }
 
-    /// The number as a table shows it: a sign says what the end of the run means for it, see [`CUT`].
+    /// The number as a table shows it: a sign says what the end of the run means for it, see
+    /// [`CUT`].
     pub fn cell(&self) -> String {
         let sign = match self.cut {
             Some(Cut::AtLeast) => "≥",
@@ -139,7 +144,7 @@ impl Figure {
         format!("{sign}{}", self.number)
     }
 
-    /// The same with so many digits at most, for narrow places.
+    /// The figure with at most `count` digits, for narrow places.
     #[must_use]
     pub fn coarser(&self, count: i32) -> Self {
         let number = self.number.parse();
@@ -169,7 +174,7 @@ impl fmt::Display for Figure {
 /// What the damage index means.
 pub const SCALE: &str = "100 = the paper's worst";
 
-/// That the index means nothing, why, and what to do; none where it does mean something.
+/// Why the damage index means nothing, and what to do; none where it is usable.
 pub fn unusable(answer: &Answer) -> Option<String> {
     let spoiled = answer.spoiled()?;
     Some(format!(
@@ -191,7 +196,7 @@ pub fn times_its_limit(figure: &Figure, value: f64, term: Term) -> String {
     format!("{times} x its limit")
 }
 
-/// Nobody needs a part of the index finer than to so many %.
+/// A part of the index is shown no finer than to this error, in %.
 const PART_PERCENT: f64 = 1.0;
 
 /// The parts of the index with the results that they are of.
@@ -201,8 +206,8 @@ pub const PARTS: [(Quantity, Term); 3] = [
     (Quantity::Energy, ENERGY),
 ];
 
-/// A course at one moment, with its error: the value and what it may be off by, both in the unit. The error is that
-/// of the peak, whatever the value is now; what is no result has none.
+/// A trace at one moment with its error, both in its unit, as in `12.3 ±0.4 N`. The error is that
+/// of the peak at any moment; a trace of no result has none.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
     let of = match course {
@@ -248,7 +253,7 @@ pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
 /// Below this a load in N or a way in mm is rounding.
 const NEGLIGIBLE_NOW: f64 = 5e-4;
 
-/// 0 in place of what is less than so much.
+/// `value`, or 0 where it is less than `least` either way.
 fn settled(value: f64, least: f64) -> f64 {
     if value.abs() < least { 0.0 } else { value }
 }
@@ -282,13 +287,14 @@ fn number(value: f64, off: Off) -> String {
     }
 }
 
-/// A value with no digit finer than the first one of its error, given in %, but two at least and four at most.
+/// A value with no digit finer than the first one of its error, given in %, but two at least and
+/// four at most.
 pub fn within(value: f64, error: Option<f64>) -> String {
     let error = error.filter(|error| *error > 0.0);
     allowing(value, error.map(|percent| value.abs() * percent / 100.0))
 }
 
-/// The same of an error in the unit of the value.
+/// As [`within`], with the error in the unit of the value.
 pub fn allowing(value: f64, error: Option<f64>) -> String {
     let Some(error) = error.filter(|error| *error > 0.0 && value != 0.0) else {
         return digits(value, DIGITS.1);
@@ -298,7 +304,7 @@ pub fn allowing(value: f64, error: Option<f64>) -> String {
     rounded(value, count.clamp(DIGITS.0, DIGITS.1))
 }
 
-/// A value with so many digits that mean something; those before the point that mean nothing are 0.
+/// `value` with `count` significant digits; later digits before the point are 0.
 fn rounded(value: f64, count: i32) -> String {
     let after = (count - 1).max(0) as usize;
     let kept: f64 = format!("{value:.after$e}").parse().unwrap_or(value);

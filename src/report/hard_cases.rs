@@ -1,6 +1,6 @@
 //! The hard cases as a table of 80 columns and as JSON. The names are a contract.
 
-use crate::report::text::{WIDTH, percent, wrapped};
+use crate::report::format::{WIDTH, percent, wrapped};
 use crate::verify::hard_cases::{CaseOutcome, CaseVerdict};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -63,7 +63,7 @@ pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// The same as one object.
+/// The table as one JSON object.
 pub fn json(outcomes: &[CaseOutcome]) -> Value {
     let cases: Vec<Value> = outcomes
         .iter()

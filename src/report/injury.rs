@@ -5,19 +5,7 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 use crate::report::figure::within;
-use crate::report::text::{WIDTH, block, wrapped};
-
-/// A share as whole percent, or finer where it is small.
-pub(super) fn share(risk: f64) -> String {
-    let percent = 100.0 * risk;
-    if percent < 0.1 {
-        "< 0.1 %".to_owned()
-    } else if percent < 9.95 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
-    }
-}
+use crate::report::format::{WIDTH, block, share, wrapped};
 
 /// Prints the risks by injury and the sources; nothing if there are none.
 ///
@@ -88,7 +76,7 @@ pub fn text(risks: &[Risk], out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// The same as JSON: one object a curve.
+/// The risks as JSON: one object for each curve.
 pub fn json(risks: &[Risk]) -> Value {
     let one = |risk: &Risk| {
         let (unit, scale) = risk.curve.measure.unit();
@@ -115,9 +103,9 @@ pub fn json(risks: &[Risk]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::injury::{Blow, Computed, Measures, assess};
+    use crate::injury::{Computed, FlyingObject, Measures, assess};
 
-    fn printed(blow: Option<Blow>, pressure: Option<f64>) -> String {
+    fn printed(blow: Option<FlyingObject>, pressure: Option<f64>) -> String {
         let mut out = Vec::new();
         let pressure = pressure.map(|value| Computed { value, error: 0.1 });
         let measures = Measures {
@@ -131,7 +119,7 @@ mod tests {
 
     #[test]
     fn each_curve_is_printed_with_its_value_its_standing_and_its_source() {
-        let bb = Blow {
+        let bb = FlyingObject {
             mass: 0.345e-3,
             diameter: 4.5e-3,
             speed: 56.0,
@@ -157,7 +145,7 @@ mod tests {
 
     #[test]
     fn an_object_larger_than_the_orbit_brings_a_warning() {
-        let ball = Blow {
+        let ball = FlyingObject {
             mass: 0.43,
             diameter: 0.22,
             speed: 18.0,

@@ -1,8 +1,8 @@
 //! Results as one JSON object. The names are a contract.
 //!
-//! A result stands under the key of its row in [`crate::run::quantity`], which is the same in sweeps,
-//! ensembles and errors; the time of its peak stands under that key in `peak_time_ms_by_result`.
-//! Figures that are no results stand beside them.
+//! A result stands under the key of its row in [`crate::run::quantity`], which is the same in
+//! sweeps, ensembles and errors; the time of its peak stands under that key in
+//! `peak_time_ms_by_result`. Figures that are no results stand beside them.
 
 use crate::answer::mesh_error::{Limit, Limits};
 use crate::answer::results::Results;
@@ -74,7 +74,7 @@ fn folded(fold: &Fold) -> Value {
     })
 }
 
-/// What limits them.
+/// The flags as JSON.
 pub(super) fn flags(flags: &[Flag]) -> Value {
     let one = |flag: &Flag| {
         json!({

@@ -3,12 +3,12 @@
 use crate::answer::mesh_error::Limit;
 use crate::answer::solve::Answer;
 use crate::report::figure::{with_unit, within};
-use crate::report::text::{digits, significant};
+use crate::report::format::{digits, significant};
 use crate::run::quantity::Quantity;
 
 /// A result on the answer's mesh and in the limit of finer ones, as in
 /// `12.40 N on this mesh, 12.3 ±1.0 N in the limit`; none where no limit is known.
-pub fn beside(answer: &Answer, of: Quantity) -> Option<String> {
+pub fn here_and_in_the_limit(answer: &Answer, of: Quantity) -> Option<String> {
     let limit = alone(answer, of)?;
     let value = within(answer.result(of)?, answer.errors.time_step[of]);
     let here = with_unit(&value, of.row().unit);
@@ -34,8 +34,8 @@ fn with_error(limit: &Limit) -> String {
     format!("{value:.after$} ±{error_text}")
 }
 
-/// The results of which finer meshes show no limit, in a sentence; none where the mesh error was not
-/// estimated or all have one.
+/// The results of which finer meshes show no limit, in a sentence; none where the mesh error was
+/// not estimated or all have one.
 pub fn unknown(answer: &Answer) -> Option<String> {
     let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
     let known = answer.errors.mesh.as_ref()?.present().next().is_some();

@@ -1,8 +1,8 @@
 //! How far long work is and how long it goes on, in words: `59 of 256, about 20 s`.
 //!
-//! The time left is what is left of the work at the pace of what was done so far. It is said in round numbers
-//! that count down; only where the work turns out much longer do they rise, so that nobody reads a jumping
-//! figure.
+//! The time left is what is left of the work at the pace of what was done so far. It is said in
+//! round numbers that count down; only where the work turns out much longer do they rise, so that
+//! nobody reads a jumping figure.
 
 use std::time::Duration;
 
@@ -11,15 +11,15 @@ const SAID: [f64; 19] = [
     2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 120.0, 180.0, 300.0, 600.0, 900.0, 1200.0,
     1800.0, 3600.0, 7200.0, 18000.0, 36000.0,
 ];
-/// Nothing is said of the time before so much of it has passed, in s, and so much is done.
+/// No time is said before this many s have passed and this share is done.
 const FIRST: (f64, f64) = (1.0, 0.005);
-/// A time that is said rises where the work takes so many times as long.
+/// The time that is said rises only where the work takes this many times as long.
 const LONGER: f64 = 1.5;
 
 /// The pace of some work.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Pace {
-    /// The share that was done when it was first heard of, and when, in s.
+    /// The share done at the first report, and its time, in s.
     first: Option<(f64, f64)>,
     /// The share done last.
     share: f64,
@@ -30,7 +30,7 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// So much is done, from 0 to 1, so long after the beginning.
+    /// Takes the share done, from 0 to 1, at a time in s from the beginning.
     pub fn advance(&mut self, share: f64, elapsed: Duration) {
         let now = elapsed.as_secs_f64();
         if share < 0.5 * self.share {
@@ -61,7 +61,7 @@ impl Pace {
         self.share
     }
 
-    /// What is done of how many, where it is counted, else in %.
+    /// The progress as a count of pieces where they are counted, else in %.
     pub fn done(&self, of: Option<usize>) -> String {
         match of {
             Some(of) => format!("{:.0} of {of}", self.share * of as f64),
@@ -69,7 +69,7 @@ impl Pace {
         }
     }
 
-    /// The same, and how long the rest takes, once that is known.
+    /// The progress, and how long the rest takes, once that is known.
     pub fn words(&self, of: Option<usize>) -> String {
         let done = self.done(of);
         match self.said {

@@ -1,4 +1,5 @@
-//! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their errors, flags.
+//! An answer in three lines, to paste into a mail or a chart: what to believe, figures with their
+//! errors, flags.
 
 use crate::answer::solve::Answer;
 use crate::injury::lines;

@@ -1,14 +1,14 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
 use crate::injury::Caution;
-use crate::many::sweep::{Row, Sweep};
+use crate::many::sweep::{Sweep, SweepRow};
 use crate::run::quantity::Quantity;
 use crate::scenario::fields;
 use serde_json::{Map, Value, json};
 
 /// How rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum SweepFormat {
     /// Comma-separated values below a comment and a heading.
     Csv,
     /// One JSON object a line.
@@ -25,7 +25,7 @@ fn csv(cells: &[String]) -> String {
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
-impl Form {
+impl SweepFormat {
     /// What stands before the rows, the same for every shard of a sweep.
     pub fn heading(self, sweep: &Sweep) -> String {
         let mark = format!("{:016x}", sweep.fingerprint());
@@ -49,8 +49,8 @@ impl Form {
         }
     }
 
-    /// One line.
-    pub fn row(self, sweep: &Sweep, row: &Row) -> String {
+    /// One line for a row of the sweep.
+    pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
         let point = row.outcome.as_ref().ok();
         let mut flags: Vec<&str> =
             point.map_or(Vec::new(), |p| p.flags.iter().map(|f| f.name()).collect());

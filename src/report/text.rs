@@ -1,11 +1,10 @@
 //! Results as text for a terminal of 80 columns.
 
-use crate::report::errors;
 use crate::report::figure::{
     CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
 };
-use crate::report::limit;
-use unicode_width::UnicodeWidthStr;
+use crate::report::format::{block, capital, paragraph, percent, significant};
+use crate::report::{errors, limit};
 
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
@@ -15,71 +14,6 @@ use crate::run::model::Shown;
 use crate::run::quantity::Quantity;
 use crate::scenario::{Impact, Projectile, Scenario};
 use std::io::{self, Write};
-
-/// A number with four significant digits, in plain notation where that is readable.
-pub fn significant(value: f64) -> String {
-    digits(value, 4)
-}
-
-/// The same with `count` significant digits.
-pub fn digits(value: f64, count: i32) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e6).contains(&size) {
-        let after = (count - 1) as usize;
-        format!("{value:.after$e}")
-    } else {
-        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.after$}")
-    }
-}
-
-/// An error in percent: two digits are all it can bear.
-pub fn percent(value: f64) -> String {
-    match value {
-        0.0 => "0 %".to_owned(),
-        v if v < 1e-4 => "< 0.0001 %".to_owned(),
-        v if v < 10.0 => {
-            let digits = (1 - v.log10().floor() as i32).max(0) as usize;
-            format!("{v:.digits$} %")
-        }
-        v => format!("{v:.0} %"),
-    }
-}
-
-/// Columns of a line.
-pub(super) const WIDTH: usize = 80;
-
-/// `text` in lines of at most `width` cells, broken between words but not before a percent sign.
-pub fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    let held = text.replace(" %", "\u{a0}%");
-    for word in held.split_ascii_whitespace() {
-        let word = word.replace('\u{a0}', " ");
-        match lines.last_mut() {
-            Some(line) if line.width() + 1 + word.width() <= width => {
-                line.push(' ');
-                line.push_str(&word);
-            }
-            _ => lines.push(word),
-        }
-    }
-    lines
-}
-
-/// Prints a text in lines of 80 columns, those that go on indented.
-pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
-    block(text, "", "    ", out)
-}
-
-/// Prints a text in lines of 80 columns, with what stands before the first and before those that go on.
-pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
-    }
-    Ok(())
-}
 
 /// Prints the results of an answer.
 ///
@@ -121,7 +55,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     Ok(())
 }
 
-/// What a reader should know of a peak beside its value.
+/// The words behind a peak and its time.
 fn remark(answer: &Answer, of: Quantity) -> String {
     if of == Quantity::Pressure {
         return ", mean of the globe".to_owned();
@@ -209,14 +143,6 @@ fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// `label` with a capital letter.
-pub fn capital(label: &str) -> String {
-    let mut letters = label.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
-}
-
 /// Names the figures of an object that come from no source that was checked.
 fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
     if input.unverified.is_empty() {
@@ -228,7 +154,7 @@ fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
 
 /// Prints what finer meshes tend to, and which results they show no limit of.
 fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "Damage index: {limit}")?;
     }
     let unknown = limit::unknown(answer).unwrap_or_default();
@@ -279,8 +205,8 @@ fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
         format!("damage index {damage}, worst {worst}")
     };
     writeln!(out, "\nStep error: {}", said(&of.time_step))?;
-    if let Some(beside) = errors::beside(&of.time_step) {
-        writeln!(out, "  beside the leading results up to {beside}")?;
+    if let Some(other) = errors::largest_other(&of.time_step) {
+        writeln!(out, "  beside the leading results up to {other}")?;
     }
     let mesh = of.mesh.as_ref();
     let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
@@ -298,26 +224,4 @@ fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
         paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
     }
     writeln!(out, "\nResearch and education, not diagnosis.")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_carry_four_digits() {
-        assert_eq!(significant(26.418_437), "26.42");
-        assert_eq!(significant(0.004_971_1), "0.004971");
-        assert_eq!(significant(1234.5), "1234");
-        assert_eq!(significant(0.0), "0");
-        assert_eq!(significant(-2.5e-9), "-2.500e-9");
-    }
-
-    #[test]
-    fn errors_carry_two_digits() {
-        assert_eq!(percent(0.012_34), "0.012 %");
-        assert_eq!(percent(3.21), "3.2 %");
-        assert_eq!(percent(123.4), "123 %");
-        assert_eq!(percent(1e-7), "< 0.0001 %");
-    }
 }

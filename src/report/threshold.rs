@@ -5,38 +5,38 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::injury::Caution;
-use crate::many::threshold::{Crossing, Question, Threshold};
+use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
+use crate::report::format::{block, capital, digits, significant};
 use crate::report::json::flags;
-use crate::report::text::{block, capital, digits, significant};
 use crate::scenario::Scenario;
 
-/// A text with the unit of what is varied.
-fn with_unit(question: &Question, text: &str) -> String {
-    united(text, question.field.unit)
+/// A text with the unit of the field that is varied.
+fn with_unit(search: &ThresholdSearch, text: &str) -> String {
+    united(text, search.field.unit)
 }
 
 /// Where the result passes the value, no finer than it is known.
-fn at(question: &Question, crossing: &Crossing) -> String {
+fn at(search: &ThresholdSearch, crossing: &Crossing) -> String {
     let curves = crossing.believed.as_ref().map(|believed| believed.range);
     let width = curves.and_then(|(from, to)| Some(0.5 * (to? - from?)));
     let largest = [crossing.step, crossing.mesh, width];
     let largest = largest.into_iter().flatten().fold(0.0, f64::max);
-    with_unit(question, &allowing(crossing.at, Some(largest)))
+    with_unit(search, &allowing(crossing.at, Some(largest)))
 }
 
 /// A crossing in one line: `50 % at 61 m/s ± 2`, by the larger error.
-pub fn brief(question: &Question, crossing: &Crossing) -> String {
-    let unit = question.quantity.row().unit;
-    let target = united(&question.target.to_string(), unit);
-    let at = format!("{target} at {}", at(question, crossing));
+pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
+    let unit = search.quantity.row().unit;
+    let target = united(&search.target.to_string(), unit);
+    let at = format!("{target} at {}", at(search, crossing));
     let way = if crossing.rising { "" } else { ", falling" };
     let off = match (crossing.jump, crossing.step, crossing.mesh) {
         (Some(_), ..) => ": it jumps there".to_owned(),
         (None, Some(step), Some(mesh)) => {
             let off = step.max(mesh);
-            if off > question.range.1 - question.range.0 {
+            if off > search.range.1 - search.range.0 {
                 ", error beyond the range".to_owned()
             } else if off > 0.0 {
                 format!(" ± {}", digits(off, 2))
@@ -49,25 +49,22 @@ pub fn brief(question: &Question, crossing: &Crossing) -> String {
     format!("{at}{off}{way}")
 }
 
-/// That the result never has the value, and what it has instead.
-pub fn never(question: &Question, threshold: &Threshold) -> String {
-    let (low, high) = (
-        end(question, threshold, false),
-        end(question, threshold, true),
-    );
+/// The words for a target that is never reached, with the range of the result instead.
+pub fn never(search: &ThresholdSearch, threshold: &Threshold) -> String {
+    let (low, high) = (end(search, threshold, false), end(search, threshold, true));
     format!("Never: {low} to {high}.")
 }
 
 /// The least or the greatest result that was seen, and where.
-fn end(question: &Question, threshold: &Threshold, highest: bool) -> String {
-    let values: Vec<(f64, f64)> = known(threshold).collect();
-    let (at, value) = if highest {
-        self::highest(&values)
-    } else {
-        lowest(&values)
-    };
-    let at = with_unit(question, &significant(at));
-    let value = united(&significant(value), question.quantity.row().unit);
+fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String {
+    let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
+    let sign = if highest { -1.0 } else { 1.0 };
+    let known = threshold.seen.iter().filter_map(result);
+    let (at, value) = known
+        .min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
+        .unwrap_or((f64::NAN, f64::NAN));
+    let at = with_unit(search, &significant(at));
+    let value = united(&significant(value), search.quantity.row().unit);
     format!("{value} at {at}")
 }
 
@@ -77,20 +74,20 @@ fn end(question: &Question, threshold: &Threshold, highest: bool) -> String {
 /// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
-    question: &Question,
+    search: &ThresholdSearch,
     threshold: &Threshold,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let row = question.quantity.row();
-    let with_unit = |text: String| with_unit(question, &text);
+    let row = search.quantity.row();
+    let with_unit = |text: String| with_unit(search, &text);
     writeln!(out, "{}\n", printable(&scenario.name))?;
-    let target = united(&question.target.to_string(), row.unit);
+    let target = united(&search.target.to_string(), row.unit);
     let what = format!("{} {target}", capital(row.label));
     for crossing in &threshold.crossings {
-        let at = at(question, crossing);
+        let at = at(search, crossing);
         let way = if crossing.rising { "rising" } else { "falling" };
-        writeln!(out, "{what} at {at} ({}), {way}", question.field.path)?;
-        let whole = question.range.1 - question.range.0;
+        writeln!(out, "{what} at {at} ({}), {way}", search.field.path)?;
+        let whole = search.range.1 - search.range.0;
         for line in lines(crossing, whole, row.unit, &with_unit) {
             writeln!(out, "  {line}")?;
         }
@@ -124,10 +121,10 @@ pub fn text(
         out,
         "Looked at {} values from {} to {}:\n{} to {}",
         threshold.seen.len(),
-        significant(question.range.0),
-        with_unit(significant(question.range.1)),
-        end(question, threshold, false),
-        end(question, threshold, true),
+        significant(search.range.0),
+        with_unit(significant(search.range.1)),
+        end(search, threshold, false),
+        end(search, threshold, true),
     )?;
     let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
     if let Some((at, Err(why))) = refused.first() {
@@ -141,7 +138,8 @@ pub fn text(
     writeln!(out, "\nResearch and education, not diagnosis.")
 }
 
-/// Over which values what is believed may be the target: by slopes and points of curves, and the errors above.
+/// Over which values what is believed may be the target: by slopes and points of curves, and the
+/// errors above.
 fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> Option<String> {
     Some(match of {
         (Some(from), Some(to)) => {
@@ -154,7 +152,7 @@ fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -
     })
 }
 
-/// What each error does to the value, or that there is none to give.
+/// A line for the step error and one for the mesh error of a crossing, or one for its jump.
 fn lines(
     crossing: &Crossing,
     whole: f64,
@@ -175,24 +173,8 @@ fn lines(
     vec![off("step", crossing.step), off("mesh", crossing.mesh)]
 }
 
-fn known(threshold: &Threshold) -> impl Iterator<Item = (f64, f64)> {
-    let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
-    threshold.seen.iter().filter_map(result)
-}
-
-fn lowest(values: &[(f64, f64)]) -> (f64, f64) {
-    let least = values.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-    least.copied().unwrap_or((f64::NAN, f64::NAN))
-}
-
-fn highest(values: &[(f64, f64)]) -> (f64, f64) {
-    // The first of equals, as for the lowest.
-    let most = values.iter().min_by(|a, b| b.1.total_cmp(&a.1));
-    most.copied().unwrap_or((f64::NAN, f64::NAN))
-}
-
 /// A threshold as one object.
-pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> Value {
+pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold) -> Value {
     let crossing = |c: &Crossing| {
         json!({
             "at": c.at,
@@ -215,12 +197,12 @@ pub fn json(scenario: &Scenario, question: &Question, threshold: &Threshold) -> 
     json!({
         "scenario": scenario,
         "vary": {
-            "field": question.field.path,
-            "unit": question.field.unit,
-            "from": question.range.0,
-            "to": question.range.1,
+            "field": search.field.path,
+            "unit": search.field.unit,
+            "from": search.range.0,
+            "to": search.range.1,
         },
-        "until": { "result": question.quantity.key(), "value": question.target },
+        "until": { "result": search.quantity.key(), "value": search.target },
         "crossings": threshold.crossings.iter().map(crossing).collect::<Vec<_>>(),
         "looked_at": threshold.seen.iter().map(seen).collect::<Vec<_>>(),
     })

@@ -2,24 +2,24 @@
 
 use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
-use crate::injury::{AT_LEAST, Curve, Injury, Part, Risk, Verdict, curve_of, lines, span};
+use crate::injury::{AT_LEAST, Injury, InjuryCurve, Part, Risk, Verdict, curve_of, lines, span};
 use crate::run::quantity::Quantity;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-use crate::report::text::paragraph;
+use crate::report::format::paragraph;
 
-/// What is said of a risk that means nothing here.
+/// The words for a risk that is not usable here.
 pub const VOID: &str = "not valid here";
 
 /// The part that a curve has in the verdicts.
-pub fn part_of<'a>(verdicts: &'a [Verdict], curve: &Curve) -> Option<&'a Part> {
+pub fn part_of<'a>(verdicts: &'a [Verdict], curve: &InjuryCurve) -> Option<&'a Part> {
     let mut parts = verdicts.iter().flat_map(|verdict| &verdict.parts);
     let part = parts.find(|(of, _)| of.curve == curve)?;
     Some(&part.1)
 }
 
-/// Whether a result is a risk that means nothing here.
+/// Whether a result is a risk that is not usable here.
 pub fn is_void(verdicts: &[Verdict], of: Quantity) -> bool {
     let Some(Derived::Risk(injury, measure)) = of.derived() else {
         return false;
@@ -34,8 +34,8 @@ pub fn verdict(answer: &Answer, injury: Injury) -> Option<Verdict> {
     verdicts.find(|verdict| verdict.injury == injury)
 }
 
-/// The range of a risk in %, as a table shows it: of one that is believed first that of the verdict, of another
-/// that of its curve; none of what is no risk.
+/// The range of a risk in %, as a table shows it: of one that is believed first that of the
+/// verdict, of another that of its curve; none of what is no risk.
 pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
     let percent = match of.derived()? {
         Derived::Believed(injury) => verdict(answer, injury)?.percent()?,
@@ -55,7 +55,8 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
     Some(number.replace(&format!("{AT_LEAST} "), "≥"))
 }
 
-/// Who of these has a risk by which measure, where that is not one and the same: its column ranks nobody then.
+/// Who of these has a risk by which measure, where that is not one and the same: its column ranks
+/// nobody then.
 pub fn mixed(answers: &[(&str, &Answer)], of: Quantity) -> Option<String> {
     let Some(Derived::Believed(injury)) = of.derived() else {
         return None;
@@ -81,8 +82,8 @@ pub fn mixed(answers: &[(&str, &Answer)], of: Quantity) -> Option<String> {
     })
 }
 
-/// Prints a line for each injury. Before the mesh error is known, `mesh` is false and a line says that it
-/// is not in the ranges, if what was computed is believed at all.
+/// Prints a line for each injury. Before the mesh error is known, `mesh` is false and a line says
+/// that it is not in the ranges, if what was computed is believed at all.
 ///
 /// # Errors
 /// Whatever `out` reports.

@@ -16,23 +16,24 @@ use crate::scenario::{
     Scenario, doubt,
 };
 
-/// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and cannot
-/// be changed; change a [`Scenario`] and check it again.
+/// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
+/// cannot be changed; change a [`Scenario`] and check it again.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CheckedScenario(Scenario);
 
 impl Scenario {
-    /// The same as something that can be simulated.
+    /// Checks every value and gives the scenario as a type that can be simulated.
     ///
     /// # Errors
-    /// Names every field that is not allowed, its value and what would be, in the order of the fields.
+    /// Names every field that is not allowed, its value and what would be, in the order of the
+    /// fields.
     pub fn check(&self) -> Result<CheckedScenario, ScenarioError> {
         let ranges = FIELDS.iter().filter_map(|field| check_field(field, self));
         let rules = behind_bone(self)
             .into_iter()
             .chain(too_high(self))
             .chain(object_at_paper(self))
-            .chain(beyond_revolution(self))
+            .chain(beyond_axisymmetry(self))
             .chain(unknown_marks(self));
         outcome(ranges.chain(rules).chain(doubt::check(self)).collect())?;
         let mut sound = self.clone();
@@ -41,8 +42,8 @@ impl Scenario {
     }
 }
 
-/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it. Nobody measures
-/// such a number, products of it have no digits at all, and it is slow to compute with.
+/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it. Nobody
+/// measures such a number, products of it have no digits at all, and it is slow to compute with.
 pub(super) fn near_zero_is_zero(scenario: &mut Scenario) {
     let zeroed = |number: &mut f64| {
         if number.is_finite() && !number.is_normal() {
@@ -74,7 +75,7 @@ impl From<CheckedScenario> for Scenario {
 }
 
 impl CheckedScenario {
-    /// The same by a name that need not be one of a file: it changes no figure.
+    /// The scenario under another name, which changes no figure.
     #[cfg(feature = "app")]
     pub(crate) fn renamed(mut self, name: String) -> Self {
         self.0.name = name;
@@ -161,7 +162,7 @@ fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str>
 fn angle_of(scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.angle_deg,
-        Impact::Projectile(shot) => shot.angle_deg,
+        Impact::Projectile(projectile) => projectile.angle_deg,
     }
 }
 
@@ -178,8 +179,8 @@ fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
     ))
 }
 
-/// What the eye of revolution cannot be asked for.
-fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
+/// The problems of a scenario that the axisymmetric eye cannot take.
+fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     let Model::Physiological(_) = scenario.model else {
         return Vec::new();
     };
@@ -193,27 +194,32 @@ fn beyond_revolution(scenario: &Scenario) -> Vec<Problem> {
         let complaint = "is out of range for model Physiological";
         refuse("impact.angle_deg", &plain(angle), complaint, &allowed);
     }
-    if let Impact::Projectile(shot) = &scenario.impact {
-        if shot.offset_mm != 0.0 {
+    if let Impact::Projectile(projectile) = &scenario.impact {
+        if projectile.offset_mm != 0.0 {
             refuse(
                 "impact.offset_mm",
-                &plain(shot.offset_mm),
-                "is no blow along an axis of revolution",
+                &plain(projectile.offset_mm),
+                "is no blow along the axis of the eye",
                 "0 mm",
             );
         }
-        if shot.speed_m_s <= FASTEST_M_S && shot.energy_j() > MOST_ENERGY_J {
+        if projectile.speed_m_s <= FASTEST_M_S && projectile.energy_j() > MOST_ENERGY_J {
             let complaint = "brings more energy than model Physiological takes";
-            let most = shot.mass_g * MOST_ENERGY_J / shot.energy_j();
+            let most = projectile.mass_g * MOST_ENERGY_J / projectile.energy_j();
             let allowed = format!("up to {most:.1} g at this speed, which is {MOST_ENERGY_J} J");
-            refuse("impact.mass_g", &plain(shot.mass_g), complaint, &allowed);
+            refuse(
+                "impact.mass_g",
+                &plain(projectile.mass_g),
+                complaint,
+                &allowed,
+            );
         }
-        if let Outline::Cylinder { edge_mm } = shot.outline
-            && edge_mm > 0.5 * shot.diameter_mm
+        if let Outline::Cylinder { edge_mm } = projectile.outline
+            && edge_mm > 0.5 * projectile.diameter_mm
         {
             let allowed = format!(
                 "up to {} mm, half of its diameter",
-                plain(0.5 * shot.diameter_mm)
+                plain(0.5 * projectile.diameter_mm)
             );
             let complaint = "is larger than the cylinder";
             refuse(
@@ -281,11 +287,11 @@ fn too_high(scenario: &Scenario) -> Option<Problem> {
 
 /// A mark of doubt must name something.
 fn unknown_marks(scenario: &Scenario) -> Option<Problem> {
-    let Impact::Projectile(shot) = &scenario.impact else {
+    let Impact::Projectile(projectile) = &scenario.impact else {
         return None;
     };
     let known = |name: &&String| Projectile::FIELDS.contains(&name.as_str());
-    let stranger = shot.unverified.iter().find(|name| !known(name))?;
+    let stranger = projectile.unverified.iter().find(|name| !known(name))?;
     Some(Problem::refused(
         "impact.unverified",
         &format!("{stranger:?}"),
@@ -328,12 +334,12 @@ mod tests {
 
     #[test]
     fn an_object_is_refused_at_the_paper_model_and_doubts_what_it_has() {
-        let shot = Projectile {
+        let projectile = Projectile {
             unverified: vec!["speed_m_s".to_owned(), "colour".to_owned()],
             ..Projectile::default()
         };
         let scenario = Scenario {
-            impact: Impact::Projectile(shot),
+            impact: Impact::Projectile(projectile),
             ..Scenario::default()
         };
         let error = scenario.check().unwrap_err();
@@ -348,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_of_revolution_has_its_own_limits_and_none_of_the_sections() {
+    fn the_axisymmetric_eye_has_its_own_limits_and_none_of_the_sections() {
         let mut scenario = Scenario {
             model: Model::Physiological(crate::scenario::Physiological::default()),
             impact: Impact::Projectile(Projectile {
@@ -358,9 +364,9 @@ mod tests {
             ..Scenario::default()
         };
         assert!(scenario.check().is_ok());
-        let problem = |shot: Projectile| {
+        let problem = |projectile: Projectile| {
             let mut scenario = scenario.clone();
-            scenario.impact = Impact::Projectile(shot);
+            scenario.impact = Impact::Projectile(projectile);
             scenario.check().unwrap_err().problems.remove(0)
         };
         let fast = problem(Projectile {

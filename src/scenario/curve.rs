@@ -1,9 +1,9 @@
 //! A force curve as a person recorded it: knots in time with straight lines between them.
 //!
-//! Each knot is a time in ms from the start of the blow and a share, the multiple of the scenario's
-//! `force_n` that acts then. Before the first knot and after the last one nothing acts, so a curve
-//! that does not begin or end at 0 jumps there. Shares below 0 pull: a load cell rings through zero
-//! after a blow, and cutting that off would change the impulse.
+//! Each knot is a time in ms from the start of the blow and a share, the multiple of the
+//! scenario's `force_n` that acts then. Before the first knot and after the last one nothing acts,
+//! so a curve that does not begin or end at 0 jumps there. Shares below 0 pull: a load cell rings
+//! through zero after a blow, and cutting that off would change the impulse.
 //!
 //! Left out: smoothing, resampling and any search for the start of the blow. A recording is taken
 //! as it stands, noise included.

@@ -1,9 +1,9 @@
 //! Reading a force curve from a CSV file.
 //!
-//! Two columns, time in ms and share, apart by commas, semicolons or tabs, whichever the first line
-//! holds. A first line of words is a header; empty lines and those that begin with `#` are passed
-//! over. A scenario file may come from anybody, so the curve it names must lie in its own folder or
-//! below, be a regular file, and be small. What a person types is a path like any other.
+//! Two columns, time in ms and share, apart by commas, semicolons or tabs, whichever the first
+//! line holds. A first line of words is a header; empty lines and those that begin with `#` are
+//! passed over. A scenario file may come from anybody, so the curve it names must lie in its own
+//! folder or below, be a regular file, and be small. What a person types is a path like any other.
 //!
 //! Left out: decimal commas, units and column names that would have to be guessed.
 
@@ -19,27 +19,27 @@ use crate::scenario::curve::{Curve, Growing};
 use crate::scenario::text_file;
 use crate::scenario::text_file::without_mark;
 
-/// What the name of a curve's file is relative to.
+/// The folder that the name of a curve's file is relative to.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Beside {
-    /// To nothing: the text has no place, so it can name no file.
+pub(super) enum PathBase {
+    /// None: the text has no place, so it can name no file.
     Nowhere,
-    /// To the folder of the scenario file that names it.
+    /// The folder of the scenario file that names it.
     Scenario(PathBuf),
-    /// To the working directory, where a person typed it.
+    /// The working directory, where a person typed the name.
     Typed,
 }
 
 thread_local! {
-    /// What applies to the text that is being read: derived readers of serde take no context.
-    static BESIDE: RefCell<Beside> = const { RefCell::new(Beside::Nowhere) };
+    /// The base of the text that is being read: derived readers of serde take no context.
+    static PATH_BASE: RefCell<PathBase> = const { RefCell::new(PathBase::Nowhere) };
 }
 
-/// Reads with names of files taken relative to `beside`.
-pub(super) fn with_files<T>(beside: &Beside, read: impl FnOnce() -> T) -> T {
-    let before = BESIDE.replace(beside.clone());
+/// Reads with names of files taken relative to `base`.
+pub(super) fn with_files<T>(base: &PathBase, read: impl FnOnce() -> T) -> T {
+    let before = PATH_BASE.replace(base.clone());
     let value = read();
-    BESIDE.set(before);
+    PATH_BASE.set(before);
     value
 }
 
@@ -49,24 +49,24 @@ pub(super) struct CurveFile(pub Curve);
 impl<'de> Deserialize<'de> for CurveFile {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        let curve = BESIDE.with_borrow(|beside| load(&name, beside));
+        let curve = PATH_BASE.with_borrow(|base| load(&name, base));
         curve.map(Self).map_err(D::Error::custom)
     }
 }
 
 /// Reads the named file; a complaint begins with the name, and the line where there is one.
-fn load(name: &str, beside: &Beside) -> Result<Curve, String> {
+fn load(name: &str, base: &PathBase) -> Result<Curve, String> {
     if name.is_empty() {
         return Err("the name of the file is missing".to_owned());
     }
-    let path = match beside {
-        Beside::Nowhere => {
+    let path = match base {
+        PathBase::Nowhere => {
             return Err(format!(
                 "{} cannot be found: only a scenario file can name a file beside it",
                 quoted(name)
             ));
         }
-        Beside::Scenario(folder) => {
+        PathBase::Scenario(folder) => {
             let inside = |part: Component| matches!(part, Component::Normal(_));
             let path = folder.join(name);
             if !Path::new(name).components().all(inside) || links_out_of(folder, &path) {
@@ -77,7 +77,7 @@ fn load(name: &str, beside: &Beside) -> Result<Curve, String> {
             }
             path
         }
-        Beside::Typed => PathBuf::from(name),
+        PathBase::Typed => PathBuf::from(name),
     };
     let text = text_file::read(&path).map_err(|why| format!("{}: {why}", quoted(name)))?;
     read(&text).map_err(|(line, why)| match line {
@@ -262,19 +262,19 @@ mod tests {
         for name in ["out.csv", "in/a.csv"] {
             std::fs::write(folder.path().join(name), "0,0\n0.05,1\n0.2,-0.25\n").unwrap();
         }
-        let inner = Beside::Scenario(folder.path().join("in"));
-        let outer = Beside::Scenario(folder.path().to_owned());
+        let inner = PathBase::Scenario(folder.path().join("in"));
+        let outer = PathBase::Scenario(folder.path().to_owned());
         let full = folder.path().join("out.csv");
         let full = full.to_str().unwrap();
         assert_eq!(load("a.csv", &inner), Ok(curve()));
         assert_eq!(load("in/a.csv", &outer), Ok(curve()));
-        assert_eq!(load(full, &Beside::Typed), Ok(curve()));
+        assert_eq!(load(full, &PathBase::Typed), Ok(curve()));
         for name in ["../out.csv", "x/../../out.csv", full] {
             let why = load(name, &inner).unwrap_err();
             assert!(why.contains("leaves the folder of the scenario"), "{why}");
         }
         assert!(
-            load("a.csv", &Beside::Nowhere)
+            load("a.csv", &PathBase::Nowhere)
                 .unwrap_err()
                 .contains("a.csv cannot be found")
         );
@@ -295,7 +295,7 @@ mod tests {
         std::fs::write(folder.path().join("in/a.csv"), knots).unwrap();
         symlink("../out.csv", folder.path().join("in/out.csv")).unwrap();
         symlink("a.csv", folder.path().join("in/b.csv")).unwrap();
-        let inner = Beside::Scenario(folder.path().join("in"));
+        let inner = PathBase::Scenario(folder.path().join("in"));
         assert_eq!(load("b.csv", &inner), Ok(curve()));
         let why = load("out.csv", &inner).unwrap_err();
         assert!(
@@ -307,7 +307,7 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn devices_are_not_read() {
-        let why = load("/dev/zero", &Beside::Typed).unwrap_err();
+        let why = load("/dev/zero", &PathBase::Typed).unwrap_err();
         assert_eq!(why, "/dev/zero: is not a regular file");
     }
 }

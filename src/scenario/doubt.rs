@@ -2,8 +2,8 @@
 //!
 //! A doubt is one standard deviation of a normal distribution about the value, cut off at the
 //! field's own bounds. It changes no single run; an ensemble draws from it. A doubt of 0 says that
-//! the value is known, which also keeps published spreads away from it. Only numbers that are always
-//! there can be doubted: no choices, whole numbers or optional ones.
+//! the value is known, which also keeps published spreads away from it. Only numbers that are
+//! always there can be doubted: no choices, whole numbers or optional ones.
 //!
 //! Left out: doubts that hang together. Every input is drawn by itself.
 
@@ -14,12 +14,12 @@ use serde::Deserializer;
 use serde::de::{Error, MapAccess, Visitor};
 
 use crate::plain_text::quoted;
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::scenario::{Scenario, fields};
 
-/// Reads the doubts of a file, where a second one of a field would silently take the place of the first.
+/// Reads the doubts of a file, where a second one of a field would silently take the place of the
+/// first.
 ///
 /// # Errors
 /// Where a field is given twice, and as the reader.
@@ -76,7 +76,7 @@ pub(crate) fn begun(text: &str) -> Option<&str> {
     SIGNS.iter().find_map(|sign| ends(sign)).map(str::trim_end)
 }
 
-/// The value and the doubt of what was typed.
+/// Splits typed text such as `300 +- 20` into its value and its doubt.
 pub(super) fn split(text: &str) -> (&str, Option<&str>) {
     let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));
     match parts {

@@ -44,7 +44,7 @@ pub enum Kind {
     Choice(&'static (dyn Choices + Sync)),
     /// A set of whole numbers between the first two, at most as many as the third.
     Integers(u32, u32, usize, Place<Vec<u32>>),
-    /// Text of 1 to so many characters.
+    /// Text of 1 character to this many.
     Text(usize, Place<String>),
 }
 
@@ -63,9 +63,9 @@ pub struct Bounds {
 
 /// How to reach a value; `None` where the present variant has no such field.
 pub struct Place<T: 'static> {
-    /// Reads it.
+    /// Gives the value to read.
     pub get: fn(&Scenario) -> Option<&T>,
-    /// Lends it for a change.
+    /// Gives the value to change.
     pub get_mut: fn(&mut Scenario) -> Option<&mut T>,
 }
 
@@ -219,7 +219,7 @@ macro_rules! within {
     };
 }
 
-/// Both accessors of what the eye of a section alone has.
+/// Both accessors of a field that only the Paper model has.
 macro_rules! of_section {
     ($part:ident) => {
         Place {
@@ -245,14 +245,14 @@ pub(super) fn pulse_mut(scenario: &mut Scenario) -> Option<&mut ForcePulse> {
 
 fn projectile(scenario: &Scenario) -> Option<&Projectile> {
     match &scenario.impact {
-        Impact::Projectile(shot) => Some(shot),
+        Impact::Projectile(projectile) => Some(projectile),
         Impact::ForcePulse(_) => None,
     }
 }
 
 pub(super) fn projectile_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
     match &mut scenario.impact {
-        Impact::Projectile(shot) => Some(shot),
+        Impact::Projectile(projectile) => Some(projectile),
         Impact::ForcePulse(_) => None,
     }
 }
@@ -287,7 +287,7 @@ fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
     physiological_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
 }
 
-/// What only a section has.
+/// The scenario, if it is of the Paper model.
 fn section(scenario: &Scenario) -> Option<&Scenario> {
     physiological(scenario).is_none().then_some(scenario)
 }
@@ -296,28 +296,28 @@ fn section_mut(scenario: &mut Scenario) -> Option<&mut Scenario> {
     physiological(scenario).is_none().then_some(scenario)
 }
 
-fn gives_way(shot: &Projectile) -> bool {
-    shot.stiffness != ProjectileStiffness::Rigid || shot.surface != Surface::Hard
+fn gives_way(projectile: &Projectile) -> bool {
+    projectile.stiffness != ProjectileStiffness::Rigid || projectile.surface != Surface::Hard
 }
 
 /// An object that gives way, by its spring or its surface: nothing else loses energy.
 fn lossy(scenario: &Scenario) -> Option<&Projectile> {
-    projectile(scenario).filter(|shot| gives_way(shot))
+    projectile(scenario).filter(|projectile| gives_way(projectile))
 }
 
 fn lossy_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    projectile_mut(scenario).filter(|shot| gives_way(shot))
+    projectile_mut(scenario).filter(|projectile| gives_way(projectile))
 }
 
 /// Both impacts have an angle.
 const ANGLE: Place<f64> = Place {
     get: |s| match &s.impact {
         Impact::ForcePulse(pulse) => Some(&pulse.angle_deg),
-        Impact::Projectile(shot) => Some(&shot.angle_deg),
+        Impact::Projectile(projectile) => Some(&projectile.angle_deg),
     },
     get_mut: |s| match &mut s.impact {
         Impact::ForcePulse(pulse) => Some(&mut pulse.angle_deg),
-        Impact::Projectile(shot) => Some(&mut shot.angle_deg),
+        Impact::Projectile(projectile) => Some(&mut projectile.angle_deg),
     },
 };
 
@@ -474,8 +474,8 @@ pub fn find(path: &str) -> Option<&'static Field> {
 }
 
 impl Field {
-    /// The present value as text that [`crate::scenario::set::set`] accepts, or `None` where the present
-    /// variant has no such field.
+    /// The present value as text that [`crate::scenario::set::set`] accepts, or `None` where the
+    /// present variant has no such field.
     pub fn text(&self, scenario: &Scenario) -> Option<String> {
         match &self.kind {
             Number(_, place) => (place.get)(scenario)
@@ -490,7 +490,8 @@ impl Field {
         }
     }
 
-    /// What the field accepts in a scenario, in words: a mesh of the Physiological model has fewer levels.
+    /// What the field accepts in a scenario, in words: a mesh of the Physiological model has fewer
+    /// levels.
     pub fn allowed_in(&self, scenario: &Scenario) -> String {
         match (&self.kind, &scenario.model) {
             (Integer(min, max, _), Model::Physiological(_))

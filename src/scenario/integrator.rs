@@ -1,7 +1,7 @@
 //! The integrators that a scenario may name.
 //!
-//! Only the names are here. What each of them is stands in `models::paper::time::method`, one row each, and the
-//! compiler asks there for the row of every name added here.
+//! Only the names are here. What each of them is stands in `models::paper::time::method`, one row
+//! each, and the compiler asks there for the row of every name added here.
 //!
 //! None is spelled `Auto`: the program chooses.
 

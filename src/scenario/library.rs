@@ -75,7 +75,7 @@ pub enum Origin {
     User(PathBuf),
 }
 
-/// A scenario with a name to call it by.
+/// A scenario that can be asked for by name.
 #[derive(Debug, Clone)]
 pub struct Preset {
     /// The file's name without `.ron`.
@@ -97,8 +97,8 @@ impl Preset {
         Self { name, origin }
     }
 
-    /// The RON text as it stands, comments included. A file is read when this is called: thousands of
-    /// presets take no memory.
+    /// The RON text as it stands, comments included. A file is read when this is called: thousands
+    /// of presets take no memory.
     ///
     /// # Errors
     /// Says why it cannot be read.

@@ -5,13 +5,12 @@
 
 use std::path::Path;
 
-use crate::scenario::Scenario;
-use crate::scenario::curve_file::{Beside, with_files};
+use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::ron_text::read;
-use crate::scenario::text_file;
 use crate::scenario::text_file::without_mark;
+use crate::scenario::{Scenario, text_file};
 
 pub use crate::scenario::ron_text::to_ron;
 
@@ -22,22 +21,26 @@ pub use crate::scenario::ron_text::to_ron;
 /// Gives the first problem of syntax or type, or else every value that is out of range, each with
 /// its line and column.
 pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
-    parse_beside(text, origin, &Beside::Nowhere)
+    parse_with_base(text, origin, &PathBase::Nowhere)
 }
 
-/// The same for the text of the file at `path`, which may name curves beside it.
+/// Reads a scenario from the text of the file at `path`, which may name curves in its folder.
 ///
 /// # Errors
 /// As [`parse`], and where such a curve cannot be read.
 pub fn parse_file(text: &str, path: &Path) -> Result<Scenario, ScenarioError> {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    parse_beside(text, &path.display().to_string(), &Beside::Scenario(folder))
+    parse_with_base(
+        text,
+        &path.display().to_string(),
+        &PathBase::Scenario(folder),
+    )
 }
 
-fn parse_beside(text: &str, origin: &str, beside: &Beside) -> Result<Scenario, ScenarioError> {
+fn parse_with_base(text: &str, origin: &str, base: &PathBase) -> Result<Scenario, ScenarioError> {
     let text = without_mark(text);
     let scenario: Scenario =
-        with_files(beside, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
+        with_files(base, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
     let checked = scenario.check().map_err(|mut error| {
         for problem in &mut error.problems {
             let (line, column) = locate(text, &problem.field);

@@ -120,7 +120,7 @@ impl Default for Scenario {
     }
 }
 
-/// Which set of materials and which forces.
+/// Which model of the eye, with its materials and forces.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Model {
@@ -128,8 +128,8 @@ pub enum Model {
     /// every node. It takes force pulses only: a ball in its flat section would be a rod.
     #[default]
     Paper,
-    /// A body of revolution about the line of the blow, with tissues that have a bulk modulus each and a
-    /// shell that has a thickness.
+    /// An axisymmetric eye about the line of the blow, with tissues that have a bulk modulus each
+    /// and a shell that has a thickness.
     Physiological(Physiological),
 }
 
@@ -166,7 +166,7 @@ impl Model {
         }
     }
 
-    /// It in two or three words.
+    /// The model in two or three words.
     pub fn title(&self) -> &'static str {
         match self {
             Self::Paper => "Paper model, unit depth",
@@ -201,8 +201,9 @@ impl Impact {
 pub struct ForcePulse {
     /// Peak of the total force, in N; of a table, the force that a share of 1 stands for.
     pub force_n: f64,
-    /// Time from the start of the blow to the last force, in ms. A table is stretched in time so that its
-    /// last knot falls there; a text that gives a table and no duration leaves its times as they are.
+    /// Time from the start of the blow to the last force, in ms. A table is stretched in time so
+    /// that its last knot falls there; a text that gives a table and no duration leaves its times
+    /// as they are.
     pub duration_ms: f64,
     /// Front angle of the middle of the arc, in degrees: 0 at the corneal apex, positive above.
     pub angle_deg: f64,
@@ -297,8 +298,8 @@ pub enum PulseShape {
     Table(Curve),
 }
 
-/// A shape as text gives it: a curve may stand in a file, which is read at once, so that a scenario in
-/// memory, or saved elsewhere, holds the curve itself.
+/// A shape as text gives it: a curve may stand in a file, which is read at once, so that a
+/// scenario in memory, or saved elsewhere, holds the curve itself.
 #[derive(Deserialize)]
 #[serde(rename = "PulseShape", deny_unknown_fields)]
 enum WrittenShape {
@@ -339,7 +340,8 @@ impl Default for PulseShape {
     }
 }
 
-/// Anatomy, materials and mesh. Every default is the value of Sathyanarayanan, Mahadas and Hung (2013).
+/// Anatomy, materials and mesh. Every default is the value of Sathyanarayanan, Mahadas and Hung
+/// (2013).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct EyeInput {

@@ -1,22 +1,22 @@
-//! The Physiological model: the eye as a body of revolution about the line of the blow.
+//! The Physiological model: an axisymmetric eye about the line of the blow.
 //!
-//! Each default has its source in the model itself. This holds what a person may change of it. Of [`crate::scenario::EyeInput`] it
-//! takes the level alone: the rest there is of the section.
+//! Each default has its source in the model itself. This holds what a person may change of it. Of
+//! [`crate::scenario::EyeInput`] it takes the level alone: the rest there is of the section.
 
 use serde::{Deserialize, Serialize};
 
-/// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of the
-/// blow, which an orbit does not.
+/// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of
+/// the blow, which an orbit does not.
 pub const TRUSTED_ANGLE_DEG: f64 = 40.0;
-/// The fastest object that the model takes, in m/s, and the most energy that one brings, in J: what is beyond
-/// them goes into an eye instead of denting it.
+/// The fastest object that the model takes, in m/s, and the most energy that one brings, in J:
+/// what is beyond them goes into an eye instead of denting it.
 pub const FASTEST_M_S: f64 = 200.0;
 /// See [`FASTEST_M_S`].
 pub const MOST_ENERGY_J: f64 = 300.0;
 /// The finest mesh level of this model.
 pub const FINEST_PHYSIOLOGICAL_LEVEL: u32 = 5;
 
-/// What the eye of revolution is made of.
+/// What the axisymmetric eye is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Physiological {
@@ -69,9 +69,9 @@ impl Physiological {
         format!("Physiological model, {species} eye {support}")
     }
 
-    /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of 0.48
-    /// makes half of it, which is what the two tests of an impactor in the orbit want: the one number
-    /// that is fitted (`contrecoup verify fit`).
+    /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of
+    /// 0.48 makes half of it, which is what the two tests of an impactor in the orbit want: the
+    /// one number that is fitted (`contrecoup verify fit`).
     pub const PUBLISHED_FAT_BULK_MPA: f64 = 0.78;
 }
 

@@ -129,7 +129,7 @@ pub fn plain(number: f64) -> String {
 
 /// Characters from which on a part of a name can stand for it.
 const SHORTEST_PART: usize = 4;
-/// A name is like another from this likeness on, of 1 at most.
+/// From this likeness on, of 1 at most, one name is proposed for another.
 pub const ALIKE: f64 = 0.8;
 
 /// Up to three candidates that resemble a mistyped name, the nearest first.
@@ -145,8 +145,9 @@ pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Ve
     scored.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
-/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by its last part, a name by any part of it: `force_n` means
-/// `impact.force_n`, and `verlet` `VelocityVerlet`.
+/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by
+/// its last part, a name by any part of it: `force_n` means `impact.force_n`, and `verlet`
+/// `VelocityVerlet`.
 pub fn likeness(typed: &str, candidate: &str) -> f64 {
     let bare = |name: &str| name.to_lowercase();
     if typed.chars().count() >= SHORTEST_PART && bare(candidate).contains(&bare(typed)) {

@@ -1,6 +1,7 @@
 //! An object that flies at the eye.
 //!
-//! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological model.
+//! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological
+//! model.
 
 use serde::{Deserialize, Serialize};
 
@@ -29,7 +30,8 @@ pub struct Projectile {
     /// How its surface gives way.
     #[serde(default, skip_serializing_if = "Surface::is_default")]
     pub surface: Surface,
-    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid wall.
+    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid
+    /// wall.
     #[serde(
         default = "Projectile::lossless",
         skip_serializing_if = "Projectile::is_lossless"
@@ -112,7 +114,7 @@ impl Default for Projectile {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum ProjectileStiffness {
-    /// Not at all.
+    /// It does not give way.
     #[default]
     Rigid,
     /// Like a spring between its surface and its mass.
@@ -127,7 +129,7 @@ impl ProjectileStiffness {
     pub(super) const LINEAR: Self = Self::Linear { n_per_m: 2e4 };
 }
 
-/// Shape of an object, with its axis along the flight.
+/// Shape of an object, with its axis along its path.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Outline {
@@ -150,12 +152,12 @@ impl Outline {
     }
 }
 
-/// How the surface of an object gives way: an elastic foundation that stiffens as it is used up. Its stiffness is the
-/// modulus over the radius.
+/// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
+/// Its stiffness is the modulus over the radius.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Surface {
-    /// Hardly.
+    /// It hardly gives way.
     #[default]
     Hard,
     /// A solid body.
@@ -163,15 +165,16 @@ pub enum Surface {
         /// Its modulus.
         modulus_mpa: f64,
     },
-    /// A wall around gas, or foam or cork that crushes: until it is used up it presses no harder than its cap and what
-    /// stops it, half its density times the square of its speed.
+    /// A wall around gas, or foam or cork that crushes: until it is used up it presses no harder
+    /// than its cap and what stops it, half its density times the square of its speed.
     Inflated {
         /// The cap: the gas pressure with what the wall adds, or the stress of collapse.
         kpa: f64,
         /// Modulus at small dents.
         modulus_mpa: f64,
     },
-    /// Liquid in a skin that bursts, or a gel that flows: an `Inflated` one whose own cap is nothing.
+    /// Liquid in a skin that bursts, or a gel that flows: an `Inflated` one whose own cap is
+    /// nothing.
     Splashing,
 }
 

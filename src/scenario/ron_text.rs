@@ -14,11 +14,10 @@ use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment, Track};
 
 use crate::plain_text::quoted;
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::Kind;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
+use crate::scenario::{Scenario, fields};
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
 fn options() -> Options {

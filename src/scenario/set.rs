@@ -10,12 +10,11 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use crate::scenario::check::{check_inside, near_zero_is_zero};
-use crate::scenario::curve_file::{Beside, with_files};
-use crate::scenario::fields;
+use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::ron_text::{not_a, read};
-use crate::scenario::{PulseShape, Scenario, doubt};
+use crate::scenario::{PulseShape, Scenario, doubt, fields};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {
@@ -51,21 +50,21 @@ static GROUPS: &[Group] = &[
     Group {
         path: "impact.stiffness",
         replace: |s, text| {
-            let stiffness = fields::projectile_mut(s).map(|shot| &mut shot.stiffness);
+            let stiffness = fields::projectile_mut(s).map(|projectile| &mut projectile.stiffness);
             put(stiffness, text, "impact.stiffness")
         },
     },
     Group {
         path: "impact.outline",
         replace: |s, text| {
-            let outline = fields::projectile_mut(s).map(|shot| &mut shot.outline);
+            let outline = fields::projectile_mut(s).map(|projectile| &mut projectile.outline);
             put(outline, text, "impact.outline")
         },
     },
     Group {
         path: "impact.surface",
         replace: |s, text| {
-            let surface = fields::projectile_mut(s).map(|shot| &mut shot.surface);
+            let surface = fields::projectile_mut(s).map(|projectile| &mut projectile.surface);
             put(surface, text, "impact.surface")
         },
     },
@@ -88,7 +87,7 @@ static GROUPS: &[Group] = &[
     },
 ];
 
-/// Doubts by themselves.
+/// The map of doubts alone, as a file holds it.
 #[derive(Default, Deserialize)]
 #[serde(transparent)]
 struct Doubts(#[serde(deserialize_with = "doubt::once")] BTreeMap<String, f64>);
@@ -99,14 +98,14 @@ fn put<T: DeserializeOwned>(
     path: &str,
 ) -> Result<(), ScenarioError> {
     if let Some(value) = place {
-        *value = with_files(&Beside::Typed, || read(text, path))?;
+        *value = with_files(&PathBase::Typed, || read(text, path))?;
     }
     Ok(())
 }
 
 /// The dotted path that is meant by its end, with or without the unit: `speed` where only
-/// `impact.speed_m_s` fits. A field that the scenario has goes before one that it has not. What fits
-/// nothing, or several, stays as it was typed.
+/// `impact.speed_m_s` fits. A field that the scenario has goes before one that it has not. What
+/// fits nothing, or several, stays as it was typed.
 pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
     let typed = typed.trim();
     let is_known = |path: &str| fields::find(path).is_some() || is_group(path);
@@ -123,8 +122,8 @@ fn is_group(path: &str) -> bool {
     GROUPS.iter().any(|group| group.path == path)
 }
 
-/// The fields that end as typed; if there are none, those that do but for their unit. Of these, what
-/// the scenario has, if it has any.
+/// The fields that end as typed; if there are none, those that do but for their unit. Of these,
+/// what the scenario has, if it has any.
 fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
     let ends = |path: &str, with_unit: bool| {
         let starts = path.match_indices('.').map(|(at, _)| at + 1).chain([0]);
@@ -147,11 +146,12 @@ fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
 }
 
 /// Sets the field or group at a dotted path, as in `impact.force_n`, `450`; the path may be
-/// [shortened](full_path). On an error the scenario is left as it was. The file of a curve is looked for from the working directory. Rules that
-/// join two fields are not applied: see [`Scenario::check`].
+/// [shortened](full_path). On an error the scenario is left as it was. The file of a curve is
+/// looked for from the working directory. Rules that join two fields are not applied: see
+/// [`Scenario::check`].
 ///
-/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older doubt:
-/// what is written is what holds.
+/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older
+/// doubt: what is written is what holds.
 ///
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
@@ -189,13 +189,13 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     let name = path
         .strip_prefix("impact.")
         .and_then(|p| p.split('.').next());
-    if let (Some(name), Some(shot)) = (name, fields::projectile_mut(scenario)) {
-        shot.unverified.retain(|field| field != name);
+    if let (Some(name), Some(projectile)) = (name, fields::projectile_mut(scenario)) {
+        projectile.unverified.retain(|field| field != name);
     }
 }
 
-/// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set by a
-/// person.
+/// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set
+/// by a person.
 pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     if let Kind::Number(_, place) = &field.kind {
         store((place.get_mut)(scenario), Some(value));

@@ -9,8 +9,8 @@ use std::path::Path;
 
 use crate::files;
 
-/// The greatest size of a file, in bytes. A force curve of the most knots fits, and little else comes
-/// near it.
+/// The greatest size of a file, in bytes. A force curve of the most knots fits, and little else
+/// comes near it.
 pub const LIMIT: u64 = 256 * 1024;
 
 /// The text of a file.

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use crate::answer::derived::Derived;
 use crate::injury::Injury;
-use crate::many::threshold::{Crossing, Question, Threshold};
-use crate::report::text::significant;
+use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
@@ -24,7 +24,7 @@ use crate::tui::worker::run_watched;
 const HALF: f64 = 50.0;
 
 /// Asks for every crossing.
-pub struct FindThreshold(pub Question);
+pub struct FindThreshold(pub ThresholdSearch);
 
 impl request::TaskQuestion for FindThreshold {
     type Answer = Threshold;

@@ -1,9 +1,9 @@
 //! Whether what is stated of an answer holds: many random scenes, each against a reference.
 //!
-//! What is stated is a step error, a mesh error, or that the damage index is within a tolerance that was
-//! asked for. A scene whose mesh folds promises nothing and is counted apart, and so is an object that goes
-//! through the eye. The finest mesh, with which mesh errors and tolerances are compared, is not the limit
-//! itself: it may be off by what fine levels scatter by.
+//! What is stated is a step error, a mesh error, or that the damage index is within a tolerance
+//! that was asked for. A scene whose mesh folds promises nothing and is counted apart, and so is
+//! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
+//! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
 use crate::answer::choose::{Ladder, within_by};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
@@ -23,7 +23,8 @@ use serde::{Serialize, Serializer};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// The finest level whose mesh errors can be checked: their witnesses are coarser than the reference.
+/// The finest level whose mesh errors can be checked: their witnesses are coarser than the
+/// reference.
 pub const FINEST_CHECKED: u32 = 5;
 /// The level that mesh errors and tolerances are compared with: one that no witness has.
 pub const REFERENCE_LEVEL: u32 = FINEST_LEVEL;
@@ -59,7 +60,7 @@ impl Serialize for Subject {
     }
 }
 
-/// What is claimed of one answer, and what is true.
+/// One claim about an answer, with the true error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Claim {
     /// What it is about.
@@ -70,13 +71,15 @@ pub struct Claim {
     /// The true error, in %; none where there is no answer.
     #[serde(rename = "true_percent")]
     pub truth: Option<f64>,
-    /// Of a tolerance: elements that were computed for the answer, over those of one run at level 1.
+    /// Of a tolerance: elements that were computed for the answer, over those of one run at level
+    /// 1.
     #[serde(rename = "cost_over_level_1")]
     pub cost: Option<f64>,
 }
 
 impl Claim {
-    /// Whether something was claimed that is not true. A true error that is no number keeps no promise.
+    /// Whether something was claimed that is not true. A true error that is no number keeps no
+    /// promise.
     fn fails(&self) -> bool {
         let both = self.claimed.zip(self.truth);
         both.is_some_and(|(claimed, truth)| truth.is_nan() || truth > claimed)
@@ -89,7 +92,7 @@ pub struct Checked {
     /// Number of the scene.
     #[serde(rename = "scene")]
     pub index: u32,
-    /// What was claimed of it; none where the mesh folds or the object goes through.
+    /// The claims about it; none where the mesh folds or the object goes through.
     pub claims: Option<Vec<Claim>>,
 }
 
@@ -132,9 +135,10 @@ pub struct Findings {
     pub scenes: Vec<Checked>,
 }
 
-/// Checks the claims of `study` in `count` scenes of `seed`, each with its reference, on all threads of the
-/// present pool; where mesh errors or tolerances are checked, until `count` promise something. The order and every bit of the result are the same for any number of
-/// threads. `watch` is told the share that is done, and may stop the rest.
+/// Checks the claims of `study` in `count` scenes of `seed`, each with its reference, on all
+/// threads of the present pool; where mesh errors or tolerances are checked, until `count` promise
+/// something. The order and every bit of the result are the same for any number of threads.
+/// `watch` is told the share that is done, and may stop the rest.
 ///
 /// # Errors
 /// Whatever a scene refuses; none should. [`Refusal::Cancelled`] if the watch stopped it.
@@ -202,7 +206,7 @@ impl Study {
         }
     }
 
-    /// What is claimed of one scene; none where nothing is promised.
+    /// The claims about one scene; none where nothing is promised.
     fn claims(self, scene: &Scenario) -> Result<Option<Vec<Claim>>, Refusal> {
         match self {
             Self::Steps(_) => step_errors(scene, self.fineness().unwrap_or(1.0)),
@@ -255,7 +259,7 @@ fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refus
     Ok(Some(about_results(&mesh.errors, &truth)))
 }
 
-/// What becomes of each tolerance. No answer rests on the reference level.
+/// A claim for each tolerance. No answer rests on the reference level.
 fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
     let mut ladder = Ladder::default();
     let [_, finer] = witnesses(&scene.model, 1);

@@ -1,15 +1,16 @@
 //! Published experiments as scenarios, with what was measured and what is read from the run.
 //!
-//! Each has its own species, support and object. Moduli are published ones: nothing was fitted but the
-//! bulk modulus of orbital fat, by the two rows that are marked (see [`crate::verify::fit`]).
+//! Each has its own species, support and object. Moduli are published ones: nothing was fitted but
+//! the bulk modulus of orbital fat, by the two rows that are marked (see [`crate::verify::fit`]).
 //!
-//! What the sources leave open is taken as follows, and said in the row. The impactor in the orbit: a
-//! cylinder of 20 mm with an edge of 2 mm, heavy enough (1 kg) to keep its speed. The slow rod: 3.5 g, about
-//! 19 mm of aluminium. The airsoft pellet: 0.25 g, which at 99 m/s has the energy over area of the source.
-//! The surface of the baseball: 50 `MPa`, from its force over compression between plates.
+//! What the sources leave open is taken as follows, and said in the row. The impactor in the
+//! orbit: a cylinder of 20 mm with an edge of 2 mm, heavy enough (1 kg) to keep its speed. The
+//! slow rod: 3.5 g, about 19 mm of aluminium. The airsoft pellet: 0.25 g, which at 99 m/s has the
+//! energy over area of the source. The surface of the baseball: 50 `MPa`, from its force over
+//! compression between plates.
 //!
-//! Pressure in a pig's eye is compared with pressure computed in a pig's, whose wall is taken twice as
-//! thick, and bursting with the limit of its own species (1.64 against 0.91 `MPa`).
+//! Pressure in a pig's eye is compared with pressure computed in a pig's, whose wall is taken
+//! twice as thick, and bursting with the limit of its own species (1.64 against 0.91 `MPa`).
 
 use crate::run::quantity::Quantity;
 use crate::scenario::{
@@ -17,7 +18,7 @@ use crate::scenario::{
     Support, Surface,
 };
 
-/// What is read from a run to be compared.
+/// The figure of a run that is compared with a measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gauge {
     /// Force of contact when the object has come so far in, in mm: N.
@@ -45,7 +46,7 @@ impl Gauge {
     }
 }
 
-/// What was measured, in the unit of what is read.
+/// The measured value or range, in the unit of its gauge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MeasuredBand {
     /// A mean with its spread.
@@ -61,7 +62,7 @@ pub enum MeasuredBand {
 }
 
 impl MeasuredBand {
-    /// Least and greatest value that agrees.
+    /// Least and greatest value that agrees with the measurement.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Spread(mean, sd) => (mean - sd, mean + sd),
@@ -97,17 +98,17 @@ pub struct Experiment {
     pub key: &'static str,
     /// What was done and measured.
     pub what: &'static str,
-    /// The same as a scenario, on the coarsest of the meshes that are compared.
+    /// The experiment as a scenario, on the coarsest of the meshes that are compared.
     pub scenario: fn() -> Scenario,
-    /// What is compared.
+    /// The figure that is compared.
     pub reading: Gauge,
-    /// With what.
+    /// The measurement that it is compared with.
     pub measured: MeasuredBand,
     /// Whether the model was fitted to it.
     pub fitted: bool,
     /// Whether part of the figure is from memory.
     pub unverified: bool,
-    /// Whose eyes.
+    /// The species of the eyes.
     pub species: &'static str,
     /// Where it was published.
     pub source: &'static str,
@@ -134,7 +135,7 @@ fn eye(species: Species, support: Support) -> Physiological {
     }
 }
 
-fn shot(
+fn projectile_at(
     name: &str,
     model: Physiological,
     (mass_g, diameter_mm, speed_m_s): (f64, f64, f64),
@@ -165,7 +166,7 @@ fn flat(mut scenario: Scenario, edge_mm: f64) -> Scenario {
 fn impactor(speed: f64, window_ms: f64) -> Scenario {
     let model = eye(Species::Human, Support::Orbit);
     flat(
-        shot("blunt impactor", model, (1000.0, 20.0, speed), window_ms),
+        projectile_at("blunt impactor", model, (1000.0, 20.0, speed), window_ms),
         2.0,
     )
 }
@@ -173,32 +174,35 @@ fn impactor(speed: f64, window_ms: f64) -> Scenario {
 /// The ball of 6.35 mm is steel: 1.05 g.
 fn ball(speed: f64) -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
-    shot("6.35 mm steel ball", model, (1.05, 6.35, speed), 2.0)
+    projectile_at("6.35 mm steel ball", model, (1.05, 6.35, speed), 2.0)
 }
 
 fn rod_6() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
-    flat(shot("9.25 mm rod", model, (3.5, 9.25, 6.2), 2.0), 0.5)
+    flat(
+        projectile_at("9.25 mm rod", model, (3.5, 9.25, 6.2), 2.0),
+        0.5,
+    )
 }
 
 fn bb(speed: f64) -> Scenario {
     let model = eye(Species::Human, Support::Gelatin);
-    shot("steel BB", model, (0.345, 4.5, speed), 2.0)
+    projectile_at("steel BB", model, (0.345, 4.5, speed), 2.0)
 }
 
 fn bb_62() -> Scenario {
     let model = eye(Species::Pig, Support::Free);
-    shot("steel BB, free eye", model, (0.345, 4.5, 62.5), 2.0)
+    projectile_at("steel BB, free eye", model, (0.345, 4.5, 62.5), 2.0)
 }
 
 fn airsoft_99() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
-    shot("airsoft pellet", model, (0.25, 6.0, 99.0), 2.0)
+    projectile_at("airsoft pellet", model, (0.25, 6.0, 99.0), 2.0)
 }
 
 fn foam() -> Scenario {
     let model = eye(Species::Human, Support::Gelatin);
-    shot("airbag foam", model, (0.03, 6.0, 30.0), 2.0)
+    projectile_at("airbag foam", model, (0.03, 6.0, 30.0), 2.0)
 }
 
 fn baseball(speed: f64) -> Scenario {
@@ -206,7 +210,7 @@ fn baseball(speed: f64) -> Scenario {
         gelatin_opening_deg: 61.0,
         ..eye(Species::Human, Support::Gelatin)
     };
-    let mut scenario = shot("baseball", model, (145.0, 74.0, speed), 6.0);
+    let mut scenario = projectile_at("baseball", model, (145.0, 74.0, speed), 6.0);
     if let Impact::Projectile(ball) = &mut scenario.impact {
         ball.stiffness = ProjectileStiffness::Linear { n_per_m: 2.4e5 };
         ball.surface = Surface::Elastic { modulus_mpa: 50.0 };

@@ -1,11 +1,12 @@
 //! The one fit of the Physiological model, so that anybody can repeat it.
 //!
-//! One number is free: the bulk modulus of orbital fat. Published is a Young's modulus of 47 kPa; with a
-//! Poisson ratio of 0.49 that makes 0.78 `MPa`, but in so soft a material the last digit of the Poisson
-//! ratio decides (0.48 would make 0.39). Fitted are the two tests of an impactor in the orbit: the first
-//! wants it stiffer, the second softer. Of the values on a grid of [`STEP`] the one with most of the six
-//! figures (two tests on three meshes) inside what was measured is taken, of several the one with the least
-//! sum of squared misfits. The data tell no finer: [`Fit::nearly`] shows how wide the valley is.
+//! One number is free: the bulk modulus of orbital fat. Published is a Young's modulus of 47 kPa;
+//! with a Poisson ratio of 0.49 that makes 0.78 `MPa`, but in so soft a material the last digit of
+//! the Poisson ratio decides (0.48 would make 0.39). Fitted are the two tests of an impactor in
+//! the orbit: the first wants it stiffer, the second softer. Of the values on a grid of [`STEP`]
+//! the one with most of the six figures (two tests on three meshes) inside what was measured is
+//! taken, of several the one with the least sum of squared misfits. The data tell no finer:
+//! [`Fit::nearly`] shows how wide the valley is.
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
@@ -22,8 +23,8 @@ pub const PATH: &str = "model.fat_bulk_mpa";
 pub const STEP: f64 = 0.05;
 /// How many are tried, from one step on.
 const COUNT: u32 = 20;
-/// A value fits nearly as well as the best if its misfit is no more than this above it: 95 % for one
-/// number if misfits are normal.
+/// A value fits nearly as well as the best if its misfit is no more than this above it: 95 % for
+/// one number if misfits are normal.
 const NEARLY: f64 = 3.84;
 
 /// One value of the free number.
@@ -83,7 +84,7 @@ impl Tried {
     }
 }
 
-/// Fits the free number; `watch` hears the share done.
+/// Fits the free number; `watch` is told the share done.
 ///
 /// # Errors
 /// [`Refusal::Cancelled`] if the watch stopped it.
@@ -117,8 +118,8 @@ pub fn fit(watch: Watch) -> Result<Fit, Refusal> {
     })
 }
 
-/// Squared distance of `value` from what was measured, in standard deviations. Where a source gives none,
-/// a factor of 1.3 counts as one.
+/// Squared distance of `value` from what was measured, in standard deviations. Where a source
+/// gives none, a factor of 1.3 counts as one.
 fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
     let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
     let z = match measured {

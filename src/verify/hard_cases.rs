@@ -16,8 +16,9 @@ use crate::run::model::EyeModel;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::scenario::Integrator;
-use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, PulseShape, Scenario};
+use crate::scenario::{
+    CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape, Scenario,
+};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -37,9 +38,9 @@ pub struct HardCase {
     pub name: &'static str,
     /// What it stresses.
     pub stresses: &'static str,
-    /// What is asked.
+    /// The scenario that is asked for.
     pub scenario: Scenario,
-    /// What is done to the eye first.
+    /// What is done to the eye before the blow.
     pub start: Start,
     /// How the truth is found.
     pub references: References,
@@ -59,13 +60,13 @@ pub enum Start {
 /// The integrators of the references, and how many times more steps each takes in every segment.
 pub type References = [(Integrator, f64); 2];
 
-/// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of any
-/// error that counts, and the second confirms it within 1 %.
+/// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of
+/// any error that counts, and the second confirms it within 1 %.
 const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 /// For the one case that takes a quarter of a million steps.
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
 
-/// What became of a case.
+/// The verdict on a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CaseVerdict {
     /// No flag, and every listed result within its claimed step error or within 1 %.
@@ -93,7 +94,7 @@ impl CaseVerdict {
     }
 }
 
-/// A case with what became of it.
+/// A case with its verdict and errors.
 #[derive(Debug, Clone)]
 pub struct CaseOutcome {
     /// The case's name.
@@ -354,8 +355,8 @@ fn reference(
     Ok(answer.case.results(&solution))
 }
 
-/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is left out if it
-/// wants to stop.
+/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is
+/// left out if it wants to stop.
 pub fn run(watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
     let done = AtomicUsize::new(0);

@@ -1,4 +1,5 @@
-//! Whether what is claimed holds: the program against references, and the models against experiments.
+//! Whether what is claimed holds: the program against references, and the models against
+//! experiments.
 
 pub mod claims;
 pub mod experiments;

@@ -1,5 +1,5 @@
-//! Every published experiment run again on three neighbouring meshes, and what was read beside what was
-//! measured.
+//! Every published experiment run again on three neighbouring meshes, and what was read beside
+//! what was measured.
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
@@ -66,7 +66,7 @@ impl Rerun {
         self.predicted.each_ref().map(inside)
     }
 
-    /// Whether all do.
+    /// Whether the prediction of every mesh does.
     pub fn is_met(&self) -> bool {
         self.inside() == [true; MESHES]
     }
@@ -102,7 +102,8 @@ pub(crate) fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
     scenario
 }
 
-/// Runs each scenario, as `change` makes it, once for all experiments that share it; in their order.
+/// Runs each scenario, as `change` makes it, once for all experiments that share it; in their
+/// order.
 pub(crate) fn rerun(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario + Sync,
@@ -142,8 +143,8 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
     [own, finer, finest]
 }
 
-/// Whether a flag matters to a reading. That at a way of the object is taken before its window ends, which
-/// cuts what comes after on purpose.
+/// Whether a flag matters to a reading. That at a way of the object is taken before its window
+/// ends, which cuts what comes after on purpose.
 fn limits(reading: Gauge, kind: FlagKind) -> bool {
     let ends = matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort);
     !(ends && matches!(reading, Gauge::ForceAt(_)))

@@ -13,13 +13,13 @@ pub const MAX_SCENES: u32 = 1 << 16;
 /// Largest kinetic energy of an object, in J.
 const HARDEST_J: f64 = 20.0;
 
-/// What is drawn.
+/// The kind of scenes that are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scenes {
     /// Pulses on the Paper model: force, duration, angle, width, shape, filaments.
     Pulses,
-    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the eye and
-    /// what holds it.
+    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the
+    /// eye and what holds it.
     Objects,
 }
 

@@ -8,8 +8,8 @@
 
 use std::time::Duration;
 
+use contrecoup::answer::brief::{BriefAnswer, Check};
 use contrecoup::answer::compiled::Compiled;
-use contrecoup::answer::point::{Check, Point};
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
@@ -60,7 +60,7 @@ fn size(case: &Compiled, scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
         Impact::Projectile(_) => case
-            .scene
+            .risk_inputs
             .blow
             .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
     }
@@ -102,7 +102,7 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         Impact::ForcePulse(pulse) => pulse.force_n,
         Impact::Projectile(_) => 0.0,
     };
-    let blow = case.scene.blow;
+    let blow = case.risk_inputs.blow;
     let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
     let whole = case.rules().element == Element::Cell;
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
@@ -207,7 +207,7 @@ fn peak(times: &[f64], values: &[f64]) -> Peak {
 
 /// What a model reads off its eye: the peak of each trace that there is, and the numbers.
 fn readings(case: &Compiled, traces: &Traces, size: f64) -> Readings {
-    let speed = case.scene.blow.map(|blow| 0.5 * blow.speed);
+    let speed = case.risk_inputs.blow.map(|blow| 0.5 * blow.speed);
     let of_section = traces.pressure.is_empty();
     Readings::from_fn(|of| {
         let trace = of.row().trace?;
@@ -273,7 +273,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
     let size = size(&case, scenario);
     let traces = traces(&case, scenario, size);
     let fold = fold(&case, size);
-    let diameter = case.scene.blow.map(|blow| blow.diameter);
+    let diameter = case.risk_inputs.blow.map(|blow| blow.diameter);
     let frames = (0..=ROWS).step_by(EVERY_FRAME);
     let frames = frames
         .map(|row| frame(scenario, &traces, row, diameter))
@@ -350,7 +350,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                 .zip(&shares)
                 .map(|(input, u)| input.value(*u))
                 .collect(),
-            outcome: Ok(Point {
+            outcome: Ok(BriefAnswer {
                 values: nominal.map(|_, value| value.map(|value| value * factor)),
                 flags: folded.then_some(FlagKind::MeshFolded).into_iter().collect(),
                 check: (index < 8).then_some(Check {

@@ -1,20 +1,20 @@
 //! The rule of the verdicts, case by case.
 
-use crate::injury::risk::{Blow, Computed, Measures, assess};
+use crate::injury::risk::{Computed, FlyingObject, Measures, assess};
 use crate::injury::verdict::*;
 
-const BB: Blow = Blow {
+const BB: FlyingObject = FlyingObject {
     mass: 0.345e-3,
     diameter: 4.5e-3,
     speed: 56.0,
 };
-const SQUASH: Blow = Blow {
+const SQUASH: FlyingObject = FlyingObject {
     mass: 24e-3,
     diameter: 40e-3,
     speed: 40.0,
 };
 
-fn of(blow: Option<Blow>, pressure: f64, stress: f64, validity: &Validity) -> Vec<Verdict> {
+fn of(blow: Option<FlyingObject>, pressure: f64, stress: f64, validity: &Validity) -> Vec<Verdict> {
     let computed = |value: f64| (value > 0.0).then_some(Computed { value, error: 0.02 });
     let measures = Measures {
         blow,
@@ -24,7 +24,7 @@ fn of(blow: Option<Blow>, pressure: f64, stress: f64, validity: &Validity) -> Ve
     verdicts(&assess(&measures), validity)
 }
 
-fn rupture(blow: Option<Blow>, pressure: f64, stress: f64) -> Verdict {
+fn rupture(blow: Option<FlyingObject>, pressure: f64, stress: f64) -> Verdict {
     of(blow, pressure, stress, &Validity::default()).swap_remove(0)
 }
 
@@ -73,7 +73,7 @@ fn a_measure_off_by_more_than_the_factor_is_named_with_its_reason_and_changes_no
 
 #[test]
 fn what_counts_less_and_lies_outside_the_range_is_named_even_within_the_factor() {
-    let fast = Blow { speed: 62.5, ..BB };
+    let fast = FlyingObject { speed: 62.5, ..BB };
     let verdict = rupture(Some(fast), 0.93e6, 17.9e6);
     let (_, high) = verdict.range.unwrap();
     let energy = |part: &(Risk, Part)| part.0.curve.measure == Measure::NormalizedEnergy;
@@ -85,13 +85,13 @@ fn what_counts_less_and_lies_outside_the_range_is_named_even_within_the_factor()
     assert!(forms[1].ends_with("; by energy 97 %"), "{forms:?}");
     assert!(!forms[2].contains("energy"));
     // Inside the range it is not named, nor where both are unlikely.
-    let slower = Blow { speed: 50.0, ..BB };
+    let slower = FlyingObject { speed: 50.0, ..BB };
     assert!(
         !rupture(Some(slower), 0.93e6, 17.9e6)
             .words()
             .contains("energy")
     );
-    let slow = Blow { speed: 4.0, ..BB };
+    let slow = FlyingObject { speed: 4.0, ..BB };
     assert!(
         !rupture(Some(slow), 0.05e6, 0.5e6)
             .words()

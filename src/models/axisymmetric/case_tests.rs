@@ -235,10 +235,10 @@ fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
 #[test]
 fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     use crate::many::map::{Grid, Span, Spot, fill};
-    use crate::many::sweep::{Axis, Sweep};
+    use crate::many::sweep::{Sweep, SweepAxis};
     use crate::scenario::fields::find;
     use std::sync::atomic::AtomicBool;
-    let axis = |text: &str| Axis::read(text).unwrap();
+    let axis = |text: &str| SweepAxis::read(text).unwrap();
     let axes = vec![
         axis("model.support=Orbit,Free"),
         axis("impact.speed_m_s=20,40"),

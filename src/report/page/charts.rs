@@ -6,10 +6,11 @@ use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
 use crate::injury::Verdict;
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
-use crate::run::trace::{OtherTrace, Trace};
+use crate::run::trace::OtherTrace;
+use crate::run::trace::Trace;
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -25,16 +26,16 @@ const COLOURS: [RGBColor; 6] = [
 ];
 
 /// A curve and what it is called.
-pub struct Curve {
+pub struct PlottedCurve {
     pub name: String,
     pub points: Vec<(f64, f64)>,
 }
 
 /// A chart.
-pub struct Chart {
+pub struct PageChart {
     pub across: &'static str,
     pub up: String,
-    pub curves: Vec<Curve>,
+    pub curves: Vec<PlottedCurve>,
     /// Whether the names of the curves stand to the left.
     pub names_left: bool,
     /// Points that stand out, each in the colour of its curve.
@@ -50,7 +51,7 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     low..high.max(low + span) + 0.04 * span
 }
 
-impl Chart {
+impl PageChart {
     /// Draws it; nothing if there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
         if self.curves.iter().all(|curve| curve.points.is_empty()) {
@@ -134,7 +135,7 @@ fn short(value: f64) -> String {
 }
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
-fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
+fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
     let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
     if values.iter().all(|value| *value == 0.0) {
@@ -156,18 +157,18 @@ fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
         ends.dedup();
         points.extend(ends.into_iter().copied());
     }
-    Some(Curve {
+    Some(PlottedCurve {
         name: course.label(traces).to_owned(),
         points,
     })
 }
 
 /// What drives the eye, and the forces of the monitored nodes.
-pub fn forces(answer: &Answer) -> Chart {
+pub fn forces(answer: &Answer) -> PageChart {
     let nodes = crate::run::trace::TRACES.iter().copied();
     let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
     let courses = [Trace::Other(OtherTrace::Drive)].into_iter().chain(nodes);
-    Chart {
+    PageChart {
         across: "ms",
         up: "force, N".to_owned(),
         curves: courses.filter_map(|course| curve(answer, course)).collect(),
@@ -177,14 +178,14 @@ pub fn forces(answer: &Answer) -> Chart {
 }
 
 /// The pressure where the eye has one, else how far the apex moved.
-pub fn motion(answer: &Answer) -> Chart {
+pub fn motion(answer: &Answer) -> PageChart {
     let of = [Quantity::Pressure, Quantity::Apex];
     let found = of.into_iter().find_map(|of| {
         let name = format!("{}, {}", of.row().label, of.row().unit);
         Some((name, curve(answer, Trace::Of(of))?))
     });
     let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
-    Chart {
+    PageChart {
         across: "ms",
         up,
         curves,
@@ -194,15 +195,15 @@ pub fn motion(answer: &Answer) -> Chart {
 }
 
 /// What drives the eye in each of several answers.
-pub fn drives(answers: &[(String, &Answer)]) -> Chart {
+pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
     let one = |(name, answer): &(String, &Answer)| {
         let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
-        Some(Curve {
+        Some(PlottedCurve {
             name: name.clone(),
             ..curve
         })
     };
-    Chart {
+    PageChart {
         across: "ms",
         up: "force on the eye, N".to_owned(),
         curves: answers.iter().filter_map(one).collect(),
@@ -211,8 +212,9 @@ pub fn drives(answers: &[(String, &Answer)]) -> Chart {
     }
 }
 
-/// The published curves, each over its measure as a share of what brings 50 %, with the blow on it.
-pub fn injuries(answer: &Answer) -> Chart {
+/// The published curves, each over its measure as a share of what brings 50 %, with the blow on
+/// it.
+pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.
     let verdicts = answer.verdicts();
@@ -224,7 +226,7 @@ pub fn injuries(answer: &Answer) -> Chart {
             let share = 0.02 * f64::from(k);
             (share, 100.0 * risk.curve.risk(share * half))
         };
-        curves.push(Curve {
+        curves.push(PlottedCurve {
             name: format!(
                 "{}, {}",
                 risk.curve.injury.name(),
@@ -234,7 +236,7 @@ pub fn injuries(answer: &Answer) -> Chart {
         });
         marks.push((i, (at, 100.0 * risk.curve.risk(at * half))));
     }
-    Chart {
+    PageChart {
         across: "measure, as a share of that of 50 %",
         up: "risk, %".to_owned(),
         curves,
@@ -249,10 +251,10 @@ mod tests {
 
     #[test]
     fn a_chart_is_drawn_with_its_names_and_nothing_is_drawn_of_nothing() {
-        let chart = |points: Vec<(f64, f64)>| Chart {
+        let chart = |points: Vec<(f64, f64)>| PageChart {
             across: "ms",
             up: "force, N".to_owned(),
-            curves: vec![Curve {
+            curves: vec![PlottedCurve {
                 name: "a < b".to_owned(),
                 points,
             }],

@@ -1,6 +1,7 @@
 //! The eye as SVG: at its peak as it stands, and moved by the script through the frames beside it.
 //!
-//! Places are whole hundredths of a millimetre, x from the cornea to the back and y down, as SVG has it.
+//! Places are whole hundredths of a millimetre, x from the cornea to the back and y down, as SVG
+//! has it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -12,10 +13,9 @@ use crate::answer::solve::Answer;
 use crate::injury::lines;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
-use crate::report::page::{FRAMES, spacing};
+use crate::report::page::content::{FRAMES, spacing};
 use crate::run::drawing::Drawing;
-use crate::run::kept::Frame;
-use crate::run::kept::nearest;
+use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 
@@ -38,7 +38,8 @@ pub const STYLE: &str = ".eye path{fill:none;stroke-linecap:round}\
     .eye .object{fill:#77777755;stroke:#555;stroke-width:16}\
     .eye text{font:150px sans-serif;fill:#555}";
 
-/// Coordinates in all frames at most, some 1 MB: a finer mesh has fewer frames, but not fewer than this.
+/// Coordinates in all frames at most, some 1 MB: a finer mesh has fewer frames, but not fewer than
+/// this.
 const MOST: f64 = 4e5;
 const FEWEST: f64 = 20.0;
 
@@ -151,8 +152,8 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Everything that the script moves the paths by: of the first frame the places, of each other one how far
-    /// they have moved since, which takes fewer digits.
+    /// Everything that the script moves the paths by: of the first frame the places, of each other
+    /// one how far they have moved since, which takes fewer digits.
     pub fn motion(&self) -> Value {
         let flat = |lines: &Vec<(usize, usize)>| -> Vec<usize> {
             lines.iter().flat_map(|(a, b)| [*a, *b]).collect()
@@ -169,7 +170,8 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// The first of several lists of numbers, and of each other one by how much it differs from the one before.
+/// The first of several lists of numbers, and of each other one by how much it differs from the
+/// one before.
 fn moves(lists: &[Vec<i64>]) -> Vec<Vec<i64>> {
     let by = |pair: &[Vec<i64>]| pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect();
     let first = lists.first().cloned().into_iter();

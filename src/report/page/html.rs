@@ -5,15 +5,16 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::many::comparison::Entry;
-use crate::many::comparison::leading;
+use crate::injury::lines;
+use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
+use crate::report::format::{capital, percent};
 use crate::report::limit;
+use crate::report::page::charts;
+use crate::report::page::content::{DISCLAIMER, inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::page::{DISCLAIMER, charts, inputs, mesh, rows, sources, verdicts, version};
-use crate::report::text::{capital, percent};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
 use crate::scenario::load::to_ron;
@@ -53,7 +54,7 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
     ControlFlow::Continue(whole.into_string())
 }
 
-fn figure(caption: &str, chart: &charts::Chart) -> Markup {
+fn figure(caption: &str, chart: &charts::PageChart) -> Markup {
     html! {
         @if let Some(svg) = chart.svg() {
             figure { figcaption { (caption) } (PreEscaped(svg)) }
@@ -73,7 +74,7 @@ fn comparison(entries: &[Entry]) -> Markup {
             h1 { "Side by side" }
             @for entry in entries {
                 @if let Some(answer) = entry.answer() {
-                    @if let Some((name, words)) = verdicts(answer).into_iter().next() {
+                    @if let Some((name, words)) = lines(&answer.verdicts()).into_iter().next() {
                         p.verdict { strong { (printable(&entry.name)) } ": " (name) ": " (words) }
                     }
                 }
@@ -107,7 +108,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
-                    @for (name, words) in verdicts(answer) {
+                    @for (name, words) in lines(&answer.verdicts()) {
                         p.verdict { strong { (name) } ": " (words) }
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }
@@ -178,7 +179,7 @@ fn results(answer: &Answer) -> Markup {
                 }
             } }
         }
-        @if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+        @if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
             p.note { "Damage index: " (limit) "." }
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \

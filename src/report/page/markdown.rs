@@ -2,16 +2,16 @@
 
 use std::io::{self, Write};
 
-use crate::many::comparison::Entry;
-use crate::many::comparison::leading;
+use crate::injury::lines;
+use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
-use crate::report::page::{DISCLAIMER, inputs, mesh, rows, sources, verdicts, version};
+use crate::report::page::content::{DISCLAIMER, inputs, mesh, rows, sources, version};
 use crate::run::quantity::Quantity;
 
-/// Writes it.
+/// Writes the page as Markdown.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -41,7 +41,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         return writeln!(out, "No answer: {}\n", escaped(&why));
     };
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
-    for (name, words) in verdicts(answer) {
+    for (name, words) in lines(&answer.verdicts()) {
         writeln!(out, "- **{name}**: {}", escaped(&words))?;
     }
     if let Some(why) = unusable(answer) {
@@ -68,7 +68,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
-    if let Some(limit) = limit::beside(answer, Quantity::Damage) {
+    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "\nDamage index: {}.", escaped(&limit))?;
     }
     writeln!(out, "\n| input | value |\n|---|---|")?;

@@ -1,11 +1,13 @@
 //! One page that holds an answer whole: to read, to print, to send and to repeat.
 //!
-//! HTML is one file that needs nothing else: pictures are drawn in it, the replay is a small script in it, and its
-//! own rules forbid it to load anything. Markdown has the words and tables, SVG the picture alone.
+//! HTML is one file that needs nothing else: pictures are drawn in it, the replay is a small
+//! script in it, and its own rules forbid it to load anything. Markdown has the words and tables,
+//! SVG the picture alone.
 //!
 //! Left out: bands over the inputs, which take minutes (`contrecoup ensemble`).
 
 mod charts;
+mod content;
 mod eye;
 pub(crate) mod html;
 mod markdown;
@@ -14,31 +16,14 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::answer::derived::Derived;
-use crate::answer::solve::Answer;
-use crate::injury::{Verdict, lines};
 use crate::many::comparison::Entry;
-use crate::plain_text::printable;
-use crate::report::figure::{Figure, cut_word};
-use crate::report::text::{capital, percent};
-use crate::report::verdict::{VOID, is_void, range};
-use crate::run::kept::{Keep, Spacing};
-use crate::run::quantity::Quantity;
 use crate::run::watch::unwatched;
-use crate::scenario::Scenario;
-use crate::scenario::fields::{FIELDS, Kind};
 
-/// Where the model comes from.
-const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
-    Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
-const DISCLAIMER: &str = "Research and education, not diagnosis.";
-/// Frames of the replay at most, half of them in the time in which most happens, in s.
-const FRAMES: f64 = 80.0;
-const LIVELY: f64 = 0.6e-3;
+pub use crate::report::page::content::keep;
 
 /// What a page is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum PageFormat {
     /// A page for a browser.
     Html,
     /// Text and tables.
@@ -47,7 +32,7 @@ pub enum Form {
     Svg,
 }
 
-impl Form {
+impl PageFormat {
     /// By the end of a file's name.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -60,150 +45,22 @@ impl Form {
     }
 }
 
-/// What a page needs of a run.
-pub fn keep(scenario: &Scenario) -> Keep {
-    Keep {
-        traces: true,
-        frames: Some(spacing(scenario.window_ms * 1e-3, FRAMES)),
-    }
-}
-
-/// When the frames of a replay are, of a window in s.
-fn spacing(window: f64, frames: f64) -> Spacing {
-    let early = LIVELY.min(0.5 * window);
-    let half = (0.5 * frames).round();
-    Spacing {
-        early: half as u32,
-        early_every: early / half,
-        every: (window - early) / half,
-    }
-}
-
 /// Writes a page of one blow or several; `command` repeats it, if one can.
 ///
 /// # Errors
 /// Whatever `out` reports.
 pub fn write(
-    form: Form,
+    form: PageFormat,
     entries: &[Entry],
     command: Option<&str>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match form {
-        Form::Html => match html::page(entries, command, &mut unwatched) {
+        PageFormat::Html => match html::page(entries, command, &mut unwatched) {
             ControlFlow::Continue(page) => out.write_all(page.as_bytes()),
             ControlFlow::Break(()) => Ok(()),
         },
-        Form::Markdown => markdown::write(entries, command, out),
-        Form::Svg => out.write_all(eye::pictures(entries).as_bytes()),
+        PageFormat::Markdown => markdown::write(entries, command, out),
+        PageFormat::Svg => out.write_all(eye::pictures(entries).as_bytes()),
     }
-}
-
-/// The version that answered.
-fn version() -> String {
-    let commit = option_env!("CONTRECOUP_COMMIT").map(|commit| format!(", commit {commit}"));
-    format!(
-        "contrecoup {}{}",
-        env!("CARGO_PKG_VERSION"),
-        commit.unwrap_or_default()
-    )
-}
-
-/// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.
-fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
-    let mut usual = Scenario::default();
-    // The usual parts are those of the same model.
-    let model = FIELDS.iter().find(|field| field.path == "model");
-    if let Some(Kind::Choice(models)) = model.map(|field| &field.kind)
-        && let Some(name) = models.get(scenario)
-    {
-        models.set(&mut usual, name);
-    }
-    let worth = |path: &str, text: &String| {
-        let own = path == "model" || path.starts_with("impact");
-        let other = FIELDS.iter().find(|field| field.path == path);
-        own || other
-            .and_then(|field| field.text(&usual))
-            .is_none_or(|usual| usual != *text)
-    };
-    let asked = FIELDS.iter().filter(|field| field.path != "name");
-    asked
-        .filter_map(|field| {
-            let text = field
-                .text(scenario)
-                .filter(|text| worth(field.path, text))?;
-            let text = format!("{} {}", printable(&text), field.unit);
-            Some((field.label, text.trim_end().to_owned()))
-        })
-        .collect()
-}
-
-/// A result as a row: name, value with as many digits as its errors allow, when or whether it means nothing here, and
-/// both errors.
-struct Row {
-    name: String,
-    value: String,
-    unit: &'static str,
-    at: String,
-    step: String,
-    mesh: String,
-}
-
-fn rows(answer: &Answer) -> Vec<Row> {
-    let (errors, verdicts) = (&answer.errors, answer.verdicts());
-    let row = |(of, _): (Quantity, f64)| {
-        let mesh = errors.mesh.as_ref();
-        let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
-        Row {
-            name: capital(of.row().label),
-            value: range(answer, of).unwrap_or_else(|| value(answer, of)),
-            unit: of.row().unit,
-            at: match answer.peak(of) {
-                _ if is_void(&verdicts, of) => VOID.to_owned(),
-                Some(peak) => format!("{:.3} ms", peak.time * 1e3),
-                None => String::new(),
-            },
-            step: known(errors.time_step[of]),
-            mesh: known(mesh.and_then(|errors| errors[of])),
-        }
-    };
-    // What is believed of an injury says its verdict, above.
-    let own = |(of, _): &(Quantity, f64)| !matches!(of.derived(), Some(Derived::Believed(_)));
-    answer.results().present().filter(own).map(row).collect()
-}
-
-/// A value in words, with as many digits as its errors allow.
-fn value(answer: &Answer, of: Quantity) -> String {
-    Figure::of(answer, of).map_or_else(String::new, |figure| {
-        format!("{} {}", cut_word(figure.cut), figure.number)
-            .trim_start()
-            .to_owned()
-    })
-}
-
-/// What is to be believed of each injury: its name and the words.
-fn verdicts(answer: &Answer) -> Vec<(&'static str, String)> {
-    let verdicts: Vec<Verdict> = answer.verdicts();
-    lines(&verdicts)
-}
-
-/// Everything that the page rests on, each once.
-fn sources(entries: &[Entry]) -> Vec<&'static str> {
-    let mut sources = vec![SOURCE];
-    let answers = entries.iter().filter_map(Entry::answer);
-    for risk in answers.flat_map(Answer::risks) {
-        if !sources.contains(&risk.curve.source) {
-            sources.push(risk.curve.source);
-        }
-    }
-    sources
-}
-
-/// What the mesh is, in words.
-fn mesh(answer: &Answer, scenario: &Scenario) -> String {
-    let model = FIELDS.iter().find(|field| field.path == "model");
-    let model = model
-        .and_then(|field| field.text(scenario))
-        .unwrap_or_default();
-    format!("{model} model, mesh level {}", answer.case.level())
 }

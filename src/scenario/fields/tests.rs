@@ -4,7 +4,7 @@ use crate::scenario::fields::*;
 
 /// Scenarios that together hold every variant with fields.
 pub(crate) fn every_variant() -> [Scenario; 3] {
-    let shot = Projectile {
+    let projectile = Projectile {
         stiffness: ProjectileStiffness::LINEAR,
         ..Projectile::default()
     };
@@ -17,7 +17,7 @@ pub(crate) fn every_variant() -> [Scenario; 3] {
             outline: Outline::CYLINDER,
             surface,
             restitution: 0.5,
-            ..shot.clone()
+            ..projectile.clone()
         }),
         ..Scenario::default()
     };

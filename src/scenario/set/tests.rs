@@ -50,17 +50,17 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
          unverified: [\"speed_m_s\"])",
     );
     set(&mut scenario, "impact.mass_g", "0.35").unwrap();
-    let Impact::Projectile(shot) = &scenario.impact else {
+    let Impact::Projectile(object) = &scenario.impact else {
         panic!()
     };
-    assert_eq!((shot.mass_g, shot.unverified.len()), (0.35, 1));
+    assert_eq!((object.mass_g, object.unverified.len()), (0.35, 1));
     set(&mut scenario, "impact.speed_m_s", "60").unwrap();
     set(&mut scenario, "impact.stiffness", "rigid").unwrap();
-    let Impact::Projectile(shot) = &scenario.impact else {
+    let Impact::Projectile(object) = &scenario.impact else {
         panic!()
     };
-    assert_eq!(shot.stiffness, ProjectileStiffness::Rigid);
-    assert!(shot.unverified.is_empty());
+    assert_eq!(object.stiffness, ProjectileStiffness::Rigid);
+    assert!(object.unverified.is_empty());
     assert!(set(&mut scenario, "impact.force_n", "1").is_err());
 
     let parts = |scenario: &Scenario| match scenario.model {
@@ -74,14 +74,14 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
     let pig = parts(&after("model", "Physiological(species: Pig)"));
     assert_eq!(pig.species, Species::Pig);
     assert!(refusal("model.species", "Pig").contains("model is Paper, which has no species"));
-    let shot = Scenario {
+    let object = Scenario {
         impact: Impact::Projectile(Projectile::default()),
         ..Scenario::default()
     };
     assert!(
         refusal("impact.surface", "Hard").contains("impact is ForcePulse, which has no surface")
     );
-    let mut turned = shot;
+    let mut turned = object;
     set(&mut turned, "model", "Physiological").unwrap();
     set(
         &mut turned,
@@ -223,9 +223,9 @@ fn a_number_that_is_put_is_no_longer_unverified() {
         fields::find("impact.speed_m_s").unwrap(),
         40.0,
     );
-    let shot = fields::projectile_mut(&mut scenario).unwrap();
+    let object = fields::projectile_mut(&mut scenario).unwrap();
     assert_eq!(
-        (shot.speed_m_s, &shot.unverified[..]),
+        (object.speed_m_s, &object.unverified[..]),
         (40.0, &["mass_g".to_owned()][..])
     );
 }
@@ -233,8 +233,8 @@ fn a_number_that_is_put_is_no_longer_unverified() {
 #[test]
 fn the_end_of_a_path_is_enough_where_only_one_field_fits() {
     let pulse = Scenario::default();
-    let mut shot = Scenario::default();
-    set(&mut shot, "impact", "Projectile").unwrap();
+    let mut object = Scenario::default();
+    set(&mut object, "impact", "Projectile").unwrap();
     for (typed, path) in [
         ("force_n", "impact.force_n"),
         ("force", "impact.force_n"),
@@ -255,11 +255,11 @@ fn the_end_of_a_path_is_enough_where_only_one_field_fits() {
     ] {
         assert_eq!(full_path(&pulse, typed), path, "{typed:?}");
     }
-    assert_eq!(full_path(&shot, "speed"), "impact.speed_m_s");
-    let mut short = shot.clone();
+    assert_eq!(full_path(&object, "speed"), "impact.speed_m_s");
+    let mut short = object.clone();
     set(&mut short, "speed", "45 +- 3").unwrap();
-    set(&mut shot, "impact.speed_m_s", "45 +- 3").unwrap();
-    assert_eq!(short, shot);
+    set(&mut object, "impact.speed_m_s", "45 +- 3").unwrap();
+    assert_eq!(short, object);
 }
 
 #[test]

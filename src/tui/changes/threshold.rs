@@ -1,7 +1,7 @@
 //! Asking at which value of a number a result reaches what is typed, and taking the answer into
 //! the form.
 
-use crate::many::threshold::Question;
+use crate::many::threshold::ThresholdSearch;
 use crate::scenario::fields::Kind;
 use crate::tui::changes::edit::change;
 use crate::tui::form::{FormRow, with_text};
@@ -101,7 +101,7 @@ pub(crate) fn accept(model: &mut AppModel) {
         asking.error = Some("a number is needed, as in 50".to_owned());
         return;
     };
-    match Question::read(scenario, field.path, (asking.quantity, target)) {
+    match ThresholdSearch::read(scenario, field.path, (asking.quantity, target)) {
         Ok(question) => {
             asking.forget();
             let question = FindThreshold(question);

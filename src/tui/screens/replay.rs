@@ -6,11 +6,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
-use crate::run::trace::{OtherTrace, TRACES, Trace};
+use crate::run::trace::OtherTrace;
+use crate::run::trace::TRACES;
+use crate::run::trace::Trace;
 use crate::tui::clock::{Colouring, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};

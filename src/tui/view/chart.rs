@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Borders, Widget};
 
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::tui::look::Look;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{put, put_right, width};

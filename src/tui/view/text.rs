@@ -6,8 +6,7 @@ use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
-use crate::report::text;
-use crate::report::text::digits;
+use crate::report::format::{self, digits};
 use crate::run::flags::FlagKind;
 
 /// How many cells a text takes.
@@ -91,7 +90,7 @@ pub fn fitted(text: &str, room: usize) -> String {
 
 /// A text in lines of at most so many cells; a word that is longer is cut.
 pub fn wrapped(text: &str, room: usize) -> Vec<String> {
-    let lines = text::wrapped(text, room);
+    let lines = format::wrapped(text, room);
     lines.iter().map(|line| fitted(line, room)).collect()
 }
 

@@ -7,8 +7,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
-use crate::report::text::{percent, significant};
+use crate::many::accuracy::Accuracy;
+use crate::many::accuracy::Total;
+use crate::many::accuracy::cheapest;
+use crate::many::accuracy::finest_tried;
+use crate::many::accuracy::measure;
+use crate::report::format::percent;
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;

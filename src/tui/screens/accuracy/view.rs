@@ -8,8 +8,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
-use crate::report::text::{percent, significant};
+use crate::many::accuracy::Accuracy;
+use crate::many::accuracy::ROUNDS;
+use crate::many::accuracy::TOLERANCES;
+use crate::many::accuracy::Total;
+use crate::many::accuracy::cheapest;
+use crate::report::format::percent;
+use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::look::Look;

@@ -2,18 +2,18 @@
 
 use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
-use crate::many::comparison::Column;
+use crate::many::comparison::ComparisonColumn;
 use crate::report::figure::{Figure, Off};
 use crate::report::verdict::{range, verdict};
 use crate::run::quantity::Quantity;
 
 /// What an answer has in a column, and how far that may be off. Whether a mesh error is still to
 /// come.
-pub fn cell(answer: &Answer, column: Column, mesh_comes: bool) -> (String, String) {
+pub fn cell(answer: &Answer, column: ComparisonColumn, mesh_comes: bool) -> (String, String) {
     let nothing = || ("-".to_owned(), String::new());
     match column {
-        Column::Name => nothing(),
-        Column::Result(quantity) => {
+        ComparisonColumn::Name => nothing(),
+        ComparisonColumn::Result(quantity) => {
             if let Some(Derived::Believed(injury)) = quantity.derived()
                 && let Some(range) = range(answer, quantity)
             {

@@ -5,7 +5,11 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
-use crate::many::comparison::{Column, Entry, Found, columns, order};
+use crate::many::comparison::ComparisonColumn;
+use crate::many::comparison::Entry;
+use crate::many::comparison::Found;
+use crate::many::comparison::columns;
+use crate::many::comparison::order;
 use crate::report;
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
@@ -128,7 +132,7 @@ pub struct Comparison {
     /// The column with the cursor.
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.
-    pub sort: Option<(Column, bool)>,
+    pub sort: Option<(ComparisonColumn, bool)>,
     /// The curve below the table, once one was chosen.
     pub curve: Option<Trace>,
     /// What stands at the same time in all of them.
@@ -214,12 +218,12 @@ impl Comparison {
     }
 
     /// The columns, from the left.
-    pub fn columns(&self) -> Vec<Column> {
+    pub fn columns(&self) -> Vec<ComparisonColumn> {
         columns(&self.entries)
     }
 
     /// The column with the cursor.
-    pub fn here(&self) -> Column {
+    pub fn here(&self) -> ComparisonColumn {
         let columns = self.columns();
         columns[self.column.min(columns.len() - 1)]
     }
@@ -229,13 +233,13 @@ impl Comparison {
         let here = self.here();
         self.sort = match self.sorting() {
             Some((column, largest)) if column == here => Some((column, !largest)),
-            _ => Some((here, here != Column::Name)),
+            _ => Some((here, here != ComparisonColumn::Name)),
         };
     }
 
     /// The column that sorts the table: by itself the risk of the gravest injury, where there is
     /// one.
-    pub fn sorting(&self) -> Option<(Column, bool)> {
+    pub fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_believed());
         self.sort.or(risk.map(|column| (column, true)))
@@ -252,7 +256,7 @@ impl Comparison {
 
     /// That a risk rests on one measure here and on another there, if so: of the column with the
     /// cursor, of the one that sorts, or of the first of `shown`.
-    pub fn mixed(&self, shown: &[Column]) -> Option<String> {
+    pub fn mixed(&self, shown: &[ComparisonColumn]) -> Option<String> {
         let answers = self.entries.iter();
         let answers = answers.filter_map(|entry| Some((brief(&entry.name), entry.answer()?)));
         let answers: Vec<(&str, &Answer)> = answers.collect();
@@ -260,8 +264,8 @@ impl Comparison {
         let first = std::iter::once(self.here()).chain(sorting);
         let columns = first.chain(shown.iter().copied());
         let mut notes = columns.filter_map(|column| match column {
-            Column::Name => None,
-            Column::Result(of) => report::verdict::mixed(&answers, of),
+            ComparisonColumn::Name => None,
+            ComparisonColumn::Result(of) => report::verdict::mixed(&answers, of),
         });
         notes.next()
     }
@@ -328,7 +332,7 @@ mod tests {
             ["paper-100n", "paper-300n", "paper-600n"]
         );
         let columns = comparison.columns();
-        let pressure = Column::Result(Quantity::Pressure);
+        let pressure = ComparisonColumn::Result(Quantity::Pressure);
         assert!(
             !columns.contains(&pressure),
             "what no scene has takes no column"
@@ -365,7 +369,7 @@ mod tests {
                 Found::Answer(ShownAnswer::new(scenario, answer).into()),
             );
         }
-        let rupture = Column::Result(Quantity::GlobeRupture);
+        let rupture = ComparisonColumn::Result(Quantity::GlobeRupture);
         assert_eq!(comparison.columns()[1], rupture);
         assert_eq!(comparison.sorting(), Some((rupture, true)));
         assert_eq!(order(&comparison), ["bb-62", "foam-dart"]);

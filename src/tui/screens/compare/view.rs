@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::injury::lines;
-use crate::many::comparison::{Column, Found};
+use crate::many::comparison::ComparisonColumn;
+use crate::many::comparison::Found;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
 use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
@@ -162,7 +163,7 @@ fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut B
     heading(compare, model, area, &marked(compare), buffer);
     let count = compare.entries.len() as u16;
     let numbers = columns(compare, area);
-    let shown: Vec<Column> = numbers.iter().map(|(column, _)| *column).collect();
+    let shown: Vec<ComparisonColumn> = numbers.iter().map(|(column, _)| *column).collect();
     let note = compare.mixed(&shown);
     let room = area.height.saturating_sub(1 + u16::from(note.is_some()));
     // What to believe gives way before the errors do, and those before the chart.
@@ -185,10 +186,10 @@ fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut B
     }
 }
 
-fn title(column: Column) -> (&'static str, &'static str) {
+fn title(column: ComparisonColumn) -> (&'static str, &'static str) {
     match column {
-        Column::Name => ("preset", ""),
-        Column::Result(quantity) => (quantity.row().short, quantity.row().unit),
+        ComparisonColumn::Name => ("preset", ""),
+        ComparisonColumn::Result(quantity) => (quantity.row().short, quantity.row().unit),
     }
 }
 
@@ -199,7 +200,7 @@ const EACH: u16 = 10;
 const NAME: u16 = 20;
 
 /// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
-fn columns(compare: &Comparison, area: Rect) -> Vec<(Column, u16)> {
+fn columns(compare: &Comparison, area: Rect) -> Vec<(ComparisonColumn, u16)> {
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);
     let first = compare.column.clamp(count, columns.len() - 1) + 1 - count;
@@ -212,13 +213,13 @@ fn table(
     compare: &Comparison,
     model: &AppModel,
     each: u16,
-    numbers: &[(Column, u16)],
+    numbers: &[(ComparisonColumn, u16)],
     area: Rect,
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
     let focused = compare.pane == TABLE && model.overlay.is_none();
-    for &(column, right) in std::iter::once(&(Column::Name, 0)).chain(numbers) {
+    for &(column, right) in std::iter::once(&(ComparisonColumn::Name, 0)).chain(numbers) {
         let (name, unit) = title(column);
         let sign = match compare.sorting() {
             Some((by, true)) if by == column => "▾",
@@ -231,7 +232,7 @@ fn table(
             theme.heading()
         };
         let text = format!("{sign}{name}");
-        if column == Column::Name {
+        if column == ComparisonColumn::Name {
             put(buffer, area, (1, 0), &text, style);
         } else {
             put_right(buffer, area, (right, 0), &text, style);
@@ -257,7 +258,7 @@ fn table(
 fn row(
     model: &AppModel,
     entry: &Marked,
-    (place, numbers): (usize, &[(Column, u16)]),
+    (place, numbers): (usize, &[(ComparisonColumn, u16)]),
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -289,7 +290,7 @@ fn row(
     for &(column, right) in numbers {
         let (value, error) = cell(answer, column, !entry.without_mesh);
         let style = match column {
-            Column::Result(_) if answer.spoiled().is_some() => theme.quiet(),
+            ComparisonColumn::Result(_) if answer.spoiled().is_some() => theme.quiet(),
             _ => theme.text(),
         };
         put_right(buffer, area, (right, 0), &value, style);

@@ -13,7 +13,7 @@ use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
-use crate::report::text::{digits, percent};
+use crate::report::format::{digits, percent};
 use crate::report::verdict::is_void;
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::report::text::digits;
+use crate::report::format::digits;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{FormRow, Typing, allowed, is_unverified, rows, typed_text, unverified};

@@ -1,7 +1,7 @@
 //! A force pulse as a line of the form: its shape in blocks, how long it lasts, how high it goes.
 
 use crate::models::pulse::Pulse;
-use crate::report::text::significant;
+use crate::report::format::significant;
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, PulseShape, Scenario};
 

@@ -1,7 +1,7 @@
 //! The map of two inputs as the app holds it: which inputs, what is known, where the cursor
 //! stands.
 
-use crate::many::map::{Grid, Reading, SIDE, Span, fill};
+use crate::many::map::{Grid, MapReading, SIDE, Span, fill};
 use crate::many::sweep::spaced;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -287,7 +287,7 @@ impl Map {
     }
 
     /// What is known of a result under the cursor.
-    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Option<Reading> {
+    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Option<MapReading> {
         grid.read(quantity, self.place())
     }
 

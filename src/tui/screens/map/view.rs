@@ -12,10 +12,10 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use crate::answer::derived::Derived;
-use crate::injury::{Blow, Caution, Measure};
+use crate::injury::{Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
-use crate::report::text::{capital, significant};
+use crate::report::format::{capital, significant};
 use crate::report::verdict::VOID;
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
@@ -290,8 +290,8 @@ pub(crate) fn is_void_there(map: &Map, model: &AppModel, of: Quantity) -> bool {
         return false;
     };
     let there = map.adopted(&model.work.scenario);
-    let blow = there.and_then(|(_, scenario)| Blow::of(&scenario));
-    blow.and_then(|blow| blow.caution()) == Some(Caution::LargerThanOrbit)
+    let caution = there.and_then(|(_, scenario)| Caution::of(&scenario));
+    caution == Some(Caution::LargerThanOrbit)
 }
 
 /// What is known under the cursor.

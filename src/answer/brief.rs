@@ -1,14 +1,16 @@
-//! One run among many: results and flags without traces, with the step error where it is asked for.
+//! One run among many: results and flags without traces, with the step error where it is asked
+//! for.
 //!
-//! A [`single`] run makes no second run. A [`checked`] one states its step error as single answers do
-//! and shortens its step until that is within [`promise_percent`]. A [`compared`] one is set beside a
-//! run of twice as many steps, whose error is a sixteenth at fourth order: the difference is the error
-//! itself, without the safety factor of a statement. No step helps once the mesh has folded.
+//! A [`single`] run makes no second run. A [`checked`] one states its step error as single answers
+//! do and shortens its step until that is within [`promise_percent`]. A [`compared`] one is set
+//! beside a run of twice as many steps, whose error is a sixteenth at fourth order: the difference
+//! is the error itself, without the safety factor of a statement. No step helps once the mesh has
+//! folded.
 //!
-//! The automatic step is a share of the stability limit. Among many runs that is wasteful both ways:
-//! a stiff eye takes steps far shorter than its accuracy needs, a soft one steps too long for the edges
-//! of the pulse. So a run among many may take up to 0.95 of the limit but never more than a cap, which
-//! comes from the comparisons of a few runs.
+//! The automatic step is a share of the stability limit. Among many runs that is wasteful both
+//! ways: a stiff eye takes steps far shorter than its accuracy needs, a soft one steps too long
+//! for the edges of the pulse. So a run among many may take up to 0.95 of the limit but never more
+//! than a cap, which comes from the comparisons of a few runs.
 
 use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
@@ -19,9 +21,7 @@ use crate::run::model::Run;
 use crate::run::plan::Plan;
 use crate::run::raised::of_motion;
 use crate::run::refusal::Refusal;
-use crate::run::rules::LONGEST_SHARE;
-use crate::run::rules::next_share;
-use crate::run::rules::share_for;
+use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 
@@ -33,9 +33,9 @@ pub fn promise_percent(scenario: &CheckedScenario) -> f64 {
     Compiled::new(scenario).rules().promise_percent
 }
 
-/// What a run among many gives.
+/// The answer of one run among many: results and flags, without traces, frames or a mesh error.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct BriefAnswer {
     /// Every result.
     pub values: Results,
     /// What limits them; flags that need the step error only where it was checked.
@@ -57,7 +57,7 @@ pub struct Check {
     pub good_step: f64,
 }
 
-impl Point {
+impl BriefAnswer {
     /// Whether the mesh folded, so that the values are beyond the model's validity.
     pub fn folded(&self) -> bool {
         self.flags.contains(&FlagKind::MeshFolded)
@@ -69,9 +69,9 @@ impl Point {
     }
 }
 
-fn point(case: &Compiled, run: &Run) -> Point {
+fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
     let motion = of_motion(run, case.rules().element, None);
-    Point {
+    BriefAnswer {
         values: case.results(run),
         flags: motion
             .iter()
@@ -82,8 +82,9 @@ fn point(case: &Compiled, run: &Run) -> Point {
     }
 }
 
-/// The automatic step, but as long as stability allows where accuracy does not need it shorter: up to
-/// `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its own.
+/// The automatic step, but as long as stability allows where accuracy does not need it shorter: up
+/// to `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its
+/// own.
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
@@ -103,18 +104,18 @@ pub fn single(
     scenario: &CheckedScenario,
     cap: Option<f64>,
     watch: Watch,
-) -> Result<Point, Refusal> {
+) -> Result<BriefAnswer, Refusal> {
     let case = Compiled::new(scenario);
     let plan = plan(scenario, &case, cap)?;
-    let ran = case.run(&plan, Keep::default(), watch)?;
-    Ok(point(&case, &ran))
+    let run = case.run(&plan, Keep::default(), watch)?;
+    Ok(brief(&case, &run))
 }
 
-/// Runs it with its stated step error, and again with a shorter step while that is too large.
+/// Runs a scenario with its step error, and again with shorter steps while that is too large.
 ///
 /// # Errors
 /// As for any run.
-pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusal> {
+pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, Refusal> {
     let case = Compiled::new(scenario);
     let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
@@ -132,7 +133,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }
-    Ok(Point {
+    Ok(BriefAnswer {
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
         check: Some(Check {
@@ -144,8 +145,8 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<Point, Refusa
     })
 }
 
-/// Runs it with steps up to `cap`, in s, beside a run of twice as many steps, which takes its place
-/// while the two differ too much.
+/// Runs a scenario with steps up to `cap`, in s, and again with twice as many steps until two
+/// runs in a row agree.
 ///
 /// # Errors
 /// As for any run.
@@ -153,7 +154,7 @@ pub fn compared(
     scenario: &CheckedScenario,
     cap: Option<f64>,
     watch: Watch,
-) -> Result<Point, Refusal> {
+) -> Result<BriefAnswer, Refusal> {
     let case = Compiled::new(scenario);
     let mut plan = plan(scenario, &case, cap)?;
     let promise = case.rules().promise_percent;
@@ -174,14 +175,14 @@ pub fn compared(
             || scenario.numerics.step_us.is_some()
             || attempt == MAX_ATTEMPTS;
         if done {
-            let mut point = point(&case, &coarse);
-            point.check = Some(Check {
+            let mut answer = brief(&case, &coarse);
+            answer.check = Some(Check {
                 first,
                 tried: plan.step,
                 last: error,
                 good_step: plan.step * shortening(&plan, promise, first),
             });
-            return Ok(point);
+            return Ok(answer);
         }
         coarse = fine;
     }
@@ -208,8 +209,8 @@ mod tests {
         let free = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
         let tight = compared(&scenario, Some(1e-6), &mut unwatched).unwrap();
         assert!(tight.check.unwrap().first < free.check.unwrap().first);
-        for point in [&stated, &free] {
-            for (quantity, a) in point.values.present() {
+        for answer in [&stated, &free] {
+            for (quantity, a) in answer.values.present() {
                 let b = tight.values[quantity].unwrap();
                 assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
             }
@@ -221,11 +222,11 @@ mod tests {
         let promise = promise_percent(&CheckedScenario::default());
         let mut scenario = Scenario::default();
         scenario.numerics.integrator = Some(crate::scenario::Integrator::VelocityVerlet);
-        let point = compared(&scenario.check().unwrap(), Some(1.0), &mut unwatched).unwrap();
-        let check = point.check.unwrap();
+        let answer = compared(&scenario.check().unwrap(), Some(1.0), &mut unwatched).unwrap();
+        let check = answer.check.unwrap();
         assert!(check.first > promise && check.last <= promise);
         let exact = compared(&CheckedScenario::default(), Some(1e-6), &mut unwatched).unwrap();
-        for (quantity, a) in point.values.present() {
+        for (quantity, a) in answer.values.present() {
             let b = exact.values[quantity].unwrap();
             assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
         }

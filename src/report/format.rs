@@ -1,0 +1,113 @@
+//! Numbers and lines for people: digits, percent, and text in lines of 80 columns.
+
+use std::io::{self, Write};
+
+use unicode_width::UnicodeWidthStr;
+
+/// A number with four significant digits, in plain notation where that is readable.
+pub fn significant(value: f64) -> String {
+    digits(value, 4)
+}
+
+/// A number with `count` significant digits, in plain notation where that is readable.
+pub fn digits(value: f64, count: i32) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&size) {
+        let after = (count - 1) as usize;
+        format!("{value:.after$e}")
+    } else {
+        let after = (count - 1 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.after$}")
+    }
+}
+
+/// An error in percent: two digits are all it can bear.
+pub fn percent(value: f64) -> String {
+    match value {
+        0.0 => "0 %".to_owned(),
+        v if v < 1e-4 => "< 0.0001 %".to_owned(),
+        v if v < 10.0 => {
+            let digits = (1 - v.log10().floor() as i32).max(0) as usize;
+            format!("{v:.digits$} %")
+        }
+        v => format!("{v:.0} %"),
+    }
+}
+
+/// Columns of a line.
+pub(super) const WIDTH: usize = 80;
+
+/// `text` in lines of at most `width` cells, broken between words but not before a percent sign.
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let held = text.replace(" %", "\u{a0}%");
+    for word in held.split_ascii_whitespace() {
+        let word = word.replace('\u{a0}', " ");
+        match lines.last_mut() {
+            Some(line) if line.width() + 1 + word.width() <= width => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            _ => lines.push(word),
+        }
+    }
+    lines
+}
+
+/// Prints a text in lines of 80 columns, those that go on indented.
+pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
+    block(text, "", "    ", out)
+}
+
+/// Prints a text in lines of 80 columns, with what stands before the first and before those that
+/// go on.
+pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
+    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
+        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
+    }
+    Ok(())
+}
+
+/// `label` with a capital letter.
+pub fn capital(label: &str) -> String {
+    let mut letters = label.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// A share as whole percent, or finer where it is small.
+pub(super) fn share(risk: f64) -> String {
+    let percent = 100.0 * risk;
+    if percent < 0.1 {
+        "< 0.1 %".to_owned()
+    } else if percent < 9.95 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{percent:.0} %")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_carry_four_digits() {
+        assert_eq!(significant(26.418_437), "26.42");
+        assert_eq!(significant(0.004_971_1), "0.004971");
+        assert_eq!(significant(1234.5), "1234");
+        assert_eq!(significant(0.0), "0");
+        assert_eq!(significant(-2.5e-9), "-2.500e-9");
+    }
+
+    #[test]
+    fn errors_carry_two_digits() {
+        assert_eq!(percent(0.012_34), "0.012 %");
+        assert_eq!(percent(3.21), "3.2 %");
+        assert_eq!(percent(123.4), "123 %");
+        assert_eq!(percent(1e-7), "< 0.0001 %");
+    }
+}

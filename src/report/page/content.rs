@@ -1,0 +1,138 @@
+//! The words and rows of a page, whatever it is written as.
+
+use crate::answer::derived::Derived;
+use crate::answer::solve::Answer;
+use crate::many::comparison::Entry;
+use crate::plain_text::printable;
+use crate::report::figure::{Figure, cut_word};
+use crate::report::format::{capital, percent};
+use crate::report::verdict::{VOID, is_void, range};
+use crate::run::kept::{Keep, Spacing};
+use crate::run::quantity::Quantity;
+use crate::scenario::Scenario;
+use crate::scenario::fields::{FIELDS, Kind, find};
+
+/// Where the model comes from.
+const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
+    Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
+pub(super) const DISCLAIMER: &str = "Research and education, not diagnosis.";
+/// Frames of the replay at most, half of them in the time in which most happens, in s.
+pub(super) const FRAMES: f64 = 80.0;
+const LIVELY: f64 = 0.6e-3;
+
+/// What a run must keep for a page: traces, and the frames of its replay.
+pub fn keep(scenario: &Scenario) -> Keep {
+    Keep {
+        traces: true,
+        frames: Some(spacing(scenario.window_ms * 1e-3, FRAMES)),
+    }
+}
+
+/// The times of the frames of a replay; `window` is in s.
+pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
+    let early = LIVELY.min(0.5 * window);
+    let half = (0.5 * frames).round();
+    Spacing {
+        early: half as u32,
+        early_every: early / half,
+        every: (window - early) / half,
+    }
+}
+
+/// The version that answered.
+pub(super) fn version() -> String {
+    let commit = option_env!("CONTRECOUP_COMMIT").map(|commit| format!(", commit {commit}"));
+    format!(
+        "contrecoup {}{}",
+        env!("CARGO_PKG_VERSION"),
+        commit.unwrap_or_default()
+    )
+}
+
+/// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.
+pub(super) fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
+    let mut usual = Scenario::default();
+    // The usual parts are those of the same model.
+    if let Some(Kind::Choice(models)) = find("model").map(|field| &field.kind)
+        && let Some(name) = models.get(scenario)
+    {
+        models.set(&mut usual, name);
+    }
+    let worth = |path: &str, text: &String| {
+        let own = path == "model" || path.starts_with("impact");
+        let usual = find(path).and_then(|field| field.text(&usual));
+        own || usual.is_none_or(|usual| usual != *text)
+    };
+    let asked = FIELDS.iter().filter(|field| field.path != "name");
+    asked
+        .filter_map(|field| {
+            let text = field
+                .text(scenario)
+                .filter(|text| worth(field.path, text))?;
+            let text = format!("{} {}", printable(&text), field.unit);
+            Some((field.label, text.trim_end().to_owned()))
+        })
+        .collect()
+}
+
+/// A result as a row: name, value with as many digits as its errors allow, when or whether it
+/// means nothing here, and both errors.
+pub(super) struct ResultRow {
+    pub(super) name: String,
+    pub(super) value: String,
+    pub(super) unit: &'static str,
+    pub(super) at: String,
+    pub(super) step: String,
+    pub(super) mesh: String,
+}
+
+pub(super) fn rows(answer: &Answer) -> Vec<ResultRow> {
+    let (errors, verdicts) = (&answer.errors, answer.verdicts());
+    let row = |(of, _): (Quantity, f64)| {
+        let mesh = errors.mesh.as_ref();
+        let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
+        ResultRow {
+            name: capital(of.row().label),
+            value: range(answer, of).unwrap_or_else(|| value(answer, of)),
+            unit: of.row().unit,
+            at: match answer.peak(of) {
+                _ if is_void(&verdicts, of) => VOID.to_owned(),
+                Some(peak) => format!("{:.3} ms", peak.time * 1e3),
+                None => String::new(),
+            },
+            step: known(errors.time_step[of]),
+            mesh: known(mesh.and_then(|errors| errors[of])),
+        }
+    };
+    // What is believed of an injury says its verdict, above.
+    let own = |(of, _): &(Quantity, f64)| !matches!(of.derived(), Some(Derived::Believed(_)));
+    answer.results().present().filter(own).map(row).collect()
+}
+
+/// A value in words, with as many digits as its errors allow.
+fn value(answer: &Answer, of: Quantity) -> String {
+    Figure::of(answer, of).map_or_else(String::new, |figure| {
+        format!("{} {}", cut_word(figure.cut), figure.number)
+            .trim_start()
+            .to_owned()
+    })
+}
+
+/// Everything that the page rests on, each once.
+pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
+    let mut sources = vec![SOURCE];
+    let answers = entries.iter().filter_map(Entry::answer);
+    for risk in answers.flat_map(Answer::risks) {
+        if !sources.contains(&risk.curve.source) {
+            sources.push(risk.curve.source);
+        }
+    }
+    sources
+}
+
+/// What the mesh is, in words.
+pub(super) fn mesh(answer: &Answer, scenario: &Scenario) -> String {
+    let model = find("model").and_then(|field| field.text(scenario));
+    let model = model.unwrap_or_default();
+    format!("{model} model, mesh level {}", answer.case.level())
+}
