@@ -32,7 +32,7 @@ impl request::TaskQuestion for FindThreshold {
     fn answer(&self, watch: Watch) -> Result<Threshold, Refusal> {
         run_watched(watch, &mut |()| {}, |stop, progress| {
             self.0.answer(stop, |share| {
-                // It hears of an end by `stop`.
+                // `stop` tells it to end.
                 let _ = progress.report(share, || ());
             })
         })

@@ -185,11 +185,11 @@ mod tests {
     const PATIENCE: Duration = Duration::from_secs(30);
 
     fn worker() -> (Worker, Receiver<Report>) {
-        let (say, heard) = channel();
+        let (say, reports) = channel();
         let worker = Worker::start(None, false, move |report| {
             let _ = say.send(report);
         });
-        (worker, heard)
+        (worker, reports)
     }
 
     fn submit(worker: &Worker, ticket: Ticket, scenario: Scenario) {
@@ -205,9 +205,9 @@ mod tests {
         scenario
     }
 
-    fn done(heard: &Receiver<Report>) -> (Ticket, Result<Answer, Refusal>) {
+    fn done(reports: &Receiver<Report>) -> (Ticket, Result<Answer, Refusal>) {
         loop {
-            let report = heard.recv_timeout(PATIENCE).unwrap();
+            let report = reports.recv_timeout(PATIENCE).unwrap();
             if let News::Done(outcome) = report.news {
                 return (report.ticket, outcome.map(|any| *any.downcast().unwrap()));
             }
@@ -216,22 +216,22 @@ mod tests {
 
     #[test]
     fn a_newer_request_stops_the_running_one_and_replaces_the_pending_one() {
-        let (worker, heard) = worker();
+        let (worker, reports) = worker();
         submit(&worker, 1, long());
         // Progress shows that the first is running.
-        let first = heard.recv_timeout(PATIENCE).unwrap();
+        let first = reports.recv_timeout(PATIENCE).unwrap();
         assert!(first.ticket == 1 && matches!(first.news, News::Share(..)));
         for ticket in 2..=9 {
             submit(&worker, ticket, long());
         }
         submit(&worker, 10, Scenario::default());
-        let (ticket, answer) = done(&heard);
+        let (ticket, answer) = done(&reports);
         assert_eq!((ticket, answer.unwrap_err()), (1, Refusal::Cancelled));
-        let mut last = done(&heard);
+        let mut last = done(&reports);
         // The second may have been taken up before the tenth came.
         while last.0 != 10 {
             assert_eq!(last.1.unwrap_err(), Refusal::Cancelled);
-            last = done(&heard);
+            last = done(&reports);
         }
         let answer = last.1.unwrap();
         assert!(answer.run.frames.len() > 300 && answer.run.traces.is_some());
@@ -239,37 +239,37 @@ mod tests {
 
     #[test]
     fn a_cancelled_request_ends_and_the_worker_goes_on() {
-        let (worker, heard) = worker();
+        let (worker, reports) = worker();
         submit(&worker, 5, long());
         // That is another worker's.
         worker.cancel(9);
-        let first = heard.recv_timeout(PATIENCE).unwrap();
+        let first = reports.recv_timeout(PATIENCE).unwrap();
         assert!(matches!(first.news, News::Share(..)));
         worker.cancel(5);
-        assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
+        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 6, Scenario::default());
-        assert!(done(&heard).1.is_ok());
+        assert!(done(&reports).1.is_ok());
     }
 
     #[test]
     fn what_takes_longer_than_the_limit_is_stopped() {
-        let (say, heard) = channel();
+        let (say, reports) = channel();
         let worker = Worker::start(Some(Duration::from_millis(300)), false, move |report| {
             let _ = say.send(report);
         });
         submit(&worker, 1, long());
-        assert_eq!(done(&heard).1.unwrap_err(), Refusal::Cancelled);
+        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 2, Scenario::default());
-        assert!(done(&heard).1.is_ok());
+        assert!(done(&reports).1.is_ok());
     }
 
     #[test]
     fn dropping_the_worker_stops_its_request() {
-        let (worker, heard) = worker();
+        let (worker, reports) = worker();
         submit(&worker, 1, long());
         drop(worker);
         let begun = Instant::now();
-        while heard.recv_timeout(PATIENCE).is_ok() {}
+        while reports.recv_timeout(PATIENCE).is_ok() {}
         assert!(begun.elapsed() < PATIENCE);
     }
 }

@@ -71,7 +71,7 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     let is_abandoned = event_loop.is_abandoned();
     let app = event_loop.end();
     if is_abandoned {
-        // Whoever is gone hears nothing.
+        // An error means that nobody reads any more.
         let _ = writeln!(
             io::stderr(),
             "The session ended: no key was pressed for a while."
