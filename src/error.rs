@@ -6,12 +6,12 @@ use crate::run::refusal::Refusal;
 use crate::scenario::CurveError;
 use crate::scenario::problem::ScenarioError;
 
-/// Whatever can go wrong from the text of a scenario to a written file. Each is displayed as it stands,
-/// ready to be shown to a person.
+/// Whatever can go wrong from the text of a scenario to a written file. Each is displayed as it
+/// stands, ready to be shown to a person.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A scenario, or a field of it, makes no sense: each problem with its place, its value and what is
-    /// allowed.
+    /// A scenario, or a field of it, makes no sense: each problem with its place, its value and
+    /// what is allowed.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// A recorded force curve cannot be taken.
@@ -29,7 +29,8 @@ pub enum Error {
 }
 
 impl Error {
-    /// Whether another input would help: else the run failed, was stopped, or a file could not be had.
+    /// Whether another input would help: else the run failed, was stopped, or a file could not be
+    /// had.
     pub fn is_of_input(&self) -> bool {
         match self {
             Self::Scenario(_) | Self::Curve(_) => true,

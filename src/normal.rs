@@ -1,8 +1,8 @@
 //! The normal distribution: Φ and its inverse, and draws from one that is cut off.
 //!
-//! Φ(x) = 1/2 + φ(x) (x + x³/3 + x⁵/(3·5) + ...), whose terms are all of one sign, so nothing cancels.
-//! The inverse is Wichura's rational approximation (AS 241, Appl. Stat. 37 (1988) 477), good to
-//! sixteen digits.
+//! Φ(x) = 1/2 + φ(x) (x + x³/3 + x⁵/(3·5) + ...), whose terms are all of one sign, so nothing
+//! cancels. The inverse is Wichura's rational approximation (AS 241, Appl. Stat. 37 (1988) 477),
+//! good to sixteen digits.
 //!
 //! Left out: relative accuracy of Φ far out in the lower tail, where a draw never falls.
 

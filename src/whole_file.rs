@@ -1,12 +1,12 @@
 //! A file that appears whole or not at all.
 //!
-//! What is written goes to a temporary file in the same folder, which takes the place of the old one
-//! by a rename. A full disk, an error or a signal that is heard leaves the old file as it was and no
-//! other. A kill that is not heard leaves the temporary file; its writer's lock is gone then, and
-//! the next file written into the folder takes it away.
+//! What is written goes to a temporary file in the same folder, which takes the place of the old
+//! one by a rename. A full disk, an error or a signal that is heard leaves the old file as it was
+//! and no other. A kill that is not heard leaves the temporary file; its writer's lock is gone
+//! then, and the next file written into the folder takes it away.
 //!
-//! A link stays a link: what it leads to is replaced. What is no plain file, such as `/dev/stdout`, is
-//! written to and stays what it is.
+//! A link stays a link: what it leads to is replaced. What is no plain file, such as
+//! `/dev/stdout`, is written to and stays what it is.
 //!
 //! Left out: unnamed files (`O_TMPFILE`), which leave nothing behind, but which only Linux has and
 //! which cannot take the place of another file.

@@ -14,8 +14,8 @@ impl Results {
             .filter_map(|(quantity, value)| Some((quantity, (*value)?)))
     }
 
-    /// The leading results: damage, apex displacement and, in general, the four node forces, the
-    /// peak pressure and the force of contact. The scene is known by the results that it has.
+    /// The leading results: those that the one stated error covers in this scene, by the table of
+    /// results. The scene is known by the results that it has.
     pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
         let projectile = self[Quantity::Contact].is_some();
         self.that_may_lead()

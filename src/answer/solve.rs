@@ -10,7 +10,7 @@ use crate::answer::results::Results;
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled, validity};
 use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
-use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
 use crate::run::kept::{Keep, Peak};
 use crate::run::model::Run;
 use crate::run::plan::Plan;
@@ -198,7 +198,9 @@ impl Answer {
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);
-            peak.is_some_and(|peak| peak.value > 0.0 && peak.time > END * self.run.simulated)
+            peak.is_some_and(|peak| {
+                peak.value > 0.0 && peak.time > LATE_PEAK_SHARE * self.run.simulated
+            })
         };
         // The index grows with its parts.
         let grows = match of {

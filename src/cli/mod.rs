@@ -213,8 +213,8 @@ pub struct SweepArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which the
-    /// last one runs fastest
+    /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which
+    /// the last one runs fastest
     #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = SweepAxis::read)]
     pub vary: Vec<SweepAxis>,
     /// Only the rows r with r mod N = I - 1; all N shards together are the whole

@@ -1,10 +1,10 @@
 //! What a reader must know before trusting a result, each by name.
 //!
-//! [`crate::run::raised`] collects them and words those that both eyes have; the rest each model
-//! raises itself.
+//! [`crate::run::raised`] collects them and words those that every model can raise; the rest each
+//! model raises itself.
 
-/// A peak in the last share of a window may not have been the last word.
-pub(crate) const END: f64 = 0.999;
+/// A peak later than this share of the simulated time may still be growing.
+pub(crate) const LATE_PEAK_SHARE: f64 = 0.999;
 
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,7 @@ pub enum FlagKind {
     MeshFolded,
     /// A quad came close to that.
     MeshNearlyFolded,
-    /// The next finer mesh turns inside out where this one does not.
+    /// A finer mesh, run to estimate the mesh error, folds where this one does not.
     FinerMeshFolds,
     /// The energies do not add up.
     EnergyImbalance,

@@ -60,8 +60,8 @@ impl Spacing {
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
-    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye of
-    /// the first step after each thousandth of the window.
+    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye
+    /// of the first step after each thousandth of the window.
     pub traces: bool,
     /// Frames, so far apart.
     pub frames: Option<Spacing>,
@@ -80,8 +80,8 @@ pub struct Frame {
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
     pub cells: Vec<f64>,
-    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is soft
-    /// and squeezed.
+    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is
+    /// soft and squeezed.
     pub projectile: Option<Point2<f64>>,
     /// How much it is squeezed along its way, in m.
     pub squeezed: f64,

@@ -82,7 +82,8 @@ pub trait EyeModel: Debug + Send + Sync {
     /// has a second run for its error.
     ///
     /// # Errors
-    /// Refuses an integrator that does not solve it and a step that is unstable or would take hours.
+    /// Refuses an integrator that does not solve it and a step that is unstable or would take
+    /// hours.
     fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
         plan_by(self, scenario, &self.rules().answer)
     }

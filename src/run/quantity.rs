@@ -5,8 +5,9 @@
 //! here, and a line in the table of each model that has it: the compiler asks for the row. What is
 //! made of readings, the index and the risks, has its formula in `answer`.
 //!
-//! A result that a scene does not have reads as `None`: the pressure where there are no cells, the
-//! force of contact where there is no projectile.
+//! "The axisymmetric eye" is the model `Physiological` of a scenario. A result that a scene does
+//! not have reads as `None`: the pressure where there are no cells, the force of contact where
+//! there is no projectile.
 
 use crate::run::places::Monitor;
 use crate::run::result_trace::{Group, ResultTrace, trace};
@@ -17,15 +18,17 @@ use strum::{EnumCount, VariantArray};
 pub enum Quantity {
     /// The damage index of the paper, %.
     Damage,
-    /// S, growth of the shell's length, %.
+    /// S, growth of the shell's length in the section, %; at the axisymmetric eye of the meridian.
     ShellGrowth,
-    /// M, growth of the vertical diameter, %.
+    /// M, growth of the vertical diameter, %; at the axisymmetric eye of the largest diameter
+    /// across the blow.
     MeridianGrowth,
     /// E, energy imparted, J.
     Energy,
     /// Displacement of the corneal apex, mm.
     Apex,
-    /// Peak force at the node near the centre of the eye, N.
+    /// Peak force at the node near the centre of the eye, N; at the axisymmetric eye that of a
+    /// fixed mass of 75 mg with the acceleration there.
     ForceCentre,
     /// Peak force at the node of the cornea, N.
     ForceFront,
@@ -49,9 +52,9 @@ pub enum Quantity {
     ScleralStress,
     /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,
-    /// Way of an object's surface into the axisymmetric eye, mm.
+    /// How far an object's surface comes into the axisymmetric eye, mm.
     Intrusion,
-    /// Way of the lens along the blow, mm, in the axisymmetric eye.
+    /// How far the lens moves along the blow, mm, in the axisymmetric eye.
     LensWay,
     /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
@@ -65,22 +68,23 @@ pub enum Quantity {
     RetinaByEnergy,
     /// Risk of rupture of the globe by the curve that is believed first, %.
     GlobeRupture,
-    /// That of damage of the retina.
+    /// Risk of damage of the retina by the curve that is believed first, %.
     RetinalDamage,
-    /// That of the lens torn off.
+    /// Risk of a lens torn off by the curve that is believed first, %.
     LensDislocation,
-    /// That of blood in the anterior chamber.
+    /// Risk of blood in the anterior chamber by the curve that is believed first, %.
     Hyphema,
-    /// That of the loss of the cornea's outermost layer.
+    /// Risk of the loss of the cornea's outermost layer by the curve that is believed first, %.
     CornealAbrasion,
 }
 
-/// In which scenes a result belongs to those that the one stated error covers.
+/// In which scenes the one error stated for the whole answer covers a result: those lead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leads {
-    /// Wherever the scene has it.
+    /// In every scene that has the result.
     Always,
-    /// Not where a projectile hits: it makes the node forces those of lumps that are hit.
+    /// Only where no projectile hits. Where one does, node forces follow every wave and differ from
+    /// mesh to mesh.
     WithoutProjectile,
     /// Nowhere.
     Never,
@@ -90,11 +94,12 @@ pub enum Leads {
 /// so none is claimed to be much better than the worst of its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Motion of the whole eye; its members hang together where a projectile acts.
+    /// Motion of the whole eye; the axisymmetric model raises the errors of this family together.
     Motion,
-    /// Forces of nodes on the shell, which come from the same waves.
+    /// Forces of nodes on the shell, which come from the same waves; the Paper model raises their
+    /// errors together.
     ShellForces,
-    /// Stands for itself.
+    /// Its step error says nothing of any other result's.
     Alone,
     /// No error is stated of it: a published curve turned another result, or the input, into it, or
     /// it is looked at at step ends only, so that two runs may share what they miss.
@@ -121,7 +126,7 @@ pub struct Row {
     pub leads: Leads,
     /// What its step error hangs together with.
     pub family: Family,
-    /// The whole of its scale on a map, in the unit; without one the largest value there.
+    /// Upper end of its colour scale on a map, in the unit; without one the largest value there.
     pub whole: Option<f64>,
     /// Whether it is a risk, which injury curves make of readings.
     pub risk: bool,

@@ -1,4 +1,4 @@
-//! The flags of one run as they are raised, and the words of those that both eyes have.
+//! The flags of one run as they are raised, and the words of those that every model can raise.
 
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::fold::Fold;

@@ -89,8 +89,9 @@ pub struct Estimate {
     pub safety: f64,
     /// No result is claimed to be better than this, in %.
     pub floor_percent: f64,
-    /// Two runs may give the same peak by chance though neither is right. Results of this family come
-    /// from the same motion, so none is claimed to be better than this share of the worst of them.
+    /// Two runs may give the same peak by chance though neither is right. Results of this family
+    /// come from the same motion, so none is claimed to be better than this share of the worst of
+    /// them.
     pub family: (Family, f64),
 }
 

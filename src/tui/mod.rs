@@ -3,8 +3,8 @@
 //! [`model`] holds what the screens share and knows none of them; each of the [`screens`] holds
 //! what is its own, its keys and its picture. [`app`] stands above both: it looks a key up in the
 //! tables, hands everything that happens to who it concerns, and draws title, screen and footer.
-//! What takes long is a [`task`] that a thread of its own works on and speaks of by channel. Only
-//! [`terminal`] touches the terminal.
+//! What takes long is a [`task`] that the thread of its kind works on and speaks of by channel.
+//! Only [`terminal`] touches the terminal.
 //!
 //! Left out: an async runtime, which work that only computes does not need. The mouse stays off
 //! unless asked for: a dropped connection leaves it switched on.

@@ -190,7 +190,8 @@ impl AppModel {
         Some((answer, answer.window()))
     }
 
-    /// The answer to the form with the name of its source, for pages and summaries; empty without one.
+    /// The answer to the form with the name of its source, for pages and summaries; empty without
+    /// one.
     pub fn answer(&self) -> Vec<(String, &ShownAnswer)> {
         let named = |shown| (self.work.name().to_owned(), shown);
         self.shown.iter().map(named).collect()

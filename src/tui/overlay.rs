@@ -9,7 +9,7 @@ use crate::tui::threshold::Asking;
 pub enum Overlay {
     /// The keys, scrolled down so far.
     Help(u16),
-    /// Everything that can be opened.
+    /// The list of presets and files: to open one, or to mark some for the screen that asked.
     Picker(Picker),
     /// At which value of a number does a result reach this?
     Threshold(Box<Asking>),
@@ -35,9 +35,9 @@ pub enum Prompt {
     Remove(String),
     /// Replace the preset of this name?
     Replace(String),
-    /// Save under the name of a preset that the program brings along?
+    /// Save under the name of a built-in preset, which the saved one then hides?
     Hide(String),
-    /// Compute it otherwise, at the costs in these words?
+    /// Take over this scenario's mesh level, integrator and step? The words say what it costs.
     Adopt(String, Box<Scenario>),
     /// Quit without saving? The next start may bring the changes back.
     Quit {
@@ -52,7 +52,7 @@ impl Prompt {
         match self {
             Self::Remove(name) => format!("Remove the preset {name}?"),
             Self::Replace(name) => format!("Replace the preset {name}?"),
-            Self::Hide(name) => format!("Hide the preset {name}?"),
+            Self::Hide(name) => format!("Save over the built-in {name}?"),
             Self::Adopt(..) => "Compute it so?".to_owned(),
             Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
         }

@@ -23,8 +23,8 @@ pub const PATH: &str = "model.fat_bulk_mpa";
 pub const STEP: f64 = 0.05;
 /// How many are tried, from one step on.
 const COUNT: u32 = 20;
-/// A value fits nearly as well as the best if its misfit is no more than this above it: 95 % for
-/// one number if misfits are normal.
+/// A value fits nearly as well if its misfit is no more than this above the least misfit of all:
+/// 95 % for one number if misfits are normal.
 const NEARLY: f64 = 3.84;
 
 /// One value of the free number.
@@ -45,7 +45,8 @@ pub struct Tried {
 pub struct Fit {
     /// The best.
     pub best: Tried,
-    /// The range of those that fit nearly as well by their misfit.
+    /// Least and greatest value whose misfit is within [`NEARLY`] of the least one; it need not
+    /// hold `best`.
     pub nearly: (f64, f64),
     /// All that were tried.
     pub tried: Vec<Tried>,

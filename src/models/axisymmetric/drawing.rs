@@ -141,7 +141,8 @@ fn half_section(eye: &AxisymmetricEye) -> (Vec<Line>, BTreeSet<usize>) {
 /// Edges on about as many rows and columns of a block as it has at level 1, and where these cross.
 fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) {
     let chosen = |intervals: usize| -> BTreeSet<usize> {
-        // The mesh of level k has (2k + 2)/4 times as many cells along each side as that of level 1.
+        // The mesh of level k has (2k + 2)/4 times as many cells along each side as that of level
+        // 1.
         let coarse = (2.0 * intervals as f64 / f64::from(level + 1))
             .round()
             .max(1.0);

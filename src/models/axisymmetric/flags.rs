@@ -2,7 +2,7 @@
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::recording::results::Extremes;
-use crate::run::flags::{END, Flag, FlagKind};
+use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
 use crate::run::quantity::Quantity;
 use crate::run::raised::Raised;
 use crate::run::readings::Readings;
@@ -77,7 +77,7 @@ fn window(
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = readings.peak(**of);
-        peak.is_some_and(|peak| peak.time > END * simulated)
+        peak.is_some_and(|peak| peak.time > LATE_PEAK_SHARE * simulated)
     });
     if let Some(of) = late {
         let how = format!("a result still grew when the window ended: {}", of.label());

@@ -245,8 +245,8 @@ fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
                 spring: None,
             };
             let (back, _, missing) = bounce(&object, 200);
-            // The loss is felt in full from a tenth of the speed of arrival on, a hundredth of the energy, and
-            // less on the flanks, where the surface gives way more slowly.
+            // The loss is felt in full from a tenth of the speed of arrival on, a hundredth of the
+            // energy, and less on the flanks, where the surface gives way more slowly.
             let kept = restitution * restitution;
             assert!((back * back - kept).abs() < 0.02, "{surface:?} {back}");
             assert!(missing < 0.01, "{surface:?} {missing}");
@@ -338,7 +338,8 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
         for tension in tension.iter().flatten() {
             assert!((tension / stress - 1.0).abs() < 1e-9);
         }
-        // The law is per area at rest: on the grown ball the same tension is spread over more length.
+        // The law is per area at rest: on the grown ball the same tension is spread over more
+        // length.
         let pressure = 2.0 * stress * 0.5e-3 / (12e-3 * grown * grown);
         let mut worst: f64 = 0.0;
         for i in 1..x.len() - 1 {

@@ -24,8 +24,8 @@ pub(crate) static RULES: Rules = Rules {
         share: LONGEST_SHARE,
     },
     reference: Integrator::Srkn11b,
-    // The automatic step is wasteful both ways among many runs: too short for the accuracy of a stiff
-    // eye, too long for the pulse on a soft one.
+    // The automatic step is wasteful both ways among many runs: too short for the accuracy of a
+    // stiff eye, too long for the pulse on a soft one.
     may_lengthen: true,
     // Far below what is not known of an eye, and cheap where a method is of high order.
     promise_percent: 0.1,
@@ -34,13 +34,13 @@ pub(crate) static RULES: Rules = Rules {
         // The longest step that a run takes against an answer's.
         ratio: LONGEST_SHARE / SHARE_OF_ANSWER,
         order: |integrator| integrator.method().order,
-        // With 5 and the family's share the stated errors hold in more than 95 % of random scenes for
-        // each result and are 5 to 9 times the true ones in the median.
+        // With 5 and the family's share the stated errors hold in more than 95 % of random scenes
+        // for each result and are 5 to 9 times the true ones in the median.
         safety: 5.5,
         // Rounding and the search for peaks end here.
         floor_percent: 1e-6,
-        // The same waves pass the three nodes of the shell. The force at the centre is far smoother,
-        // and really is better.
+        // The same waves pass the three nodes of the shell. The force at the centre is far
+        // smoother, and really is better.
         family: (Family::ShellForces, 0.03),
     },
     refinement: Refinement::WHILE_A_PERSON_WAITS,

@@ -8,7 +8,7 @@ use crate::tui::line::TextLine;
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
 
-/// Has something done outside.
+/// Queues an effect for the disk, the clipboard, the terminal or a worker.
 pub(crate) fn push(app: &mut App, effect: Effect) {
     app.model.out.effects.push(effect);
 }

@@ -99,8 +99,8 @@ struct Rays {
 }
 
 impl Rays {
-    /// With one of `rays`, rising angles from 0 to pi, on each of `marks`, which rise too: those that
-    /// stretch the rest least.
+    /// With one of `rays`, rising angles from 0 to pi, on each of `marks`, which rise too: those
+    /// that stretch the rest least.
     fn through(marks: &[f64], rays: &[f64]) -> Self {
         let mut best = (f64::INFINITY, vec![(0.0, 0.0), (PI, PI)]);
         let mut chosen = vec![0; marks.len()];

@@ -20,8 +20,8 @@ pub struct Material {
 
 impl Material {
     /// The gel inside the globe. G 10 Pa and 0.1 Pa s are in the range of rheometry of the vitreous
-    /// (Nickerson et al. 2008). Its bulk modulus is that of water over 22, which costs a fifth of the
-    /// time steps; from 30 `MPa` to 2.2 `GPa` deformed shapes change by 6 %.
+    /// (Nickerson et al. 2008). Its bulk modulus is that of water over 22, which costs a fifth of
+    /// the time steps; from 30 `MPa` to 2.2 `GPa` deformed shapes change by 6 %.
     pub const VITREOUS: Self = Self {
         density: 1000.0,
         bulk: 100e6,
@@ -120,8 +120,8 @@ pub struct Surround {
 }
 
 impl Surround {
-    /// A bony orbit filled with fat: entrance 19 mm in radius, narrowing by 0.39 per length, the mean
-    /// of a cone about 40 mm deep.
+    /// A bony orbit filled with fat: entrance 19 mm in radius, narrowing by 0.39 per length, the
+    /// mean of a cone about 40 mm deep.
     pub fn orbit() -> Self {
         Self {
             wall: Wall::Cone {

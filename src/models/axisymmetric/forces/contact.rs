@@ -46,7 +46,8 @@ pub(crate) struct Touch {
     pub traction: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Power lost in the object's surface, W, less what its own motion does ([`MovingObject::lossy`]).
+    /// Power lost in the object's surface, W, less what its own motion does
+    /// ([`MovingObject::lossy`]).
     pub loss: f64,
     /// Segments of the shell that were looked at.
     pub segments: usize,

@@ -155,7 +155,8 @@ impl ObjectSurface {
         }
     }
 
-    /// How much of the traction is left at a speed of closing, and how fast that changes with it, s/m.
+    /// How much of the traction is left at a speed of closing, and how fast that changes with it,
+    /// s/m.
     pub(crate) fn hysteresis(&self, speed: f64, closing: f64) -> (f64, f64) {
         hysteresis(self.restitution * self.restitution, speed, closing)
     }
@@ -257,7 +258,8 @@ pub struct Object {
 }
 
 impl Object {
-    /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in m.
+    /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in
+    /// m.
     pub fn reach(&self) -> f64 {
         match self.outline {
             ObjectOutline::Sphere(radius) => radius,
@@ -270,8 +272,8 @@ impl Object {
         NEAR + SOON * self.speed
     }
 
-    /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0, and
-    /// the way that the depth decreases there.
+    /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0,
+    /// and the way that the depth decreases there.
     ///
     /// Below the surface of a ball that gives way lie balls that touch it at its back: what is left
     /// of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core,

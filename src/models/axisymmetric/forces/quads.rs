@@ -241,7 +241,8 @@ fn cells<S: Simd>(
     let a = (cross[0].along, p[2].1 - p[0].1);
     let b = (cross[1].along, p[3].1 - p[1].1);
     let det = (a.0 * b.1 - b.0 * a.1).max(c!(field::LEAST_DET));
-    // A square is as large as the parallelogram of its diagonals; where there is no cell all may be 0.
+    // A square is as large as the parallelogram of its diagonals; where there is no cell all may
+    // be 0.
     let squares = (a.0 * a.0 + a.1 * a.1).max(b.0 * b.0 + b.1 * b.1);
     let longest = squares.max(c!(field::LEAST_DET)).sqrt();
     let radius = ((p[0].1 + p[1].1 + (p[2].1 + p[3].1)) * number!(0.25)).max(number!(LEAST_RADIUS));

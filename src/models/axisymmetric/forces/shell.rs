@@ -2,8 +2,8 @@
 //!
 //! With the stretches e1 along the meridian and e2 around the axis, a segment stores
 //! A0 t E/(2 (1 - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2), where A0 is its area at rest. Between two
-//! segments it stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left out: shear
-//! across the thickness, and bending around the axis.
+//! segments it stores (D/2) (2 pi r0 / l0) (change of angle)^2 with D = E t^3/12(1 - nu^2). Left
+//! out: shear across the thickness, and bending around the axis.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use std::f64::consts::PI;
@@ -138,7 +138,8 @@ impl Shell {
             fr[i + 1] -= along * side.1 + around;
             if i > 0 {
                 let hinge = self.hinges[i - 1];
-                // Turned back by the angle at rest: a fold beyond half a turn is the short way round.
+                // Turned back by the angle at rest: a fold beyond half a turn is the short way
+                // round.
                 let (cos, sin) = turn(hinge.rest, turn((before.0, before.1), side));
                 let change = libm::atan2(sin, cos);
                 let moment = hinge.stiffness * change;

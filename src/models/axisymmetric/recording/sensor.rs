@@ -115,7 +115,8 @@ impl RunningMean {
             self.past.pop_front();
         }
         let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
-        // Before the first step there was nothing; a later entry may lie at the start to the last bit.
+        // Before the first step there was nothing; a later entry may lie at the start to the last
+        // bit.
         let gone = if start <= t0 {
             first
         } else {

@@ -108,7 +108,8 @@ mod tests {
     use super::*;
     use crate::scenario::EyeInput;
 
-    /// The highest angular frequency of springs that resist in every direction, from below, in rad/s.
+    /// The highest angular frequency of springs that resist in every direction, from below, in
+    /// rad/s.
     fn iterated(eye: &Eye) -> f64 {
         let moving: Vec<bool> = eye.nodes.iter().map(|n| !n.fixed()).collect();
         let start = |i: usize| f64::from(u8::from(moving[i])) * ((i * 7919 % 101) as f64 - 50.0);

@@ -134,7 +134,8 @@ pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
             let (strip, lane) = (&mut ring.strips[earlier + o / LANES], o % LANES);
             strip.stiffness[lane] = k;
             strip.tension[lane] = k * l;
-            // Filaments may be switched off by a factor of 0; then they have neither energy nor strain.
+            // Filaments may be switched off by a factor of 0; then they have neither energy nor
+            // strain.
             if k > 0.0 {
                 strip.half_compliance[lane] = 0.5 * share / k;
                 strip.inverse_tension[lane] = 1.0 / (k * l);

@@ -171,7 +171,8 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         );
         (across, rising) = (onto_right, to_corner);
 
-        // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are fewer.
+        // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are
+        // fewer.
         let (above, extra, nodes) = unsafe {
             let reach = stride + width;
             let above = (part_mut(up_x, o, reach), part_mut(up_y, o, reach));

@@ -172,8 +172,8 @@ pub struct NodeForce {
 }
 
 impl NodeForce {
-    /// Everything that acts on `hat`, around node `middle` of `eye`; `load` is its share of the load's
-    /// unit force.
+    /// Everything that acts on `hat`, around node `middle` of `eye`; `load` is its share of the
+    /// load's unit force.
     pub fn new(eye: &Eye, middle: usize, hat: &[(usize, f64)], load: Vector2<f64>) -> Self {
         let mass = eye.nodes[middle].mass;
         let mut drags: Vec<(f64, Vec<(usize, f64)>)> = Vec::new();

@@ -242,8 +242,8 @@ impl Recorder {
         }
     }
 
-    /// Whether the energy that is left can raise no force, nor the growth of the shell in the `left`
-    /// seconds to come.
+    /// Whether the energy that is left can raise no force, nor the growth of the shell in the
+    /// `left` seconds to come.
     fn forces_are_final(&self, left: f64) -> bool {
         let most = match self.bounds.shell {
             ShellBound::Stretch(bound) => bound.reach(self.energy),

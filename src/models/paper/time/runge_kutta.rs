@@ -199,7 +199,8 @@ pub(crate) struct RungeKutta<'a> {
     next: f64,
     largest_energy: f64,
     start: Phase,
-    /// Rates at each stage and at the end of the step. Between steps the first is that of the state.
+    /// Rates at each stage and at the end of the step. Between steps the first is that of the
+    /// state.
     rates: Vec<Phase>,
 }
 

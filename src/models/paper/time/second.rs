@@ -32,7 +32,8 @@ pub(crate) fn plan(case: &PaperCase, plan: &Plan) -> (Plan, f64) {
         local_tolerance: plan.local_tolerance * 0.1,
         ..*plan
     };
-    // A coarser run is cheaper, but tells nothing if the load or short segments take the same steps.
+    // A coarser run is cheaper, but tells nothing if the load or short segments take the same
+    // steps.
     let telling = |steps: usize, fewer: usize| steps as f64 > 0.5 * (1.0 + ratio) * fewer as f64;
     let coarser_tells = coarser.step <= LONGEST_SHARE * limit * (1.0 + 1e-9)
         && !pulse

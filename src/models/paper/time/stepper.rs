@@ -19,8 +19,8 @@ pub enum Drag {
 
 /// Makes the steps of one run, segment by segment, without allocating.
 pub(crate) trait Stepper {
-    /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration is
-    /// evaluated afresh by the segment's law.
+    /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration
+    /// is evaluated afresh by the segment's law.
     fn begin(
         &mut self,
         state: &mut State,
