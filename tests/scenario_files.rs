@@ -176,10 +176,8 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
 /// Mends what each field allows and rules that join two of them do not.
 fn keep_rules(scenario: &mut Scenario) {
     scenario.eye.opening_deg = 120.0;
-    if let Impact::Projectile(_) = scenario.impact {
-        if scenario.model == Model::Paper {
-            scenario.model = Model::usual_for(&scenario.impact);
-        }
+    if let (Impact::Projectile(_), Model::Paper) = (&scenario.impact, &scenario.model) {
+        scenario.model = Model::usual_for(&scenario.impact);
     }
     if let Model::Physiological(_) = scenario.model {
         scenario.eye.level = scenario.eye.level.min(5);

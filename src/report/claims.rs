@@ -46,11 +46,11 @@ fn heading(found: &Findings) -> String {
         format!("{level}, {coarser}, {finer} or {REFERENCE_LEVEL}, {why}: {folded}")
     };
     match study {
-        Study::Steps(_) => format!(
+        Study::Steps(scenes) => format!(
             "Stated step errors of {}, each against a reference that takes {} times as many steps. \
              Promised nothing, {why}: {folded}.",
             of(found.scenes.len()),
-            study.fineness().unwrap_or(1.0)
+            scenes.fineness()
         ),
         Study::Meshes(_, level) => format!(
             "Stated mesh errors at level {level} of {promising}, each against level {REFERENCE_LEVEL}. \
@@ -166,17 +166,18 @@ pub fn json(found: &Findings) -> Value {
         let scenario = study.scenes().scene(scene, found.seed);
         json!({ "scene": scene, "claim": claim, "scenario": scenario })
     };
-    let level = match study {
-        Study::Meshes(_, level) => Some(level),
-        _ => None,
+    let (fineness, level, reference) = match study {
+        Study::Steps(scenes) => (Some(scenes.fineness()), None, None),
+        Study::Meshes(_, level) => (None, Some(level), Some(REFERENCE_LEVEL)),
+        Study::Tolerances => (None, None, Some(REFERENCE_LEVEL)),
     };
     json!({
         "drawn": scenes(study),
         "seed": found.seed,
         "scenes": found.scenes.len(),
         "mesh_level": level,
-        "reference_level": study.fineness().is_none().then_some(REFERENCE_LEVEL),
-        "reference_fineness": study.fineness(),
+        "reference_level": reference,
+        "reference_fineness": fineness,
         "folded_scenes": found.folded(),
         "coverage": found.coverage(),
         "misses": found.misses().into_iter().map(miss).collect::<Vec<_>>(),

@@ -189,16 +189,6 @@ impl Study {
         }
     }
 
-    /// How many times as many steps the reference of a step error takes.
-    pub fn fineness(self) -> Option<f64> {
-        match self {
-            Self::Steps(Scenes::Pulses) => Some(100.0),
-            // Their steps cost far more, and their errors fall with the first order.
-            Self::Steps(Scenes::Objects) => Some(8.0),
-            _ => None,
-        }
-    }
-
     fn subjects(self) -> Vec<Subject> {
         match self {
             Self::Tolerances => TOLERANCES.map(Subject::Tolerance).to_vec(),
@@ -209,7 +199,7 @@ impl Study {
     /// The claims about one scene; none where nothing is promised.
     fn claims(self, scene: &Scenario) -> Result<Option<Vec<Claim>>, Refusal> {
         match self {
-            Self::Steps(_) => step_errors(scene, self.fineness().unwrap_or(1.0)),
+            Self::Steps(scenes) => step_errors(scene, scenes.fineness()),
             Self::Meshes(_, level) => mesh_errors(scene, level),
             Self::Tolerances => tolerances(&scene.check()?),
         }

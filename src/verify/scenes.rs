@@ -24,6 +24,15 @@ pub enum Scenes {
 }
 
 impl Scenes {
+    /// How many times as many steps the reference of a step error takes.
+    pub fn fineness(self) -> f64 {
+        match self {
+            Self::Pulses => 100.0,
+            // Its steps cost far more, and its errors fall with the first order.
+            Self::Objects => 8.0,
+        }
+    }
+
     /// Random scene number `index` of `seed`.
     pub fn scene(self, index: u32, seed: u32) -> Scenario {
         let draw = Draw { index, seed };

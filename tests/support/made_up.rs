@@ -143,17 +143,14 @@ fn axisymmetric(scenario: &Scenario) -> Option<AxisymmetricCase> {
 
 /// Where each node rests, and whether it never moves.
 fn nodes(scenario: &Scenario) -> Vec<(Point2<f64>, bool)> {
-    match axisymmetric(scenario) {
-        Some(case) => {
-            let place = |n: usize| Point2::new(case.eye.at(n).0, case.eye.at(n).1);
-            let fixed = case.eye.fixed.iter().enumerate();
-            fixed.map(|(n, fixed)| (place(n), *fixed)).collect()
-        }
-        None => {
-            let case = PaperCase::new(&scenario.check().unwrap());
-            let nodes = case.eye.nodes.iter();
-            nodes.map(|n| (n.position, n.fixed())).collect()
-        }
+    if let Some(case) = axisymmetric(scenario) {
+        let place = |n: usize| Point2::new(case.eye.at(n).0, case.eye.at(n).1);
+        let fixed = case.eye.fixed.iter().enumerate();
+        fixed.map(|(n, fixed)| (place(n), *fixed)).collect()
+    } else {
+        let case = PaperCase::new(&scenario.check().unwrap());
+        let nodes = case.eye.nodes.iter();
+        nodes.map(|n| (n.position, n.fixed())).collect()
     }
 }
 
