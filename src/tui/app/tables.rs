@@ -7,9 +7,10 @@ use crate::tui::app::{App, actions};
 use crate::tui::changes::{edit, presets, threshold};
 use crate::tui::keys;
 use crate::tui::keys::chosen::{Clash, Keys};
+#[cfg(unix)]
+use crate::tui::keys::press::SUSPEND;
 use crate::tui::keys::press::{
-    BACK_TAB, DOWN, END, ENTER, ESC, HOME, PAGE_DOWN, PAGE_UP, Press, SUSPEND, TAB, UP, alt, c,
-    ctrl, plain,
+    BACK_TAB, DOWN, END, ENTER, ESC, HOME, PAGE_DOWN, PAGE_UP, Press, TAB, UP, alt, c, ctrl, plain,
 };
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::AppModel;
