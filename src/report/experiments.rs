@@ -8,6 +8,12 @@ use crate::verify::rerun::{MESHES, OnEach, Rerun};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
+/// The bulk modulus of orbital fat that the program takes, and the published one, in `MPa`.
+fn fat_mpa() -> (f64, f64) {
+    let taken = Physiological::default().fat_bulk_mpa;
+    (taken, Physiological::PUBLISHED_FAT_BULK_MPA)
+}
+
 const REMARKS: &str = "Each row is run on mesh levels 1, 2 and 3, with the moduli as published; \
     only the bulk modulus of orbital fat is fitted, to the first two rows. In: yes on all levels, part \
     on some, NO on none. Where a source gives one value without a spread, 30 % on both sides counts \
@@ -69,7 +75,7 @@ fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
     }
     if let Some(published) = &row.published {
         let figures = published.each_ref().map(number).join(", ");
-        let fat = Physiological::PUBLISHED_FAT_BULK_MPA;
+        let (_, fat) = fat_mpa();
         note(
             &format!("with fat of {fat} MPa, as published: {figures} {unit}"),
             out,
@@ -109,10 +115,7 @@ pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
         counts[1],
         counts[2]
     )?;
-    let fitted = format!(
-        "Fitted: fat of {} MPa was chosen by these",
-        Physiological::default().fat_bulk_mpa
-    );
+    let fitted = format!("Fitted: fat of {} MPa was chosen by these", fat_mpa().0);
     let tested = "Not fitted, moduli as published: these test the model".to_owned();
     for (heading, of) in [(fitted, true), (tested, false)] {
         let part: Vec<&Rerun> = rows.iter().filter(|r| r.experiment.fitted == of).collect();
@@ -170,11 +173,10 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
         "Bulk modulus of orbital fat: {} MPa; {least} to {most} fit nearly as well.",
         fit.best.mpa
     )?;
+    let (taken, published) = fat_mpa();
     writeln!(
         out,
-        "The program takes {}; published is {}.\n",
-        Physiological::default().fat_bulk_mpa,
-        Physiological::PUBLISHED_FAT_BULK_MPA
+        "The program takes {taken}; published is {published}.\n"
     )?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for tried in &fit.tried {
@@ -203,7 +205,7 @@ pub fn fit_json(fit: &Fit) -> Value {
     json!({
         "path": PATH,
         "best": fit.best.mpa,
-        "published": Physiological::PUBLISHED_FAT_BULK_MPA,
+        "published": fat_mpa().1,
         "nearly": [fit.nearly.0, fit.nearly.1],
         "step": STEP,
         "misfit": fit.best.misfit,
