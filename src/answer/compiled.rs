@@ -1,8 +1,8 @@
-//! A scenario ready to be run: the eye of its model, and the inputs of its risks.
+//! A scenario ready to be run: the eye of its model, and what its risks need.
 
-use crate::answer::believed::RiskInputs;
 use crate::answer::derived;
 use crate::answer::results::Results;
+use crate::injury::Blow;
 use crate::models;
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -15,8 +15,8 @@ use std::sync::Arc;
 pub struct Compiled {
     /// The eye and what hits it.
     pub eye: Arc<dyn EyeModel>,
-    /// What the scenario gives for risks; the rest are readings of a run.
-    pub risk_inputs: RiskInputs,
+    /// What the scenario says for its risks; the rest are readings of a run.
+    pub blow: Blow,
 }
 
 impl Compiled {
@@ -29,7 +29,7 @@ impl Compiled {
     pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
         Self {
             eye,
-            risk_inputs: RiskInputs::of(scenario),
+            blow: Blow::of(scenario),
         }
     }
 
@@ -40,7 +40,7 @@ impl Compiled {
         }
         Self {
             eye: self.eye.at_level(level),
-            risk_inputs: self.risk_inputs,
+            blow: self.blow,
         }
     }
 
@@ -57,7 +57,7 @@ impl Compiled {
 
     /// Every result of a run of this scenario, in the unit of each.
     pub fn results(&self, run: &Run) -> Results {
-        Results::from_fn(|of| derived::result(of, run, &self.risk_inputs))
+        Results::from_fn(|of| derived::result(of, run, &self.blow))
     }
 }
 

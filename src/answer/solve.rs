@@ -4,15 +4,17 @@
 //! [`crate::answer::step_error`].
 
 use crate::answer::compiled::Compiled;
-use crate::answer::derived::{self, Derived};
-use crate::answer::mesh_error::Limits;
+use crate::answer::derived::{self, rests_on};
+use crate::answer::input_doubt::{InputDoubt, InputQuery};
+use crate::answer::mesh_error::{Limits, add_mesh_error};
 use crate::answer::results::Results;
 use crate::answer::step_error::stated;
-use crate::answer::validity::{Spoiled, spoiled, validity};
-use crate::injury::{Computed, DamageIndex, Measure, Measures, Risk, Verdict, assess, verdicts};
+use crate::answer::validity::{Spoiled, spoiled};
+use crate::injury::{DamageIndex, Injury, Known, Risk};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
 use crate::run::kept::{Keep, Peak};
 use crate::run::model::Run;
+use crate::run::ordered::until;
 use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
 use crate::run::raised::{TwoRuns, of_motion};
@@ -68,6 +70,9 @@ impl Errors {
     }
 }
 
+/// Said of an eye that nothing touched.
+const MISSED: &str = "none: the object never touches the eye";
+
 /// What a run that ended too early says of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cut {
@@ -92,6 +97,8 @@ pub struct Answer {
     pub run: Run,
     /// How far the results may be off.
     pub errors: Errors,
+    /// What the inputs are not known to, once it has been estimated.
+    pub inputs: Option<InputDoubt>,
     /// What limits the results: the flags of the run, and those that follow from the errors.
     pub flags: Vec<Flag>,
     /// Springs or cells computed in the run.
@@ -110,7 +117,7 @@ impl Answer {
 
     /// One result in its unit, if the scene has it.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        derived::result(of, &self.run, &self.case.risk_inputs)
+        derived::result(of, &self.run, &self.case.blow)
     }
 
     /// The paper's index and its parts.
@@ -128,73 +135,75 @@ impl Answer {
         self.case.window()
     }
 
-    /// The risk by each published injury curve; empty if the object never touched the eye.
-    pub fn risks(&self) -> Vec<Risk> {
-        if self.run.missed {
-            return Vec::new();
-        }
-        assess(&self.measures())
-    }
-
-    /// What the curves run against, with the errors of step and mesh.
-    pub fn measures(&self) -> Measures {
-        let computed = |of| {
-            let error = self.errors.share(of);
-            let value = self.run.readings.value(of);
-            value.map(|value| Computed { value, error })
-        };
-        Measures {
-            blow: self.case.risk_inputs.blow,
-            pressure: computed(Quantity::Pressure),
-            stress: computed(Quantity::ScleralStress),
-        }
-    }
-
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
     pub fn spoiled(&self) -> Option<Spoiled> {
         spoiled(&self.flags, self.case.rules())
     }
 
-    /// One verdict for each injury, from all its curves.
-    pub fn verdicts(&self) -> Vec<Verdict> {
-        let computed = [Quantity::Pressure, Quantity::ScleralStress];
-        let read = |of: &Quantity| self.run.readings[*of].is_some();
-        self.verdicts_of(computed.iter().any(|of| read(of) && self.at_least(*of)))
+    /// The risk of each injury, the gravest first; none where the model tells of no injuries or the
+    /// object never touched the eye, see [`Self::silence`].
+    pub fn risks(&self) -> Vec<Risk> {
+        Injury::ALL.iter().filter_map(|injury| self.risk(*injury)).collect()
     }
 
-    /// The verdicts, where `cut` says whether pressure or stress may still grow.
-    fn verdicts_of(&self, cut: bool) -> Vec<Verdict> {
-        let (rules, pig) = (self.case.rules(), self.case.risk_inputs.pig);
-        verdicts(&self.risks(), &validity(&self.flags, rules, cut, pig))
-    }
-
-    /// The computed result behind `of`: the measure of a risk, else `of` itself; none for a risk by
-    /// energy, which inputs alone decide.
-    pub fn rests_on(&self, of: Quantity) -> Option<Quantity> {
-        let measure = match of.derived() {
-            None | Some(Derived::Index) => return Some(of),
-            Some(Derived::Risk(_, measure)) => measure,
-            Some(Derived::Believed(injury)) => {
-                let verdicts = self.verdicts_of(false);
-                let verdict = verdicts.iter().find(|verdict| verdict.injury == injury)?;
-                verdict.believed().next()?.curve.measure
-            }
-        };
-        match measure {
-            Measure::Pressure => Some(Quantity::Pressure),
-            Measure::Stress => Some(Quantity::ScleralStress),
-            Measure::NormalizedEnergy | Measure::KineticEnergy => None,
+    /// The risk of one injury.
+    pub fn risk(&self, injury: Injury) -> Option<Risk> {
+        let known = self.known(injury).filter(|_| !self.run.missed)?;
+        let mut risk = injury.assess(&self.case.blow, known);
+        if self.spoiled().is_some() {
+            // What was computed may be anything.
+            (risk.range, risk.at_least) = ((0.0, 1.0), false);
         }
+        Some(risk)
+    }
+
+    /// What is known of the measure of an injury.
+    fn known(&self, injury: Injury) -> Option<Known> {
+        let measure = injury.measure();
+        let value = self.run.readings.value(measure)?;
+        let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
+        let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
+        let cut = self.cut(measure);
+        let inputs = self.inputs.unwrap_or_default();
+        Some(Known {
+            value,
+            error: if cut == Some(Cut::NotFinal) {
+                1.0
+            } else {
+                self.errors.share(measure) + mesh_unknown
+            },
+            inputs: inputs.measures[injury as usize],
+            energy_inputs: inputs.energy,
+            cut: cut.is_some(),
+        })
+    }
+
+    /// Why there are no risks, in one line; none where there are.
+    pub fn silence(&self) -> Option<&'static str> {
+        if self.run.missed {
+            Some(MISSED)
+        } else {
+            let any = self.run.readings[Injury::GlobeRupture.measure()];
+            any.is_none().then_some(self.case.rules().silence)
+        }
+    }
+
+    /// What the ranges of the risks do not hold yet; empty where they hold all.
+    pub fn uncounted(&self) -> Vec<&'static str> {
+        let mesh = (self.errors.mesh.is_none(), "the mesh");
+        let inputs = (self.inputs.is_none(), "the inputs");
+        let missing = [mesh, inputs].into_iter();
+        missing.filter_map(|(missing, what)| missing.then_some(what)).collect()
     }
 
     /// How a result is limited by a run that ended too early; none if it is final.
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
-        let of = self.rests_on(of)?;
+        let of = rests_on(of);
         if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
             // What goes back gives energy back, of which the index holds a share.
-            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
-            return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
+            let energy = [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy];
+            return Some(if energy.contains(&of) { Cut::NotFinal } else { Cut::AtLeast });
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);
@@ -226,6 +235,21 @@ impl Answer {
 /// watch stops.
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     solve_case(Compiled::new(scenario), scenario, keep, watch)
+}
+
+/// Adds to an answer what its ranges do not hold yet: the mesh error and what the inputs are not
+/// known to.
+///
+/// # Errors
+/// As [`solve`].
+pub fn complete(
+    scenario: &Scenario,
+    answer: &mut Answer,
+    stop: &AtomicBool,
+) -> Result<(), Refusal> {
+    add_mesh_error(scenario, answer, &mut until(stop))?;
+    answer.inputs = Some(InputQuery::of(answer).estimate(scenario, stop, |_| {})?);
+    Ok(())
 }
 
 /// Answers `case`, which was compiled from `scenario`.
@@ -391,6 +415,7 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         element_evaluations: run.cost.evaluations * case.elements_per_evaluation(),
         run,
         errors,
+        inputs: None,
         flags,
         solve_time: time,
         total_time,

@@ -1,11 +1,8 @@
 //! What the flags of a run say of the results that it computed, and what to do where they are not
 //! usable.
 
-use crate::injury::Validity;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::rules::Rules;
-
-const MISSED: &str = "none: the object never touches the eye";
 
 /// Why the motion of a run cannot be believed, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,33 +27,6 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
             next: (rules.advice)(flag.kind)?,
         })
     })
-}
-
-/// What limits the injury curves, from the flags of a run and the rules of its model. `cut` says
-/// whether the run ended while pressure or stress may still grow.
-pub(crate) fn validity(flags: &[Flag], rules: &Rules, cut: bool, pig: bool) -> Validity {
-    let has = |kind| flags.iter().any(|flag| flag.kind == kind);
-    let (why, next) = match spoiled(flags, rules) {
-        Some(Spoiled { why, next }) => (Some(why), next),
-        None => (None, ""),
-    };
-    let next = if rules.instead.is_empty() {
-        next
-    } else {
-        rules.instead
-    };
-    Validity {
-        spoiled: why,
-        next,
-        cut,
-        aslant: has(FlagKind::AngleBeyondTrust),
-        pig,
-        silence: if has(FlagKind::EyeMissed) {
-            MISSED
-        } else {
-            rules.silence
-        },
-    }
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use std::sync::atomic::Ordering;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
-use crate::many::ordered;
+use crate::run::ordered;
 use crate::many::sweep::{Sweep, SweepAxis};
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};

@@ -1,21 +1,22 @@
-//! What the motion means: the paper's index, and published injury curves beside it.
+//! What the motion means: the paper's index, and the risk of each injury beside it.
 //!
-//! The two are never mixed. The index has no source for its weights and is no probability; the
-//! curves are probabilities, each with its measure, source, species and data.
+//! The two are never mixed. The index has no source for its weights and is no probability; a risk
+//! is one, of an injury by what its own tissue felt.
 
-mod curve;
+mod blow;
+mod energy;
+mod equivalent;
 mod index;
-mod published;
+mod kind;
 mod risk;
-mod verdict;
+mod tissue;
+mod words;
 
-pub(crate) use crate::injury::curve::ASSUMED_SLOPE;
-pub use crate::injury::curve::{
-    CurveForm, Eyes, Injury, InjuryCurve, Measure, Range, Slope, Standing,
-};
+pub use crate::injury::blow::{Blow, energy_over_area};
+pub use crate::injury::energy::{CURVES, EnergyCurve};
+pub use crate::injury::equivalent::{Equivalent, MEASURES, SPEEDS, equivalent};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
-pub use crate::injury::published::CURVES;
-pub use crate::injury::risk::{Caution, Computed, FlyingObject, MARKS, Measures, Risk};
-pub(crate) use crate::injury::risk::{assess, curve_of};
-pub use crate::injury::verdict::{AT_LEAST, Part, Validity, Verdict, gravity, lines, span};
-pub(crate) use crate::injury::verdict::{verdict, verdicts};
+pub use crate::injury::kind::{Injury, PerInjury};
+pub use crate::injury::risk::{Known, ONE_IN_TEN, Risk};
+pub use crate::injury::tissue::TissueCurve;
+pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, gravity, span, whole};

@@ -9,7 +9,7 @@
 
 use crate::answer::brief::BriefAnswer;
 use crate::many::ensemble::{Ensemble, PILOT, Sample};
-use crate::many::spreads::UncertainInput;
+use crate::answer::uncertain::UncertainInput;
 use crate::many::statistics::{quantile, rank_correlation};
 use crate::run::quantity::Quantity;
 
@@ -18,15 +18,20 @@ const WIDTH_OF_NOTHING: f64 = 1e-3;
 /// A weaker rank correlation explains nothing.
 const SMALLEST_DRIVER: f64 = 0.1;
 
-/// Median and the band that holds nine in ten.
+/// Median and a band, which holds nine in ten, of a risk eight in ten.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// One in twenty lies below.
+    /// The share [`tail`] lies below.
     pub low: f64,
     /// Half lies below.
     pub median: f64,
-    /// One in twenty lies above.
+    /// The share [`tail`] lies above.
     pub high: f64,
+}
+
+/// The share of the samples beyond each end of the band of a result.
+pub fn tail(of: Quantity) -> f64 {
+    if of.is_risk() { 0.1 } else { 0.05 }
 }
 
 /// What the checks of the step error found.
@@ -100,11 +105,11 @@ impl Ensemble {
         let mut values = self.values(of)?;
         values.sort_by(f64::total_cmp);
         let finite = values.iter().all(|v| v.is_finite());
-        let of = |p| quantile(&values, p).filter(|_| finite);
+        let at = |p| quantile(&values, p).filter(|_| finite);
         Some(Band {
-            low: of(0.05)?,
-            median: of(0.5)?,
-            high: of(0.95)?,
+            low: at(tail(of))?,
+            median: at(0.5)?,
+            high: at(1.0 - tail(of))?,
         })
     }
 

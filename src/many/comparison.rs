@@ -9,11 +9,9 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
-use crate::answer::derived::Derived;
-use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::solve::{Answer, solve};
-use crate::many::ordered;
-use crate::many::ordered::until;
+use crate::answer::solve::{Answer, complete, solve};
+use crate::run::ordered;
+use crate::run::ordered::until;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -76,7 +74,7 @@ impl<A: Borrow<Answer>> Entry<A> {
 pub enum ComparisonColumn {
     /// The name of each scenario.
     Name,
-    /// One result; of what is believed of an injury the verdict stands there.
+    /// One result; of an injury the range of its risk stands there.
     Result(Quantity),
 }
 
@@ -89,25 +87,23 @@ impl ComparisonColumn {
         }
     }
 
-    /// Whether the column is the believed risk of an injury.
-    pub fn is_believed(self) -> bool {
-        matches!(self, Self::Result(of) if matches!(of.derived(), Some(Derived::Believed(_))))
+    /// Whether the column is the risk of an injury.
+    pub fn is_risk(self) -> bool {
+        matches!(self, Self::Result(of) if of.is_risk())
     }
 
-    /// Place from the left: believed risks, what they are read off, other risks, the rest.
+    /// Place from the left: risks, what acts on the eye, the rest.
     fn rank(self) -> u8 {
         match self {
             Self::Name => 0,
-            _ if self.is_believed() => 0,
+            _ if self.is_risk() => 0,
             Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
-            Self::Result(quantity) if quantity.is_risk() => 2,
-            Self::Result(_) => 3,
+            Self::Result(_) => 2,
         }
     }
 }
 
-/// Which of two stands first in the order of a column, of a risk by its curve that is believed
-/// first: the largest first or last, and what has none last either way.
+/// Which of two stands first in the order of a column: the largest first or last, and what has none last either way.
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,
@@ -136,15 +132,14 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn>
     columns
 }
 
-/// The results worth printing: those that lead in one of the entries, the risks that are believed
-/// first, and the one that sorts.
+/// The results worth printing: those that lead in one of the entries, the risks, and the one that
+/// sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
-        let is_believed = ComparisonColumn::Result(of).is_believed();
         entries.iter().filter_map(Entry::answer).any(|answer| {
             let results = answer.results();
             let leads = results.leading().any(|(leading, _)| leading == of);
-            leads || is_believed && results[of].is_some()
+            leads || of.is_risk() && results[of].is_some()
         })
     };
     let all = Quantity::ALL.iter().copied();
@@ -166,7 +161,7 @@ pub fn compare(
     let solved = |scenario: &CheckedScenario| {
         let mut watch = until(stop);
         let mut answer = solve(scenario, keep(scenario), &mut watch)?;
-        add_mesh_error(scenario, &mut answer, &mut watch)?;
+        complete(scenario, &mut answer, stop)?;
         Ok(answer)
     };
     let mut entries = Vec::new();

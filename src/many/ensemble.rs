@@ -15,14 +15,12 @@
 //!
 //! Left out: the mesh error, which all samples share, and inputs that hang together.
 
-use crate::answer::believed::RiskInputs;
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::injury::Standing;
-use crate::many::ordered::{self, until};
-use crate::many::spreads::{SLOPE, UncertainInput, inputs};
+use crate::injury::{Blow, Injury};
+use crate::run::ordered::{self, until};
+use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
 use crate::many::statistics::median;
-use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -106,20 +104,16 @@ fn drawn(
     (changed, values)
 }
 
-/// Reads the risks of a scene that rest on an assumed slope again, with this one.
-fn put_slope(answer: &mut BriefAnswer, risk_inputs: &RiskInputs, slope: f64) {
-    let computed = |of: Quantity| Some(answer.values[of]? / of.row().factor);
-    let (pressure, stress) = (Quantity::Pressure, Quantity::ScleralStress);
-    let measures = risk_inputs.measures(computed(pressure), computed(stress));
-    for &quantity in Quantity::ALL {
-        let curve = quantity.curve(risk_inputs, &measures, answer.is_spoiled());
+/// Reads the risks of a sample again as if the curves lay `off` standard deviations away.
+fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64) {
+    for injury in Injury::ALL {
+        let (measure, result) = (injury.measure(), injury.result());
         // Of an eye that was missed it is 0 and stays so.
-        if let Some(value) = &mut answer.values[quantity]
-            && *value > 0.0
-            && let Some(curve) = curve.filter(|c| c.standing == Standing::SlopeAssumed)
+        if let Some(value) = answer.values[measure]
+            && answer.values[result].is_some_and(|risk| risk > 0.0)
         {
-            let factor = quantity.row().factor;
-            *value = curve.with_slope(*value / factor, slope) * factor;
+            let drawn = injury.risk_of_draw(blow, value / measure.row().factor, off);
+            answer.values[result] = Some(drawn * result.row().factor);
         }
     }
 }
@@ -173,10 +167,10 @@ impl Job<'_> {
             let free = scenario.check().map_err(Refusal::Scenario);
             outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
         }
-        let slope = self.inputs.iter().position(|i| i.field.path == SLOPE.path);
+        let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
         let outcome = outcome.map(|mut answer| {
-            if let Some(place) = slope {
-                put_slope(&mut answer, &RiskInputs::of(&scenario), drawn[place]);
+            if let Some(place) = curves {
+                put_curves(&mut answer, &Blow::of(&scenario), drawn[place]);
             }
             answer
         });

@@ -9,7 +9,7 @@
 
 use crate::answer::brief::single;
 use crate::answer::results::Results;
-use crate::many::ordered::{self, until};
+use crate::run::ordered::{self, until};
 use crate::many::sweep::spaced;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;

@@ -7,7 +7,6 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::brief::{BriefAnswer, checked};
-use crate::injury::Caution;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
@@ -95,8 +94,6 @@ pub struct SweepRow {
     pub values: Vec<String>,
     /// The answer, or why there is none.
     pub outcome: Result<BriefAnswer, String>,
-    /// What speaks against its risks by energy.
-    pub caution: Option<Caution>,
 }
 
 impl Sweep {
@@ -184,7 +181,6 @@ impl Sweep {
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number);
-        let caution = scenario.as_ref().ok().and_then(|valid| Caution::of(valid));
         let outcome = match scenario {
             Err(error) => Err(error.to_string()),
             Ok(scenario) => match checked(&scenario, watch) {
@@ -196,7 +192,6 @@ impl Sweep {
             number,
             values: self.values(number).into_iter().map(str::to_owned).collect(),
             outcome,
-            caution,
         })
     }
 

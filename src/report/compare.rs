@@ -9,13 +9,12 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::{Caution, lines};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{CUT, Figure};
 use crate::report::format::{WIDTH, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::verdict::{mixed, range};
+use crate::report::risks::{first_line, range};
 use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
@@ -33,7 +32,7 @@ pub struct Table {
     pub rows: Vec<(String, Vec<String>)>,
     /// Notes on the whole table.
     pub notes: Vec<String>,
-    /// Flags, verdict or refusal of each row, in words.
+    /// Flags, gravest injury or refusal of each row, in words.
     pub remarks: Vec<String>,
 }
 
@@ -75,11 +74,10 @@ impl Table {
                 None => entry.refused().map(str::to_owned).into_iter().collect(),
                 Some(answer) => {
                     // The gravest injury comes first.
-                    let first = lines(&answer.verdicts()).into_iter().next();
-                    let verdict = first.map(|(name, words)| format!("{name}: {words}"));
+                    let first = first_line(answer);
                     let flags = answer.flags.iter();
                     let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
-                    verdict.into_iter().chain(flags).collect::<Vec<_>>()
+                    std::iter::once(first).chain(flags).collect::<Vec<_>>()
                 }
             };
             let name = printable(&entry.name).into_owned();
@@ -94,10 +92,9 @@ impl Table {
         let cut =
             |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
-        let mixed = columns.iter().filter_map(|of| mixed(&answers, *of));
         Self {
             rows: entries.iter().map(row).collect(),
-            notes: cut.into_iter().chain(mixed).collect(),
+            notes: cut.into_iter().collect(),
             remarks: entries.iter().flat_map(remark).collect(),
             units,
             heads,
@@ -175,7 +172,7 @@ impl Table {
 }
 
 /// Prints it as CSV: every result with its errors in %, then those that are at least so large,
-/// flags, caution and refusal.
+/// flags and refusal.
 ///
 /// # Errors
 /// Whatever `out` reports.
@@ -190,7 +187,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             format!("{key}_mesh_error_percent"),
         ]);
     }
-    head.extend(["at_least", "not_final", "flags", "caution", "refused"].map(str::to_owned));
+    head.extend(["at_least", "not_final", "flags", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
     for entry in entries {
         // CSV has no escapes: a file name that a terminal would obey is written out.
@@ -210,8 +207,6 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
         let flags = answer.map_or(&[][..], |answer| &answer.flags);
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));
-        let caution = Caution::of(&entry.scenario);
-        record.push(caution.map_or("", Caution::key).to_owned());
         record.push(entry.refused().unwrap_or_default().to_owned());
         writer.write_record(&record)?;
     }

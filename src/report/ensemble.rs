@@ -1,9 +1,8 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
-use crate::injury::Caution;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
-use crate::many::spreads::{Shape, UncertainInput};
+use crate::answer::uncertain::{Shape, UncertainInput};
 use crate::plain_text::printable;
 use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
@@ -77,11 +76,16 @@ pub fn text(
         "{:<22}{:>12}{:>12}{:>12}{:>16}",
         "", "5 %", "median", "95 %", "as it stands"
     )?;
+    let mut risks = false;
     for quantity in ensemble.results() {
         let Some(band) = ensemble.band(quantity) else {
             continue;
         };
         let Band { low, median, high } = band;
+        if quantity.is_risk() && !risks {
+            risks = true;
+            writeln!(out, "{:<22}{:>12}{:>12}{:>12}", "", "10 %", "median", "90 %")?;
+        }
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();
         writeln!(
@@ -97,10 +101,6 @@ pub fn text(
     }
     for remark in outside(ensemble) {
         paragraph(&remark, out)?;
-    }
-    if let Some(caution) = Caution::of(scenario) {
-        let text = caution.text();
-        paragraph(&format!("! rupture and retina, energy: {text}"), out)?;
     }
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
@@ -225,9 +225,9 @@ fn band(ensemble: &Ensemble, of: Quantity) -> Value {
         .collect();
     ensemble.band(of).map_or(Value::Null, |band| {
         json!({
-            "p05": band.low,
+            if of.is_risk() { "p10" } else { "p05" }: band.low,
             "median": band.median,
-            "p95": band.high,
+            if of.is_risk() { "p90" } else { "p95" }: band.high,
             "as_it_stands": nominal,
             "as_it_stands_is_outside": ensemble.outside(of).is_some(),
             "rank_correlation": drivers,
@@ -275,7 +275,6 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
         "seed": ensemble.seed,
         "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
         "results": results,
-        "energy_caution": Caution::of(scenario).map(Caution::key),
         "counted": {
             "in_the_bands": ensemble.valid().count(),
             "folded": ensemble.folded(),

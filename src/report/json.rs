@@ -126,15 +126,12 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         },
         "flags": flags(&answer.flags),
         "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
-        "verdicts": crate::report::verdict::json(&answer.verdicts()),
+        "risks": crate::report::risks::json(answer),
+        "risks_without": answer.uncounted(),
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
     for detail in &answer.run.details {
         object["results"][detail.key] = json!(detail.value);
-    }
-    let risks = answer.risks();
-    if !risks.is_empty() {
-        object["injury"] = crate::report::injury::json(&risks);
     }
     object
 }

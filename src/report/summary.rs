@@ -2,17 +2,16 @@
 //! errors, flags.
 
 use crate::answer::solve::Answer;
-use crate::injury::lines;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, causes, unusable};
+use crate::report::risks::first_line;
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 
 /// The three lines, and the command that repeats the blow as a fourth, if one does.
 pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> String {
     let name = printable(&scenario.name);
-    let first = lines(&answer.verdicts()).into_iter().next();
-    let verdict = first.map_or_else(String::new, |(injury, words)| format!("{injury}: {words}"));
+    let verdict = first_line(answer);
     let shown = [Quantity::Apex, Quantity::Pressure, Quantity::Contact];
     let figures = shown.iter().filter_map(|of| {
         let figure = Figure::of(answer, *of)?;

@@ -1,6 +1,5 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
-use crate::injury::Caution;
 use crate::many::sweep::{Sweep, SweepRow};
 use crate::run::quantity::Quantity;
 use crate::scenario::fields;
@@ -52,9 +51,8 @@ impl SweepFormat {
     /// One line for a row of the sweep.
     pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
         let point = row.outcome.as_ref().ok();
-        let mut flags: Vec<&str> =
+        let flags: Vec<&str> =
             point.map_or(Vec::new(), |p| p.flags.iter().map(|f| f.name()).collect());
-        flags.extend(row.caution.map(Caution::key));
         let error = point.and_then(|p| p.check).map(|check| check.last);
         let value = |of: Quantity| point?.values[of].filter(|v| v.is_finite());
         let refused = row.outcome.as_ref().err();

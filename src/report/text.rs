@@ -30,14 +30,13 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         eye.elements(),
         eye.rules().element.plural()
     )?;
-    let mesh = answer.errors.mesh.is_some();
-    crate::report::verdict::text(&answer.verdicts(), mesh, out)?;
+    crate::report::risks::text(answer, out)?;
     writeln!(out)?;
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
-    let listed = |of: &&Quantity| !above.contains(of) && !missed(of);
+    let listed = |of: &&Quantity| !above.contains(of) && !missed(of) && !of.is_risk();
     for &quantity in Quantity::ALL.iter().filter(listed) {
         if let (Some(peak), Some(figure)) = (answer.peak(quantity), Figure::of(answer, quantity)) {
             let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(answer, quantity));
@@ -51,7 +50,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         }
     }
     rebound(scenario, answer, out)?;
-    crate::report::injury::text(&answer.risks(), out)?;
+    crate::report::risks::evidence(answer, out)?;
     Ok(())
 }
 

@@ -4,7 +4,6 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::injury::Caution;
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
@@ -19,7 +18,7 @@ fn with_unit(search: &ThresholdSearch, text: &str) -> String {
 
 /// Where the result passes the value, no finer than it is known.
 fn at(search: &ThresholdSearch, crossing: &Crossing) -> String {
-    let curves = crossing.believed.as_ref().map(|believed| believed.range);
+    let curves = crossing.risk.as_ref().map(|there| there.range);
     let width = curves.and_then(|(from, to)| Some(0.5 * (to? - from?)));
     let largest = [crossing.step, crossing.mesh, width];
     let largest = largest.into_iter().flatten().fold(0.0, f64::max);
@@ -32,6 +31,12 @@ pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
     let target = united(&search.target.to_string(), unit);
     let at = format!("{target} at {}", at(search, crossing));
     let way = if crossing.rising { "" } else { ", falling" };
+    if let (Some(there), None) = (&crossing.risk, crossing.jump) {
+        let unit = |text: String| with_unit(search, &text);
+        let range = range(there.range, &unit);
+        let range = range.map_or(", range not known".to_owned(), |range| format!(" ({range})"));
+        return format!("{at}{range}{way}");
+    }
     let off = match (crossing.jump, crossing.step, crossing.mesh) {
         (Some(_), ..) => ": it jumps there".to_owned(),
         (None, Some(step), Some(mesh)) => {
@@ -91,25 +96,18 @@ pub fn text(
         for line in lines(crossing, whole, row.unit, &with_unit) {
             writeln!(out, "  {line}")?;
         }
-        if let Some(believed) = &crossing.believed {
-            let holds = match range(believed.range, &with_unit) {
-                Some(range) => format!("range {range}: the verdict's range holds {target} there"),
+        if let Some(there) = &crossing.risk {
+            let holds = match range(there.range, &with_unit) {
+                Some(range) => format!("range {range}: the range of the risk holds {target} there"),
                 None => "range not known".to_owned(),
             };
             block(&holds, "  ", "    ", out)?;
-            block(
-                &format!("believed there: {}", believed.verdict),
-                "  ",
-                "    ",
-                out,
-            )?;
+            let words = format!("there {}: {}", there.risk.injury.name(), there.risk.words());
+            block(&words, "  ", "    ", out)?;
         }
         for flag in &crossing.flags {
             let line = format!("FLAG {}: {}", flag.kind.name(), flag.whole());
             block(&line, "  ", "    ", out)?;
-        }
-        if let Some(caution) = crossing.caution {
-            writeln!(out, "  beware: {}", caution.text())?;
         }
     }
     match threshold.crossings.len() {
@@ -138,8 +136,7 @@ pub fn text(
     writeln!(out, "\nResearch and education, not diagnosis.")
 }
 
-/// Over which values what is believed may be the target: by slopes and points of curves, and the
-/// errors above.
+/// Over which values the range of a risk holds the target, with all that is not known.
 fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> Option<String> {
     Some(match of {
         (Some(from), Some(to)) => {
@@ -164,8 +161,10 @@ fn lines(
         let to = united(&to, unit);
         return vec![format!("jumps there, from {from} to {to}")];
     }
+    if crossing.risk.is_some() {
+        return Vec::new();
+    }
     let off = |name: &str, error: Option<f64>| match error {
-        Some(0.0) => format!("{name:<5} no error: inputs alone decide it"),
         Some(error) if error > whole => format!("{name:<5} ± more than the whole range"),
         Some(error) => format!("{name:<5} ± {}", with_unit(digits(error, 2))),
         None => format!("{name:<5} error not known"),
@@ -182,11 +181,10 @@ pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold
             "error": { "time_step": c.step, "mesh": c.mesh },
             "jump": c.jump.map(|(from, to)| json!({ "from": from, "to": to })),
             "flags": flags(&c.flags),
-            "caution": c.caution.map(Caution::key),
-            "believed": c.believed.as_ref().map(|believed| json!({
-                "verdict": believed.verdict,
-                "from": believed.range.0,
-                "to": believed.range.1,
+            "risk": c.risk.as_ref().map(|there| json!({
+                "text": there.risk.words(),
+                "from": there.range.0,
+                "to": there.range.1,
             })),
         })
     };

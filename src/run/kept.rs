@@ -136,6 +136,9 @@ pub struct Traces {
     pub back_pressure: Vec<f64>,
     /// Largest tension of its sclera, through a low pass of 20 us, Pa.
     pub scleral_stress: Vec<f64>,
+    /// What its tissues feel: stretch at the equator and at the back, growth at the retina's front
+    /// edge, as shares; pull on lens and iris, in m.
+    pub tissue: [Vec<f64>; 5],
     /// Loss of its length along the blow, as a share of it.
     pub shortening: Vec<f64>,
     /// Way of its lens along the blow, m.

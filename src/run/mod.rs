@@ -6,6 +6,7 @@ pub mod flags;
 pub mod fold;
 pub mod kept;
 pub mod model;
+pub(crate) mod ordered;
 pub mod places;
 pub mod plan;
 pub mod planning;

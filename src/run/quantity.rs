@@ -9,6 +9,7 @@
 //! not have reads as `None`: the pressure where there are no cells, the force of contact where
 //! there is no projectile.
 
+use crate::run::kept::Traces;
 use crate::run::places::Monitor;
 use crate::run::result_trace::{Group, ResultTrace, trace};
 use strum::{EnumCount, VariantArray};
@@ -58,23 +59,32 @@ pub enum Quantity {
     LensWay,
     /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
-    /// Risk of rupture of the globe by peak pressure, %.
-    RuptureByPressure,
-    /// Risk of rupture of the globe by the stress of the sclera of the axisymmetric eye, %.
-    RuptureByStress,
-    /// Risk of rupture of the globe by normalized energy, %.
-    RuptureByEnergy,
-    /// Risk of damage of the retina by normalized energy, %.
-    RetinaByEnergy,
-    /// Risk of rupture of the globe by the curve that is believed first, %.
+    /// Largest stretch of the wall along the meridian near the equator of the axisymmetric eye, %,
+    /// between 60 and 120 degrees from the front; this and the next four through a low pass of 20
+    /// us.
+    EquatorStretch,
+    /// Mean stretch of its wall along the meridian at the back, %, from 150 degrees on.
+    BackStretch,
+    /// Growth of its shell's radius where the retina has its front edge, %, at 62 degrees.
+    EdgeGrowth,
+    /// How much farther than at rest the lens's equator is from the shell at 62 degrees, mm.
+    LensPull,
+    /// How much farther than at rest the lens's equator is from the shell at the root of the iris,
+    /// at 45 degrees, mm.
+    IrisPull,
+    /// Energy given to the axisymmetric eye over the area of the largest contact, kJ/m2.
+    CornealEnergy,
+    /// Risk of rupture of the globe, %.
     GlobeRupture,
-    /// Risk of damage of the retina by the curve that is believed first, %.
-    RetinalDamage,
-    /// Risk of a lens torn off by the curve that is believed first, %.
+    /// Risk of damage of the retina at the back, %.
+    RetinaBack,
+    /// Risk of damage of the retina at its front edge, %.
+    RetinaFront,
+    /// Risk of a lens torn off, %.
     LensDislocation,
-    /// Risk of blood in the anterior chamber by the curve that is believed first, %.
+    /// Risk of blood in the anterior chamber, %.
     Hyphema,
-    /// Risk of the loss of the cornea's outermost layer by the curve that is believed first, %.
+    /// Risk of the loss of the cornea's outermost layer, %.
     CornealAbrasion,
 }
 
@@ -335,17 +345,38 @@ impl Quantity {
             Self::Rebound => Row {
                 ..number("rebound_speed_m_s", "rebound speed", "rebound", "m/s")
             },
-            Self::RuptureByPressure => {
-                risk("rupture_by_pressure_percent", "rupture, pressure", "p rupt")
-            }
-            Self::RuptureByStress => risk("rupture_by_stress_percent", "rupture, stress", "s rupt"),
-            Self::RuptureByEnergy => risk("rupture_by_energy_percent", "rupture, energy", "E rupt"),
-            Self::RetinaByEnergy => {
-                let key = "retinal_damage_by_energy_percent";
-                risk(key, "retina, energy", "E retina")
-            }
+            Self::EquatorStretch => Row {
+                factor: 1e2,
+                trace: Some(tissue("equator stretch", "equator_stretch_percent", 0, |t| &t.tissue[0])),
+                ..number("equator_stretch_percent", "equator stretch", "equator", "%")
+            },
+            Self::BackStretch => Row {
+                factor: 1e2,
+                trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| &t.tissue[1])),
+                ..number("back_stretch_percent", "stretch at back", "back", "%")
+            },
+            Self::EdgeGrowth => Row {
+                factor: 1e2,
+                trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| &t.tissue[2])),
+                ..number("edge_growth_percent", "retina edge growth", "edge", "%")
+            },
+            Self::LensPull => Row {
+                factor: 1e3,
+                trace: Some(tissue("pull on lens", "lens_pull_mm", 3, |t| &t.tissue[3])),
+                ..number("lens_pull_mm", "pull on lens", "pull", "mm")
+            },
+            Self::IrisPull => Row {
+                factor: 1e3,
+                trace: Some(tissue("pull on iris", "iris_pull_mm", 4, |t| &t.tissue[4])),
+                ..number("iris_pull_mm", "pull on iris", "iris", "mm")
+            },
+            Self::CornealEnergy => Row {
+                factor: 1e-3,
+                ..number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
+            },
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
-            Self::RetinalDamage => risk("retinal_damage_percent", "retinal damage", "retina"),
+            Self::RetinaBack => risk("retina_back_percent", "retina at the back", "retina"),
+            Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ora"),
             Self::LensDislocation => {
                 risk("lens_dislocation_percent", "lens dislocation", "lens off")
             }
@@ -411,7 +442,17 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
     }
 }
 
-/// A risk by a published curve.
+/// A trace of what a tissue feels.
+const fn tissue(
+    label: &'static str,
+    column: &'static str,
+    place: u8,
+    values: fn(&Traces) -> &[f64],
+) -> ResultTrace {
+    trace(label, column, values, (Group::Tissues, place))
+}
+
+/// A risk, which what a tissue felt was turned into.
 const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
     Row {
         factor: 1e2,

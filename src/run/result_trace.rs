@@ -16,6 +16,8 @@ pub enum Group {
     Energies,
     /// Pressures and stresses.
     Inside,
+    /// What single tissues feel.
+    Tissues,
     /// What the projectile does.
     Projectile,
 }

@@ -51,9 +51,7 @@ pub struct Rules {
     pub ends_early: &'static str,
     /// What to do where a flag says that the motion cannot be believed; none of other flags.
     pub advice: fn(FlagKind) -> Option<&'static str>,
-    /// What to do instead where the readings can tell no injury at all; empty where they can.
-    pub instead: &'static str,
-    /// Why they can tell none.
+    /// Said in place of the risks of injury where the readings can tell none.
     pub silence: &'static str,
 }
 

@@ -7,3 +7,4 @@ pub mod fit;
 pub mod hard_cases;
 pub mod rerun;
 pub mod scenes;
+pub mod tissue_fit;

@@ -13,7 +13,7 @@ use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
 use contrecoup::many::map::{Grid, SIDE, Spot};
-use contrecoup::many::spreads::inputs;
+use contrecoup::answer::uncertain::inputs;
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::paper::case::PaperCase;
 use contrecoup::run::flags::{Flag, FlagKind};

@@ -29,6 +29,12 @@ pub fn of(e: &Extremes) -> Readings {
         Quantity::Shortening => Some(e.shortening.into()),
         Quantity::Intrusion => of_object(e.intrusion.into()),
         Quantity::LensWay => Some(e.lens.into()),
+        Quantity::EquatorStretch => Some(e.tissue[0].into()),
+        Quantity::BackStretch => Some(e.tissue[1].into()),
+        Quantity::EdgeGrowth => Some(e.tissue[2].into()),
+        Quantity::LensPull => Some(e.tissue[3].into()),
+        Quantity::IrisPull => Some(e.tissue[4].into()),
+        Quantity::CornealEnergy => Some(e.energy_over_contact().into()),
         Quantity::Rebound => e.rebound.map(Reading::from),
         _ => None,
     })

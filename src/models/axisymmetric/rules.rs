@@ -50,8 +50,7 @@ pub(crate) static RULES: Rules = Rules {
         FlagKind::AngleBeyondTrust => Some("turn the blow nearer to the front"),
         _ => None,
     },
-    instead: "",
-    silence: "no measure is usable",
+    silence: "none",
 };
 
 const AUTOMATIC: Automatic = Automatic {

@@ -63,10 +63,9 @@ pub(crate) static RULES: Rules = Rules {
         FlagKind::EnergyImbalance => Some("try a shorter step"),
         _ => None,
     },
-    instead: "take the model Physiological",
     // A pulse brings no energy of an object, and springs hold no pressure.
-    silence: "no measure is usable: a force pulse is no object with an energy, and the Paper model \
-              has no pressure or stress; take the model Physiological, or an object",
+    silence: "none: the section of the Paper model has no tissues to read; take the model \
+              Physiological",
 };
 
 const SHARE_OF_ANSWER: f64 = 0.8;

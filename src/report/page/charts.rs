@@ -5,7 +5,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
-use crate::injury::Verdict;
+use crate::injury::Blow;
 use crate::report::format::significant;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
@@ -212,29 +212,27 @@ pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
     }
 }
 
-/// The published curves, each over its measure as a share of what brings 50 %, with the blow on
-/// it.
+/// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,
+/// which lies beside its curve where published energies count.
 pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.
-    let verdicts = answer.verdicts();
-    let used = verdicts.iter().flat_map(Verdict::believed);
-    for (i, risk) in used.take(COLOURS.len()).enumerate() {
-        let half = risk.curve.half();
-        let at = (risk.value / half).min(2.0);
+    let of_tissue = Blow {
+        tested: 0.0,
+        ..answer.case.blow
+    };
+    for (i, risk) in answer.risks().iter().take(COLOURS.len()).enumerate() {
+        let half = risk.injury.curve().half;
+        let at = (risk.known.value / half).min(2.0);
         let point = |k: u32| {
             let share = 0.02 * f64::from(k);
-            (share, 100.0 * risk.curve.risk(share * half))
+            (share, 100.0 * risk.injury.risk(&of_tissue, share * half))
         };
         curves.push(PlottedCurve {
-            name: format!(
-                "{}, {}",
-                risk.curve.injury.name(),
-                risk.curve.measure.short()
-            ),
+            name: risk.injury.name().to_owned(),
             points: (0..=100).map(point).collect(),
         });
-        marks.push((i, (at, 100.0 * risk.curve.risk(at * half))));
+        marks.push((i, (at, 100.0 * risk.risk)));
     }
     PageChart {
         across: "measure, as a share of that of 50 %",

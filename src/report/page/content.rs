@@ -1,12 +1,11 @@
 //! The words and rows of a page, whatever it is written as.
 
-use crate::answer::derived::Derived;
 use crate::answer::solve::Answer;
+use crate::injury::CURVES;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_word};
 use crate::report::format::{capital, percent};
-use crate::report::verdict::{VOID, is_void, range};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
@@ -75,8 +74,7 @@ pub(super) fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// A result as a row: name, value with as many digits as its errors allow, when or whether it
-/// means nothing here, and both errors.
+/// A result as a row: name, value with as many digits as its errors allow, when, and both errors.
 pub(super) struct ResultRow {
     pub(super) name: String,
     pub(super) value: String,
@@ -87,16 +85,15 @@ pub(super) struct ResultRow {
 }
 
 pub(super) fn rows(answer: &Answer) -> Vec<ResultRow> {
-    let (errors, verdicts) = (&answer.errors, answer.verdicts());
+    let errors = &answer.errors;
     let row = |(of, _): (Quantity, f64)| {
         let mesh = errors.mesh.as_ref();
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
         ResultRow {
             name: capital(of.row().label),
-            value: range(answer, of).unwrap_or_else(|| value(answer, of)),
+            value: value(answer, of),
             unit: of.row().unit,
             at: match answer.peak(of) {
-                _ if is_void(&verdicts, of) => VOID.to_owned(),
                 Some(peak) => format!("{:.3} ms", peak.time * 1e3),
                 None => String::new(),
             },
@@ -104,8 +101,8 @@ pub(super) fn rows(answer: &Answer) -> Vec<ResultRow> {
             mesh: known(mesh.and_then(|errors| errors[of])),
         }
     };
-    // What is believed of an injury says its verdict, above.
-    let own = |(of, _): &(Quantity, f64)| !matches!(of.derived(), Some(Derived::Believed(_)));
+    // Risks stand above, with their ranges.
+    let own = |(of, _): &(Quantity, f64)| !of.is_risk();
     answer.results().present().filter(own).map(row).collect()
 }
 
@@ -122,9 +119,11 @@ fn value(answer: &Answer, of: Quantity) -> String {
 pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
     let mut sources = vec![SOURCE];
     let answers = entries.iter().filter_map(Entry::answer);
-    for risk in answers.flat_map(Answer::risks) {
-        if !sources.contains(&risk.curve.source) {
-            sources.push(risk.curve.source);
+    if answers.flat_map(Answer::risks).next().is_some() {
+        for curve in CURVES {
+            if !sources.contains(&curve.source) {
+                sources.push(curve.source);
+            }
         }
     }
     sources

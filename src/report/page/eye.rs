@@ -10,7 +10,7 @@ use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
 use crate::answer::solve::Answer;
-use crate::injury::lines;
+use crate::report::risks::lines;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::content::{FRAMES, spacing};
@@ -223,7 +223,7 @@ pub fn pictures(entries: &[Entry]) -> String {
             style { (PreEscaped(STYLE)) }
             rect width="100%" height="100%" fill="white" {}
             @for (x, (entry, answer, picture)) in placed {
-                @let verdict = lines(&answer.verdicts()).into_iter().next();
+                @let verdict = lines(answer).into_iter().next();
                 @let view = picture.view().map(|side| side.to_string()).join(" ");
                 svg x=(x) width=(side) height=(high) viewBox=(view) { (picture.content()) }
                 text x=(x + 40) y=(high + 170) { (printable(&entry.scenario.name)) }

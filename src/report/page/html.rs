@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::injury::lines;
+use crate::injury::SIGNS;
+use crate::report::risks::{first_line, lines};
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
@@ -74,9 +75,7 @@ fn comparison(entries: &[Entry]) -> Markup {
             h1 { "Side by side" }
             @for entry in entries {
                 @if let Some(answer) = entry.answer() {
-                    @if let Some((name, words)) = lines(&answer.verdicts()).into_iter().next() {
-                        p.verdict { strong { (printable(&entry.name)) } ": " (name) ": " (words) }
-                    }
+                    p.verdict { strong { (printable(&entry.name)) } ": " (first_line(answer)) }
                 }
             }
             div.wide {
@@ -108,7 +107,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
-                    @for (name, words) in lines(&answer.verdicts()) {
+                    @for (name, words) in lines(answer) {
                         p.verdict { strong { (name) } ": " (words) }
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }
@@ -123,7 +122,7 @@ fn blow(entry: &Entry) -> Markup {
                     div.charts {
                         (figure("Forces", &charts::forces(answer)))
                         (figure(&capital(&motion.up), &motion))
-                        (figure("Published injury curves that are believed, and this blow on them",
+                        (figure("Risk against what each tissue felt, and this blow on the curves",
                             &charts::injuries(answer)))
                     }
                 }

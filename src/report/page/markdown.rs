@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::injury::lines;
+use crate::report::risks::lines;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
@@ -41,7 +41,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         return writeln!(out, "No answer: {}\n", escaped(&why));
     };
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
-    for (name, words) in lines(&answer.verdicts()) {
+    for (name, words) in lines(answer) {
         writeln!(out, "- **{name}**: {}", escaped(&words))?;
     }
     if let Some(why) = unusable(answer) {

@@ -17,6 +17,8 @@ const SHELL_AREAL: f64 = 0.44;
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
+/// What is nearer to an object than this counts as touched by it, in m.
+const TOUCHING: f64 = 5e-5;
 /// The Courant number where the object loses energy, as the loss follows velocities half a step
 /// old.
 const DAMPED: f64 = 0.5;
@@ -49,8 +51,21 @@ pub(crate) struct Touch {
     /// Power lost in the object's surface, W, less what its own motion does
     /// ([`MovingObject::lossy`]).
     pub loss: f64,
+    /// Farthest from the axis that the shell lies within [`TOUCHING`] of the object, m.
+    pub radius: f64,
     /// Segments of the shell that were looked at.
     pub segments: usize,
+}
+
+/// How far from the axis the object is touched between two points with their depths in it.
+fn touched_to(a: (f64, f64), b: (f64, f64)) -> f64 {
+    if b.0 >= -TOUCHING {
+        b.1
+    } else if a.0 >= -TOUCHING {
+        a.1 + (a.0 + TOUCHING) / (a.0 - b.0) * (b.1 - a.1)
+    } else {
+        0.0
+    }
 }
 
 /// Where the points lie along a segment, as shares of it.
@@ -118,11 +133,13 @@ impl Target {
             traction: 0.0,
             used_up: 0.0,
             loss: 0.0,
+            radius: 0.0,
             segments: 0,
         };
         let centre = projectile.x[0];
         let near = object.near();
-        let front = centre + object.reach() + near;
+        let front = centre + object.reach() + near.max(TOUCHING);
+        let mut before = (f64::NEG_INFINITY, 0.0);
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
         for (i, areas) in self.area.iter().enumerate() {
             if x[i].min(x[i + 1]) > front {
@@ -134,6 +151,8 @@ impl Target {
                 let s = share(point);
                 let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
                 let (gap, nx, nr) = object.gap(px - centre, pr);
+                touch.radius = touch.radius.max(touched_to(before, (gap, pr)));
+                before = (gap, pr);
                 if gap <= -near {
                     continue;
                 }

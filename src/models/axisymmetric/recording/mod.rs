@@ -4,3 +4,4 @@ pub mod frames;
 pub mod record;
 pub mod results;
 pub mod sensor;
+pub(crate) mod tissue;

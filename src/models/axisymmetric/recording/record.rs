@@ -24,6 +24,7 @@ impl<C: Cells> Motion<'_, C> {
             .offer(self.filters[1].pass(now.sums.sensor, share), time);
         let mean = self.back_mean.pass(now.sums.sensor, time, step);
         e.mean_back_pressure.offer(mean, time);
+        self.tissues.read(&self.state, share, time, e);
         self.stress = 0.0;
         for (i, (passed, now)) in self
             .tension_passed
@@ -41,6 +42,7 @@ impl<C: Cells> Motion<'_, C> {
         }
         if let Some(touch) = &now.touch {
             e.rim_force.offer(-touch.rim, time);
+            e.contact_radius = e.contact_radius.max(touch.radius);
             if touch.used_up >= 1.0 {
                 e.crushed_at.get_or_insert(time);
             }
@@ -130,6 +132,9 @@ impl<C: Cells> Motion<'_, C> {
         t.pressure.push(self.filters[0].now);
         t.back_pressure.push(self.back_mean.now);
         t.scleral_stress.push(self.stress);
+        for (trace, now) in t.tissue.iter_mut().zip(self.tissues.now) {
+            trace.push(now);
+        }
         t.shortening.push(shape.shortening);
         t.lens.push(shape.lens);
         if let Some((object, projectile)) = &self.object {

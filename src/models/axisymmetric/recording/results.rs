@@ -2,6 +2,7 @@
 
 use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Peak, Traces};
+use std::f64::consts::PI;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,6 +36,12 @@ pub struct Extremes {
     pub apex: Peak,
     /// Way of the lens's centre of mass along the axis, m.
     pub lens: Peak,
+    /// Stretch of the wall at the equator and at the back, growth of the radius at the retina's
+    /// front edge, and how much the lens and the root of the iris are drawn apart, in m; see
+    /// [`super::tissue`].
+    pub tissue: [Peak; 5],
+    /// Radius of the largest contact, m.
+    pub contact_radius: f64,
     /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
     pub node_force: [Peak; 4],
     /// Least volume of the globe over that at rest.
@@ -65,6 +72,16 @@ impl Extremes {
             most_volume: 1.0,
             least_triangle: 1.0,
             ..Self::default()
+        }
+    }
+
+    /// Energy that the eye was given over the area of the largest contact, J/m2; 0 without any.
+    pub fn energy_over_contact(&self) -> f64 {
+        let area = PI * self.contact_radius * self.contact_radius;
+        if area > 0.0 {
+            self.energy_imparted.max(0.0) / area
+        } else {
+            0.0
         }
     }
 

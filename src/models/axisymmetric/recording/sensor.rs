@@ -147,27 +147,34 @@ pub fn monitored(eye: &AxisymmetricEye) -> [usize; 4] {
 /// 5 degrees above the front pole, 5 degrees above the back pole, and 5 degrees behind the top.
 /// Between nodes, the velocity is linear.
 fn places(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
-    let on_shell = |angle: f64| {
-        let fronts: Vec<f64> = eye
-            .mesh
-            .shell
-            .iter()
-            .map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0))
-            .collect();
-        let after = fronts.iter().position(|&f| f > angle);
-        let i = after.unwrap_or(fronts.len() - 1).max(1);
-        let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
-        vec![
-            (place(eye.mesh.shell[i - 1]), 1.0 - s),
-            (place(eye.mesh.shell[i]), s),
-        ]
-    };
+    let on_shell = |angle: f64| on_shell(eye, angle.to_radians(), &place);
     let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
     [
-        between(eye, aim, &place),
-        on_shell(5f64.to_radians()),
-        on_shell(175f64.to_radians()),
-        on_shell(95f64.to_radians()),
+        between(eye, (aim, aim), &place),
+        on_shell(5.0),
+        on_shell(175.0),
+        on_shell(95.0),
+    ]
+}
+
+/// The shell's nodes on both sides of a front angle (rad) at rest, with linear shares.
+pub(crate) fn on_shell(
+    eye: &AxisymmetricEye,
+    angle: f64,
+    place: impl Fn(usize) -> usize,
+) -> Vec<(usize, f64)> {
+    let fronts: Vec<f64> = eye
+        .mesh
+        .shell
+        .iter()
+        .map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0))
+        .collect();
+    let after = fronts.iter().position(|&f| f > angle);
+    let i = after.unwrap_or(fronts.len() - 1).max(1);
+    let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
+    vec![
+        (place(eye.mesh.shell[i - 1]), 1.0 - s),
+        (place(eye.mesh.shell[i]), s),
     ]
 }
 
@@ -216,8 +223,12 @@ impl Accelerometers {
     }
 }
 
-/// Corners of the cell around (`aim`, `aim`) with bilinear shares.
-fn between(eye: &AxisymmetricEye, aim: f64, place: impl Fn(usize) -> usize) -> Vec<(usize, f64)> {
+/// Corners of the cell around the place `aim` at rest with bilinear shares.
+pub(crate) fn between(
+    eye: &AxisymmetricEye,
+    aim: (f64, f64),
+    place: impl Fn(usize) -> usize,
+) -> Vec<(usize, f64)> {
     for cell in &eye.cells {
         let p = cell.corners.map(|n| eye.at(n));
         // Newton's method on the bilinear map; cells are convex, so it converges.
@@ -225,7 +236,7 @@ fn between(eye: &AxisymmetricEye, aim: f64, place: impl Fn(usize) -> usize) -> V
         let shares = |s: f64, t: f64| [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
         for _ in 0..20 {
             let w = shares(s, t);
-            let (mut x, mut r) = (-aim, -aim);
+            let (mut x, mut r) = (-aim.0, -aim.1);
             for i in 0..4 {
                 x += w[i] * p[i].0;
                 r += w[i] * p[i].1;

@@ -26,6 +26,7 @@ use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extreme
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
+use crate::models::axisymmetric::recording::tissue::Tissues;
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::fold::FoldWatch;
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
@@ -254,6 +255,7 @@ pub(crate) struct Motion<'a, C> {
     /// s.
     pub swing: f64,
     pub accelerometers: Accelerometers,
+    pub tissues: Tissues,
     pub force_mean: RunningMean,
     pub back_mean: RunningMean,
     /// Tension of the sclera in each segment, along and around, Pa, and through a low pass.
@@ -328,6 +330,10 @@ impl<'a, C: Cells> Motion<'a, C> {
             .filter(|(_, m)| **m > 0.0)
             .map(|(node, m)| (cells.place(node), m / total))
             .collect();
+        let mut extremes = Extremes::at_rest();
+        if let AxisymmetricLoad::Pulse(_, half_width) = blow {
+            extremes.contact_radius = eye.parameters.radius * libm::sin(half_width.min(0.5 * PI));
+        }
         let state = cells.rest();
         let mut mass = vec![0.0; state.x.len()];
         for (node, m) in eye.mass.iter().enumerate() {
@@ -341,6 +347,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             globe_volume,
             swing: swing(eye),
             accelerometers: Accelerometers::new(eye, |n| cells.place(n)),
+            tissues: Tissues::new(eye, &state, |n| cells.place(n)),
             balance,
             shell: Shell::new(eye),
             target,
@@ -364,7 +371,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             came: 0.0,
             missing: 0.0,
             energy: Energy::default(),
-            extremes: Extremes::at_rest(),
+            extremes,
             fold: FoldWatch::new(eye.cells.len()),
             traces: Traces::default(),
             frame_taker: keep.frames.map(FramesDue::new),

@@ -14,11 +14,10 @@
 //! volume; drawn from the measurements the mesh would have nothing to hold it. Left out too:
 //! densities and correlations between tissues, for which no spread is published.
 
-use crate::injury::ASSUMED_SLOPE;
 use crate::normal;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Impact, Scenario, fields, set};
+use crate::scenario::{Model, Scenario, fields, set};
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,17 +52,17 @@ const fn drag(nominal: f64, ratio: f64) -> Shape {
     Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio)
 }
 
-/// The slope of the injury curves, which no scenario holds: drawn where an object brings such a
-/// curve.
-pub static SLOPE: Field = Field {
-    help: "How steep the curve of a risk is where no source says it",
-    path: "injury.slope",
-    label: "Slope of curves",
+/// Where the injury curves lie, which no scenario holds: in standard deviations from where they are
+/// believed to lie. Drawn where there are risks.
+pub static CURVES: Field = Field {
+    help: "Where the curves of risk lie, in standard deviations from where they are believed to",
+    path: "injury.curves",
+    label: "Injury curves",
     unit: "",
     kind: Kind::Number(
         Bounds {
-            min: ASSUMED_SLOPE.least,
-            max: ASSUMED_SLOPE.most,
+            min: -4.0,
+            max: 4.0,
             fine: 0.1,
             coarse: 1.0,
         },
@@ -144,6 +143,15 @@ pub static SPREADS: &[Spread] = &[
     },
 ];
 
+/// Inputs of which less is worse, or moves the measures more.
+const LESS_IS_WORSE: [&str; 5] = [
+    "impact.diameter_mm",
+    "model.sclera_mpa",
+    "model.sclera_thickness",
+    "model.cornea_mpa",
+    "model.cornea_thickness",
+];
+
 /// An input that is not known and that an ensemble draws.
 #[derive(Clone)]
 pub struct UncertainInput {
@@ -169,6 +177,23 @@ impl UncertainInput {
             Shape::Normal(mean, sd) => normal::cut_off(mean, sd, self.bounds, u),
         };
         value.clamp(min, max)
+    }
+
+    /// The value one standard deviation from what the scenario holds, to the side on which it
+    /// matters more.
+    pub fn one_off(&self) -> f64 {
+        let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
+        let (min, max) = self.bounds;
+        let off = match self.shape {
+            Shape::Normal(_, sd) => self.nominal + sign * sd,
+            Shape::LogUniform(..) | Shape::Uniform(..) => self.value(normal::below(sign)),
+        };
+        off.clamp(min, max)
+    }
+
+    /// Whether a run is needed to see what it does: the curves of risk are no input of one.
+    pub(crate) fn is_run(&self) -> bool {
+        self.field.path != CURVES.path
     }
 
     /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
@@ -209,14 +234,14 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
             source: Some(spread.source),
         })
     });
-    let slope = matches!(scenario.impact, Impact::Projectile(_)).then_some(UncertainInput {
-        field: &SLOPE,
-        nominal: ASSUMED_SLOPE.usual,
-        shape: Shape::Uniform(ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),
-        bounds: (ASSUMED_SLOPE.least, ASSUMED_SLOPE.most),
-        source: Some("none is published: 3 to 7 assumed, in units of the point of 50 %"),
+    let curves = (scenario.model != Model::Paper).then_some(UncertainInput {
+        field: &CURVES,
+        nominal: 0.0,
+        shape: Shape::Normal(0.0, 1.0),
+        bounds: (-4.0, 4.0),
+        source: Some("how far kinds of object and published figures disagree"),
     });
-    doubted.chain(published).chain(slope).collect()
+    doubted.chain(published).chain(curves).collect()
 }
 
 #[cfg(test)]

@@ -1,0 +1,111 @@
+//! What the inputs that are not known do to the risks: one run for each of them.
+//!
+//! Each uncertain input is moved alone by one standard deviation, to the side on which it matters
+//! more, and log10 of each measure by as much as it then moves; in quadrature these are the
+//! standard deviation of log10 of the measure. An ensemble draws all inputs together and checks it.
+//!
+//! Left out: inputs that hang together, and curvature over more than one standard deviation.
+
+use crate::answer::brief::single;
+use crate::answer::solve::Answer;
+use crate::answer::uncertain::{UncertainInput, inputs};
+use crate::injury::{Blow, Injury, PerInjury};
+use crate::run::ordered::{self, until};
+use crate::run::refusal::Refusal;
+use crate::scenario::Scenario;
+use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
+
+/// Standard deviations that what is not known of the inputs brings.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InputDoubt {
+    /// Of log10 of the measure of each injury.
+    pub measures: PerInjury<f64>,
+    /// Of log10 of the object's energy over its area.
+    pub energy: f64,
+}
+
+/// How far one input moves log10 of the measures and of the energy over area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Moved {
+    measures: PerInjury<f64>,
+    energy: f64,
+}
+
+/// What of an answer its input doubt depends on, so that it can be estimated elsewhere.
+#[derive(Debug, Clone, Copy)]
+pub struct InputQuery {
+    measures: Option<PerInjury<f64>>,
+}
+
+/// By how much log10 goes from one value to another; 0 where there is nothing to compare.
+fn way(from: f64, to: f64) -> f64 {
+    let way = libm::log10(to / from);
+    if way.is_finite() { way } else { 0.0 }
+}
+
+impl InputQuery {
+    /// The question for `answer`.
+    pub fn of(answer: &Answer) -> Self {
+        let measure = |injury: Injury| answer.result(injury.measure());
+        let known = Injury::ALL.iter().all(|injury| measure(*injury).is_some());
+        Self {
+            measures: known.then(|| std::array::from_fn(|i| measure(Injury::ALL[i]).unwrap_or(0.0))),
+        }
+    }
+
+    /// Runs `scenario`, the one that was answered, once for each uncertain input, on all cores;
+    /// `progress` is told the share done.
+    ///
+    /// # Errors
+    /// [`Refusal::Cancelled`] if it was stopped. An input that cannot be moved so counts as known.
+    pub fn estimate(
+        &self,
+        scenario: &Scenario,
+        stop: &AtomicBool,
+        mut progress: impl FnMut(f64) + Send,
+    ) -> Result<InputDoubt, Refusal> {
+        let Some(from) = self.measures else {
+            return Ok(InputDoubt::default());
+        };
+        let inputs: Vec<UncertainInput> = inputs(scenario).into_iter().filter(|i| i.is_run()).collect();
+        let energy = Blow::of(scenario).energy;
+        let run = |index: usize| {
+            let input = &inputs[index];
+            let mut moved = scenario.clone();
+            moved.doubt.clear();
+            input.put(&mut moved, input.one_off());
+            let run = moved.check().map_err(Refusal::Scenario);
+            match run.and_then(|moved| single(&moved, None, &mut until(stop))) {
+                Ok(brief) => Some(Some(Moved {
+                    measures: std::array::from_fn(|i| {
+                        let value = brief.values[Injury::ALL[i].measure()];
+                        way(from[i], value.unwrap_or(0.0))
+                    }),
+                    energy: energy.map_or(0.0, |energy| {
+                        way(energy, Blow::of(&moved).energy.unwrap_or(0.0))
+                    }),
+                })),
+                Err(Refusal::Cancelled) => None,
+                Err(_) => Some(None),
+            }
+        };
+        let mut doubt = InputDoubt::default();
+        let mut done = 0;
+        ordered::run((0, inputs.len()), stop, run, |_, moved: Option<Moved>| {
+            done += 1;
+            progress(done as f64 / inputs.len() as f64);
+            if let Some(moved) = moved {
+                for (sum, way) in doubt.measures.iter_mut().zip(moved.measures) {
+                    *sum = libm::hypot(*sum, way);
+                }
+                doubt.energy = libm::hypot(doubt.energy, moved.energy);
+            }
+            ControlFlow::Continue(())
+        });
+        if done < inputs.len() {
+            return Err(Refusal::Cancelled);
+        }
+        Ok(doubt)
+    }
+}

@@ -1,0 +1,73 @@
+//! One number that people understand: the speed of a BB of which the tissue would feel the same.
+//!
+//! A steel BB of 4.5 mm and 0.345 g, straight on at a human eye in its orbit. Its measures were
+//! computed on level 1 at a grid of speeds (`contrecoup verify fit` does it again); between them
+//! log m is linear in log v, and where a measure falls with speed the largest so far counts, so
+//! that a larger measure never has a slower BB.
+
+use crate::injury::kind::{Injury, PerInjury};
+use std::fmt;
+
+/// Speeds of the table, m/s.
+pub const SPEEDS: [f64; 12] = [
+    3.0, 5.0, 8.0, 12.0, 18.0, 26.0, 38.0, 56.0, 75.0, 100.0, 140.0, 190.0,
+];
+
+/// The measure of each injury at those speeds, SI.
+pub static MEASURES: PerInjury<[f64; SPEEDS.len()]> = [
+    [0.000985, 0.00236, 0.00475, 0.00794, 0.0127, 0.019, 0.0286, 0.0424, 0.0547, 0.0687, 0.0799, 0.0989],
+    [0.000545, 0.00122, 0.00217, 0.00347, 0.00539, 0.00839, 0.0135, 0.0227, 0.0331, 0.0465, 0.0684, 0.0869],
+    [0.00251, 0.00602, 0.0122, 0.0212, 0.0344, 0.0505, 0.0721, 0.0979, 0.119, 0.136, 0.146, 0.165],
+    [8.4e-05, 0.000163, 0.000254, 0.000353, 0.000492, 0.000665, 0.00102, 0.00197, 0.00328, 0.00431, 0.00382, 0.00541],
+    [0.000119, 0.00022, 0.000342, 0.000487, 0.000673, 0.000947, 0.00157, 0.00322, 0.00492, 0.00628, 0.00732, 0.00942],
+    [113.0, 385.0, 1_170.0, 2_760.0, 5_710.0, 10_900.0, 19_100.0, 35_900.0, 60_500.0, 99_200.0, 190_000.0, 352_000.0],
+];
+
+/// A BB in place of what hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Equivalent {
+    /// Slower than the slowest of the table, m/s.
+    Under(f64),
+    /// m/s.
+    At(f64),
+    /// Faster than the fastest, m/s.
+    Over(f64),
+}
+
+impl Equivalent {
+    /// The speed, or the end of the table beyond which it lies, m/s.
+    pub fn speed(self) -> f64 {
+        match self {
+            Self::Under(speed) | Self::At(speed) | Self::Over(speed) => speed,
+        }
+    }
+}
+
+impl fmt::Display for Equivalent {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let which = match self {
+            Self::Under(_) => "under ",
+            Self::At(_) => "",
+            Self::Over(_) => "over ",
+        };
+        write!(f, "a BB at {which}{:.0} m/s", self.speed())
+    }
+}
+
+/// The BB of which the tissue of `injury` would feel as much.
+pub fn equivalent(injury: Injury, measure: f64) -> Equivalent {
+    let mut before = (SPEEDS[0], MEASURES[injury as usize][0]);
+    if measure < before.1 {
+        return Equivalent::Under(before.0);
+    }
+    for (speed, at) in SPEEDS.into_iter().zip(MEASURES[injury as usize]) {
+        if at > measure {
+            let share = libm::log(measure / before.1) / libm::log(at / before.1);
+            return Equivalent::At(before.0 * libm::pow(speed / before.0, share));
+        }
+        if at > before.1 {
+            before = (speed, at);
+        }
+    }
+    Equivalent::Over(SPEEDS[SPEEDS.len() - 1])
+}

@@ -1,0 +1,99 @@
+//! Risk of an injury by what its own tissue felt: curves carried over by simulation.
+//!
+//! The objects behind the published energy curves were run at the energy of 50 % (`contrecoup
+//! verify fit` does it again), and what the tissue felt there is `half`. With m the measure, the
+//! risk is Phi(log10(m/half)/hypot(eyes, known)):
+//!
+//! * `eyes` says how much eyes differ: the spread of the published curve in log10 of energy, times
+//!   the slope of log10 m over it.
+//! * `known` says how far the curve itself is known: how much the kinds of object disagree at equal
+//!   energy, and how far published figures do.
+//!
+//! What a single blow does not tell apart, eyes, gives a probability; what is not known, the curve,
+//! the errors and the inputs, gives its range.
+
+use crate::injury::kind::Injury;
+
+/// The curve of one injury against its measure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TissueCurve {
+    /// Value of the measure where the risk is 50 %, SI.
+    pub half: f64,
+    /// How much eyes differ: a standard deviation in log10 of the measure.
+    pub eyes: f64,
+    /// How far the curve is known: a standard deviation in log10 of the measure.
+    pub known: f64,
+    /// How far the published energy of 50 % is known, where that curve counts: a standard
+    /// deviation in its log10.
+    pub energy_known: f64,
+    /// Where the data end: the largest of the kinds at 100 kJ/m2, SI.
+    pub end: f64,
+    /// Share by which the measure may be off where finer meshes tell no limit.
+    pub mesh_unknown: f64,
+    /// What the curve was matched to.
+    pub matched: &'static str,
+}
+
+impl Injury {
+    /// Its curve.
+    pub fn curve(self) -> &'static TissueCurve {
+        &CURVES[self as usize]
+    }
+}
+
+static CURVES: [TissueCurve; Injury::ALL.len()] = [
+    TissueCurve {
+        half: 0.0568,
+        eyes: 0.141,
+        known: 0.107,
+        energy_known: 0.05,
+        end: 0.153,
+        mesh_unknown: 0.15,
+        matched: "34.2 to 35.8 kJ/m2, human eyes in gelatin",
+    },
+    TissueCurve {
+        half: 0.0358,
+        eyes: 0.080,
+        known: 0.082,
+        energy_known: 0.10,
+        end: 0.131,
+        mesh_unknown: 0.15,
+        matched: "30.4 kJ/m2, human and pig eyes; thin data",
+    },
+    TissueCurve {
+        half: 0.130,
+        eyes: 0.042,
+        known: 0.150,
+        energy_known: 0.10,
+        end: 0.143,
+        mesh_unknown: 0.15,
+        matched: "10 % at 1.2 J with blunt metal of 2.6 to 45.5 g, 16 pig eyes; very thin data",
+    },
+    TissueCurve {
+        half: 1.66e-3,
+        eyes: 0.068,
+        known: 0.134,
+        energy_known: 0.05,
+        end: 5.62e-3,
+        mesh_unknown: 0.30,
+        matched: "19.2 and 21.7 kJ/m2, human and pig eyes",
+    },
+    TissueCurve {
+        half: 2.15e-3,
+        eyes: 0.103,
+        known: 0.173,
+        energy_known: 0.10,
+        end: 9.10e-3,
+        mesh_unknown: 0.30,
+        matched: "12.7 and 20.2 kJ/m2, human and pig eyes",
+    },
+    TissueCurve {
+        half: 1375.0,
+        eyes: 0.139,
+        known: 0.275,
+        energy_known: 0.10,
+        end: 9.79e4,
+        mesh_unknown: 0.15,
+        matched: "1.50 kJ/m2, foam beside metal",
+    },
+];

@@ -1,0 +1,101 @@
+//! A range of risk in words and in whole percent.
+
+use crate::injury::kind::Injury;
+use crate::injury::risk::Risk;
+
+/// Said of what may be more.
+pub const AT_LEAST: &str = "at least";
+/// Said where rupture is as likely as not.
+pub const BURST: &str = "a burst globe has the others too";
+/// Stands under every answer, whatever it says.
+pub const SIGNS: &str = "Pain, poor vision, blood, an odd pupil or double vision need an eye doctor \
+    today; a low figure is no reassurance. Research and education, not diagnosis.";
+
+/// Upper ends of risk, in %, with the word for risks below each.
+const SCALE: [(f64, &str); 4] = [
+    (5.0, "unlikely"),
+    (50.0, "possible"),
+    (95.5, "likely"),
+    (f64::INFINITY, "almost certain"),
+];
+
+/// The place in the scale of words of a risk from 0 to 1, as it is printed.
+pub fn gravity(risk: f64) -> usize {
+    let percent = (100.0 * risk).round();
+    let place = SCALE.iter().position(|(below, _)| percent < *below);
+    place.unwrap_or(SCALE.len() - 1)
+}
+
+/// A risk from 0 to 1 in whole percent.
+pub fn whole(risk: f64) -> String {
+    match (100.0 * risk).round() {
+        none if none < 1.0 => "under 1 %".to_owned(),
+        all if all > 99.0 => "over 99 %".to_owned(),
+        some => format!("{some} %"),
+    }
+}
+
+/// A range of risks from 0 to 1, in whole %, as in `27-94 %`.
+pub fn span((low, high): (f64, f64)) -> String {
+    let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
+    if least == most {
+        whole(low)
+    } else {
+        format!("{least}-{most} %")
+    }
+}
+
+impl Risk {
+    /// The whole range in a word or two.
+    pub fn word(&self) -> String {
+        let (low, high) = (gravity(self.range.0), gravity(self.range.1));
+        if self.is_unclear() {
+            "unclear".to_owned()
+        } else if low == high {
+            SCALE[low].1.to_owned()
+        } else {
+            format!("{} to {}", SCALE[low].1, SCALE[high].1)
+        }
+    }
+
+    /// Whether the range goes from the least word of the scale to the greatest.
+    pub fn is_unclear(&self) -> bool {
+        gravity(self.range.1) - gravity(self.range.0) == SCALE.len() - 1
+    }
+
+    /// The range in percent.
+    pub fn percent(&self) -> String {
+        if self.at_least {
+            format!("{AT_LEAST} {}", whole(self.range.0))
+        } else {
+            span(self.range)
+        }
+    }
+
+    /// What to say after the injury's name, the longest words first, for places where room may be
+    /// short.
+    pub fn forms(&self) -> Vec<String> {
+        let short = format!("{} ({})", self.word(), self.percent());
+        let median = format!("{}, most likely {}", self.percent(), whole(self.risk));
+        let middle = format!("{} ({median})", self.word());
+        let equivalent = format!("{middle}, like {}", self.equivalent);
+        vec![equivalent, middle, short, self.percent()]
+    }
+
+    /// All that is said after the injury's name.
+    pub fn words(&self) -> String {
+        let mut words = self.forms().swap_remove(0);
+        if self.bursts() {
+            words.extend(["; ", BURST]);
+        }
+        for note in &self.notes {
+            words.extend(["; ", note]);
+        }
+        words
+    }
+
+    /// Whether the globe bursts as likely as not, which comes before all else.
+    pub fn bursts(&self) -> bool {
+        self.injury == Injury::GlobeRupture && self.risk >= 0.5
+    }
+}

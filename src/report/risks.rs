@@ -1,0 +1,204 @@
+//! The answer first: one line an injury, in text and as JSON, and what it rests on.
+
+use crate::answer::solve::Answer;
+use crate::injury::{AT_LEAST, Blow, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
+use crate::report::figure::Figure;
+use crate::report::format::{block, paragraph};
+use crate::run::quantity::Quantity;
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// What to say of each injury, under its name; in one line why nothing is said where that is so.
+pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
+    if let Some(silence) = answer.silence() {
+        return vec![("injuries", silence.to_owned())];
+    }
+    let spoiled = answer.spoiled();
+    let spoiled = spoiled.map(|spoiled| format!("; {}: {}", spoiled.why, spoiled.next));
+    let line = |risk: &Risk| {
+        let why = spoiled.as_deref().unwrap_or_default();
+        (risk.injury.name(), format!("{}{why}", risk.words()))
+    };
+    answer.risks().iter().map(line).collect()
+}
+
+/// The gravest of [`lines`] in one sentence.
+pub fn first_line(answer: &Answer) -> String {
+    let first = lines(answer).into_iter().next();
+    first.map_or_else(String::new, |(name, words)| format!("{name}: {words}"))
+}
+
+/// What the ranges do not hold yet, in words; none where they hold all.
+pub fn uncounted(answer: &Answer) -> Option<String> {
+    let missing = answer.uncounted();
+    let any = !missing.is_empty() && answer.silence().is_none();
+    any.then(|| missing.join(" and "))
+}
+
+/// The range of a risk in %, as a table shows it; none of what is no risk.
+pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
+    let percent = answer.risk(Injury::of(of)?)?.percent();
+    let number = percent.trim_end_matches(" %");
+    Some(number.replace(&format!("{AT_LEAST} "), "≥"))
+}
+
+/// Prints a line for each injury and the signs that count more than any of them.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    for (name, words) in lines(answer) {
+        paragraph(&format!("{name}: {words}"), out)?;
+    }
+    if let Some(missing) = uncounted(answer) {
+        paragraph(&format!("(80 % ranges without {missing})"), out)?;
+    }
+    paragraph(SIGNS, out)
+}
+
+/// Prints what each risk rests on; nothing where there are none.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    let risks = answer.risks();
+    if risks.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
+    for risk in &risks {
+        for line in basis(answer, risk) {
+            block(&line, "  ", "      ", out)?;
+        }
+    }
+    Ok(())
+}
+
+/// What one risk rests on, a sentence each: what its tissue felt, and the published curves.
+pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
+    let (injury, measure) = (risk.injury, risk.injury.measure());
+    let (curve, row) = (injury.curve(), measure.row());
+    let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
+    let half = crate::report::format::significant(curve.half * row.factor);
+    let mut lines = vec![format!(
+        "{}: {} {felt}, 50 % at {half} {}, matched to {}",
+        injury.name(),
+        row.label,
+        row.unit,
+        curve.matched
+    )];
+    lines.extend(published(injury, &answer.case.blow));
+    lines
+}
+
+/// What the published curves of an injury say of the energy of a blow.
+fn published(injury: Injury, blow: &Blow) -> Vec<String> {
+    let Some(energy) = blow.energy else {
+        return Vec::new();
+    };
+    let said = |curve: &EnergyCurve| {
+        let slope = if curve.slope_known { "" } else { "; slope assumed" };
+        format!(
+            "by energy alone {} ({:.1} of {:.1} kJ/m2): {}; {}{slope}",
+            whole(curve.risk(energy)),
+            energy * 1e-3,
+            curve.half * 1e-3,
+            curve.source,
+            curve.data
+        )
+    };
+    EnergyCurve::of(injury).map(said).collect()
+}
+
+/// The risks as one object, a member for each injury.
+pub fn json(answer: &Answer) -> Value {
+    let one = |risk: &Risk| {
+        let (measure, blow) = (risk.injury.measure(), &answer.case.blow);
+        let curves = EnergyCurve::of(risk.injury).map(|curve| {
+            json!({
+                "source": curve.source,
+                "data": curve.data,
+                "half_at_kj_m2": curve.half * 1e-3,
+                "slope_published": curve.slope_known,
+                "percent": blow.energy.map(|energy| 100.0 * curve.risk(energy)),
+            })
+        });
+        let value = json!({
+            "percent": 100.0 * risk.risk,
+            "low_percent": 100.0 * risk.range.0,
+            "high_percent": 100.0 * risk.range.1,
+            "at_least": risk.at_least,
+            "word": risk.word(),
+            "equivalent_bb_m_s": risk.equivalent.speed(),
+            "equivalent_bb_is": match risk.equivalent {
+                Equivalent::Under(_) => "under",
+                Equivalent::At(_) => "at",
+                Equivalent::Over(_) => "over",
+            },
+            "measure": measure.key(),
+            "half_at": risk.injury.curve().half * measure.row().factor,
+            "notes": risk.notes,
+            "text": risk.words(),
+            "published": curves.collect::<Vec<_>>(),
+        });
+        (risk.injury.key().to_owned(), value)
+    };
+    answer.risks().iter().map(one).collect::<Map<_, _>>().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
+    use crate::scenario::library;
+    use crate::scenario::set::set;
+
+    fn answer(preset: &str, changes: &[(&str, &str)]) -> Answer {
+        let mut scenario = library::find(preset).unwrap().scenario().unwrap();
+        for (path, value) in changes {
+            set(&mut scenario, path, value).unwrap();
+        }
+        solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
+    }
+
+    fn printed(answer: &Answer) -> String {
+        let mut out = Vec::new();
+        text(answer, &mut out).unwrap();
+        evidence(answer, &mut out).unwrap();
+        let page = String::from_utf8(out).unwrap();
+        assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+        page
+    }
+
+    #[test]
+    fn every_injury_has_a_line_a_range_and_what_it_rests_on() {
+        let bb = answer("bb-56", &[]);
+        let page = printed(&bb);
+        for injury in Injury::ALL {
+            assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
+        }
+        for words in ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"] {
+            assert!(page.contains(words), "{words} in\n{page}");
+        }
+        let cell = range(&bb, Quantity::GlobeRupture).unwrap();
+        let risk = bb.risk(Injury::GlobeRupture).unwrap();
+        assert_eq!(format!("{cell} %"), risk.percent());
+        assert_eq!(range(&bb, Quantity::Pressure), None);
+        let object = json(&bb);
+        for injury in Injury::ALL {
+            let risk = &object[injury.key()];
+            assert!(risk["low_percent"].as_f64() <= risk["percent"].as_f64());
+            assert!(risk["percent"].as_f64() <= risk["high_percent"].as_f64());
+        }
+    }
+
+    #[test]
+    fn a_pulse_on_the_section_says_in_one_line_why_there_are_no_injuries() {
+        let paper = answer("paper-300n", &[]);
+        assert_eq!(lines(&paper).len(), 1);
+        assert!(printed(&paper).starts_with("injuries: none: "));
+        assert_eq!(json(&paper), json!({}));
+    }
+}
