@@ -106,7 +106,7 @@ fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, RuptureByPressure};
+    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, GlobeRupture};
 
     fn with(known: &[(Quantity, f64)]) -> Results {
         Results::from_fn(|q| known.iter().find(|(of, _)| *of == q).map(|(_, v)| *v))
@@ -126,8 +126,8 @@ mod tests {
 
     #[test]
     fn differences_are_of_what_both_have_and_not_of_risks() {
-        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (RuptureByPressure, 4.0)]);
-        let b = with(&[(Damage, 10.0), (Contact, 1.0), (RuptureByPressure, 8.0)]);
+        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (GlobeRupture, 4.0)]);
+        let b = with(&[(Damage, 10.0), (Contact, 1.0), (GlobeRupture, 8.0)]);
         let difference = a.difference_percent(&b);
         let found: Vec<(Quantity, f64)> = difference.present().collect();
         assert_eq!(found, [(Damage, 10.0)]);

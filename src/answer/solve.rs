@@ -451,12 +451,11 @@ mod tests {
         let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));
         let none = |of: &Quantity| !whole.at_least(*of);
         assert!(Quantity::ALL.iter().all(none));
-        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::RuptureByStress));
-        assert!(!cut.at_least(Quantity::RuptureByEnergy));
+        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::GlobeRupture));
         // What bounces takes energy along.
         assert_eq!(cut.cut(Quantity::Energy), Some(Cut::NotFinal));
         assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
-        assert!(cut.verdicts()[0].at_least && !whole.verdicts()[0].at_least);
+        assert!(cut.risks()[0].at_least && !whole.risks()[0].at_least);
         // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
         let paper = of(0.21, "paper-300n");
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));

@@ -303,6 +303,7 @@ pub fn run(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::quantity::Quantity;
     use crate::answer::brief::Check;
     use crate::scenario::set::set;
 

@@ -137,7 +137,7 @@ fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy()
     add_mesh_error(&scene(bb(56.0)), &mut answer, &mut unwatched).unwrap();
     let mesh = answer.errors.mesh.unwrap();
     assert!(mesh[Quantity::Pressure].unwrap() < 30.0);
-    assert_eq!(mesh[Quantity::RuptureByPressure], None);
+    assert_eq!(mesh[Quantity::GlobeRupture], None);
 }
 
 #[test]
