@@ -240,7 +240,7 @@ fn assert_runs(mut scenario: Scenario, number: usize) {
         return;
     }
     scenario.eye.level = 1;
-    scenario.window_ms = scenario.window_ms.min(0.02);
+    scenario.window_ms = Some(scenario.window_ms.map_or(0.02, |ms| ms.min(0.02)));
     let Ok(checked) = scenario.check() else {
         return;
     };

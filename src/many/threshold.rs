@@ -517,7 +517,7 @@ mod tests {
 
     fn short() -> Scenario {
         Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         }
     }
@@ -573,7 +573,7 @@ mod tests {
     fn a_believed_risk_carries_its_verdict_and_the_range_that_the_curves_leave_open() {
         let preset = crate::scenario::library::find("bb-56").unwrap();
         let bb = Scenario {
-            window_ms: 0.5,
+            window_ms: Some(0.5),
             ..preset.scenario().unwrap()
         };
         let until = "globe_rupture_percent = 50";

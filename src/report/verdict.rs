@@ -141,7 +141,7 @@ mod tests {
     fn answer(preset: &str) -> Answer {
         let mut scenario = library::find(preset).unwrap().scenario().unwrap();
         set(&mut scenario, "model", "Physiological").unwrap();
-        scenario.window_ms = 0.1;
+        scenario.window_ms = Some(0.1);
         solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
     }
 

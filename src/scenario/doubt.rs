@@ -54,10 +54,11 @@ impl<'de> Visitor<'de> for Once {
 /// What may stand between a value and its doubt; the first is what the program writes.
 const SIGNS: [&str; 3] = ["±", "+-", "+/-"];
 
-/// The number that a field holds now and its bounds, if it is one that can be doubted.
+/// The number that a field holds now and its bounds.
 pub fn number(field: &Field, scenario: &Scenario) -> Option<(f64, Bounds)> {
     match &field.kind {
         Kind::Number(bounds, place) => Some((*(place.get)(scenario)?, *bounds)),
+        Kind::OptionalNumber(bounds, place) => Some(((*(place.get)(scenario)?)?, *bounds)),
         _ => None,
     }
 }
