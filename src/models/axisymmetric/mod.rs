@@ -34,3 +34,5 @@ pub use crate::models::axisymmetric::time::until::Until;
 mod case_tests;
 #[cfg(test)]
 mod forces_tests;
+#[cfg(test)]
+mod window_tests;
