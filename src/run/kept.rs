@@ -69,7 +69,7 @@ impl Spacing {
             let half = (self.early as usize / 2).max(1);
             let after = number - self.early as usize;
             let (times, rest) = (after / half, after % half);
-            let scale = self.early_every * 2_f64.powi(times as i32);
+            let scale = self.early_every * libm::exp2(times as f64);
             return scale * (self.early as usize + 2 * rest) as f64;
         }
         let early = number.min(self.early as usize);

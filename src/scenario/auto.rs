@@ -21,11 +21,7 @@ enum Word {
 }
 
 /// Writes no number as `Auto`.
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    clippy::ref_option,
-    reason = "serde lends the field"
-)]
+#[expect(clippy::ref_option, reason = "serde lends the field")]
 pub(super) fn serialize<S: Serializer>(
     number: &Option<f64>,
     serializer: S,
