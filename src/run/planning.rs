@@ -48,7 +48,10 @@ pub(crate) fn plan_by<E: EyeModel + ?Sized>(
             None => Refusal::WindowTooLong {
                 asked: match scenario.window_ms {
                     Some(window_ms) => plain(window_ms),
-                    None => format!("Auto, here {} at most,", plain(window * 1e3)),
+                    None => format!(
+                        "Auto, here {} at most,",
+                        plain((window * 1e9).round() / 1e6)
+                    ),
                 },
                 steps,
                 integrator: integrator.name(),

@@ -72,7 +72,7 @@ fn window(
         return;
     }
     if matches!(case.window, Until::Settled(_)) && simulated >= end {
-        let cap = plain(end * 1e3);
+        let cap = plain((end * 1e9).round() / 1e6);
         raised.raise_at(
             end,
             FlagKind::WindowCapped,
