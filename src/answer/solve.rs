@@ -130,9 +130,13 @@ impl Answer {
         self.run.readings.peak(of)
     }
 
-    /// Simulated time that was asked for, in s.
+    /// Simulated time that was asked for, in s; where none was, how long the run lasted.
     pub fn window(&self) -> f64 {
-        self.case.window()
+        if self.case.ends_by_itself() {
+            self.run.simulated
+        } else {
+            self.case.window()
+        }
     }
 
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
@@ -200,7 +204,11 @@ impl Answer {
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
         let of = rests_on(of);
-        if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
+        if has(&[
+            FlagKind::PulseCut,
+            FlagKind::ContactCut,
+            FlagKind::WindowCapped,
+        ]) {
             // What goes back gives energy back, of which the index holds a share.
             let energy = [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy];
             return Some(if energy.contains(&of) { Cut::NotFinal } else { Cut::AtLeast });
@@ -445,7 +453,7 @@ mod tests {
     fn only_what_may_still_grow_at_the_end_of_the_run_is_at_least_so_large() {
         let of = |window_ms, preset: &str| {
             let mut scenario = find(preset).unwrap().scenario().unwrap();
-            scenario.window_ms = window_ms;
+            scenario.window_ms = Some(window_ms);
             solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
         };
         let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));

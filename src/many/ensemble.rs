@@ -309,7 +309,7 @@ mod tests {
 
     fn quick() -> Scenario {
         let mut scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();

@@ -150,7 +150,7 @@ fn projectile_at(
             speed_m_s,
             ..Projectile::default()
         }),
-        window_ms,
+        window_ms: Some(window_ms),
         ..Scenario::default()
     }
 }

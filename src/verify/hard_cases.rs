@@ -127,7 +127,7 @@ fn scene(change: impl FnOnce(&mut ForcePulse, &mut EyeInput)) -> Scenario {
 
 fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
     Scenario {
-        window_ms,
+        window_ms: Some(window_ms),
         ..scenario
     }
 }

@@ -99,7 +99,6 @@ impl Kind {
             name: self.name.to_owned(),
             model: Model::Physiological(model),
             impact: Impact::Projectile(projectile),
-            window_ms: 4.0,
             ..Scenario::default()
         }
     }
