@@ -167,18 +167,13 @@ impl Answer {
         let value = self.run.readings.value(measure)?;
         let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
         let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
-        let cut = self.cut(measure);
         let inputs = self.inputs.unwrap_or_default();
         Some(Known {
             value,
-            error: if cut == Some(Cut::NotFinal) {
-                1.0
-            } else {
-                self.errors.share(measure) + mesh_unknown
-            },
+            error: self.errors.share(measure) + mesh_unknown,
             inputs: inputs.measures[injury as usize],
             energy_inputs: inputs.energy,
-            cut: cut.is_some(),
+            cut: self.at_least(measure),
         })
     }
 
@@ -210,8 +205,8 @@ impl Answer {
             FlagKind::WindowCapped,
         ]) {
             // What goes back gives energy back, of which the index holds a share.
-            let energy = [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy];
-            return Some(if energy.contains(&of) { Cut::NotFinal } else { Cut::AtLeast });
+            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
+            return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);

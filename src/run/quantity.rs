@@ -72,7 +72,7 @@ pub enum Quantity {
     /// How much farther than at rest the lens's equator is from the shell at the root of the iris,
     /// at 45 degrees, mm.
     IrisPull,
-    /// Energy given to the axisymmetric eye over the area of the largest contact, kJ/m2.
+    /// Most energy that the axisymmetric eye is given over the area of the largest contact, kJ/m2.
     CornealEnergy,
     /// Risk of rupture of the globe, %.
     GlobeRupture,
