@@ -176,12 +176,14 @@ pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
 ];
 
 /// Inputs of which less is worse, or moves the measures more.
-const LESS_IS_WORSE: [&str; 5] = [
+const LESS_IS_WORSE: [&str; 7] = [
     "impact.diameter_mm",
     "model.sclera_mpa",
     "model.sclera_thickness",
     "model.cornea_mpa",
     "model.cornea_thickness",
+    "model.fat_shear_kpa",
+    "model.fat_bulk_mpa",
 ];
 
 /// An input that is not known and that an ensemble draws.
