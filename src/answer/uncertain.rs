@@ -176,8 +176,9 @@ pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
 ];
 
 /// Inputs of which less is worse, or moves the measures more.
-const LESS_IS_WORSE: [&str; 7] = [
+const LESS_IS_WORSE: [&str; 8] = [
     "impact.diameter_mm",
+    "impact.surface.modulus_mpa",
     "model.sclera_mpa",
     "model.sclera_thickness",
     "model.cornea_mpa",
