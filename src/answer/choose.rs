@@ -1,4 +1,4 @@
-//! The cheapest mesh, integrator and step that give the damage score to a tolerance.
+//! The cheapest mesh, integrator and step that give the damage index to a tolerance.
 //!
 //! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it,
 //! which are the next to be tried, so nothing is computed twice. Once the mesh error is below the

@@ -13,13 +13,10 @@ use crate::tui::config::Config;
 /// Where the file is refused or the output cannot be written.
 pub fn run(out: &mut dyn Write) -> Result<(), CliError> {
     let config = Config::load()?;
+    // Kept in a file, this line must stay true: it says where the file belongs, not whether it is.
     let place = config::path().map(|path| {
-        let state = if config::is_there(&path) {
-            "is read at every start"
-        } else {
-            "is not there, so these are the defaults"
-        };
-        format!("// {} {state}.\n", printable(&path.display().to_string()))
+        let path = path.display().to_string();
+        format!("// Read at every start, where it is there, from {}.\n", printable(&path))
     });
     write!(out, "{}{}", place.unwrap_or_default(), config.to_ron())?;
     Ok(())

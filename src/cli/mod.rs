@@ -134,7 +134,7 @@ pub struct RunArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// Choose the cheapest mesh, integrator and step that give the damage score within P percent,
+    /// Choose the cheapest mesh, integrator and step that give the damage index within P percent,
     /// step and mesh together
     #[arg(long, value_name = "P", value_parser = arguments::percent, allow_negative_numbers = true,
           conflicts_with_all = ["level", "integrator", "step_us"])]
