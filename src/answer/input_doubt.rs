@@ -1,8 +1,9 @@
 //! What the inputs that are not known do to the risks: one run for each of them.
 //!
 //! Each uncertain input is moved alone by one standard deviation, to the side on which it matters
-//! more, and log10 of each measure by as much as it then moves; in quadrature these are the
-//! standard deviation of log10 of the measure. An ensemble draws all inputs together and checks it.
+//! more, and log10 of each measure by as much as it then moves more than that of the objects that
+//! the curves were matched with; in quadrature these are the standard deviation of log10 of the
+//! measure. An ensemble draws all inputs together and checks it.
 //!
 //! Left out: inputs that hang together, and curvature over more than one standard deviation.
 
@@ -74,13 +75,14 @@ impl InputQuery {
             let input = &inputs[index];
             let mut moved = scenario.clone();
             moved.doubt.clear();
+            let curves = input.moves_curves(input.one_off());
             input.put(&mut moved, input.one_off());
             let run = moved.check().map_err(Refusal::Scenario);
             match run.and_then(|moved| single(&moved, None, &mut until(stop))) {
                 Ok(brief) => Some(Some(Moved {
                     measures: std::array::from_fn(|i| {
                         let value = brief.values[Injury::ALL[i].measure()];
-                        way(from[i], value.unwrap_or(0.0))
+                        way(from[i], value.unwrap_or(0.0)) - curves[i]
                     }),
                     energy: energy.map_or(0.0, |energy| {
                         way(energy, Blow::of(&moved).energy.unwrap_or(0.0))

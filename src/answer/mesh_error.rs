@@ -25,12 +25,14 @@ use crate::answer::solve::Answer;
 use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
+use crate::run::ordered::until;
 use crate::run::quantity::Family;
 use crate::run::readings::PerQuantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{Model, NumericsInput, Scenario};
-use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 
 /// Multiplies the difference of the two finer levels.
 const SAFETY: f64 = 2.0;
@@ -174,28 +176,30 @@ impl MeshQuery {
         }
     }
 
-    /// Solves `scenario`, the one that was answered, on two other meshes.
+    /// Solves `scenario`, the one that was answered, on two other meshes side by side.
     ///
     /// # Errors
     /// As for any run.
     pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
         let levels = witnesses(&scenario.model, self.level);
-        // A run takes about the cube of its level.
-        let cost = |level: u32| f64::from(level.pow(3));
-        let whole = levels.map(cost).iter().sum::<f64>();
-        let mut done = 0.0;
-        let mut found = [self.own; 2];
-        for (on, level) in found.iter_mut().zip(levels) {
-            let share = cost(level) / whole;
-            if level != self.level {
-                let mut part = |within: f64| -> ControlFlow<()> { watch(done + share * within) };
-                *on = at_level(scenario, level, &mut part)?;
+        let on = |level: u32, watch: Watch| {
+            if level == self.level {
+                Ok(self.own)
+            } else {
+                at_level(scenario, level, watch)
             }
-            done += share;
-        }
-        let witness = [&found[0], &found[1]];
+        };
+        let stopped = AtomicBool::new(false);
+        // The finer takes longer, so it is the one that is watched.
+        let (coarse, fine) = thread::scope(|scope| {
+            let coarse = scope.spawn(|| on(levels[0], &mut until(&stopped)));
+            let fine = on(levels[1], watch);
+            stopped.store(fine.is_err(), Ordering::Relaxed);
+            (coarse.join().unwrap_or(Err(Refusal::Cancelled)), fine)
+        });
+        let (fine, coarse) = (fine?, coarse?);
         let model = &scenario.model;
-        Ok(MeshError::of(model, self.level, &self.own, witness))
+        Ok(MeshError::of(model, self.level, &self.own, [&coarse, &fine]))
     }
 }
 

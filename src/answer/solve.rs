@@ -237,8 +237,11 @@ pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Ans
     solve_case(Compiled::new(scenario), scenario, keep, watch)
 }
 
-/// Adds to an answer what its ranges do not hold yet: the mesh error and what the inputs are not
-/// known to.
+/// The share of the progress of [`complete`] that stands for the meshes.
+const MESHES: f64 = 0.6;
+
+/// Adds to an answer what its ranges do not hold yet: the mesh error, if it has none, and what the
+/// inputs are not known to. `progress` is told the share done.
 ///
 /// # Errors
 /// As [`solve`].
@@ -246,9 +249,17 @@ pub fn complete(
     scenario: &Scenario,
     answer: &mut Answer,
     stop: &AtomicBool,
+    mut progress: impl FnMut(f64) + Send,
 ) -> Result<(), Refusal> {
-    add_mesh_error(scenario, answer, &mut until(stop))?;
-    answer.inputs = Some(InputQuery::of(answer).estimate(scenario, stop, |_| {})?);
+    if answer.errors.mesh.is_none() {
+        add_mesh_error(scenario, answer, &mut |share| {
+            progress(MESHES * share);
+            until(stop)(share)
+        })?;
+    }
+    let inputs = InputQuery::of(answer);
+    let inputs = inputs.estimate(scenario, stop, |share| progress(MESHES + (1.0 - MESHES) * share));
+    answer.inputs = Some(inputs?);
     Ok(())
 }
 

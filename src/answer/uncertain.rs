@@ -14,6 +14,7 @@
 //! volume; drawn from the measurements the mesh would have nothing to hold it. Left out too:
 //! densities and correlations between tissues, for which no spread is published.
 
+use crate::injury::PerInjury;
 use crate::normal;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
@@ -143,6 +144,37 @@ pub static SPREADS: &[Spread] = &[
     },
 ];
 
+/// How the points of 50 % of the injury curves go with what is not known of the eye: log10 of each
+/// over log10 of the input, below what the model takes and above it.
+///
+/// The curves were matched with the model's own eye (see `crate::verify::tissue_fit`, which finds
+/// these again). Were its wall softer than taken, it would be softer under the tested objects too,
+/// so only what a blow feels more than those did is unknown of its risk. How much eyes differ from
+/// each other is in the curves themselves.
+pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
+    (
+        "model.sclera_mpa",
+        [
+            [-0.69, -0.42, -0.18, -0.25, -0.40, -0.18],
+            [-0.61, -0.36, -0.27, -0.31, -0.25, -0.30],
+        ],
+    ),
+    (
+        "model.sclera_thickness",
+        [
+            [-0.64, -0.31, -0.19, -0.26, -0.44, -0.20],
+            [-0.57, -0.21, -0.22, -0.25, -0.24, -0.32],
+        ],
+    ),
+    (
+        "model.lens_shear_kpa",
+        [
+            [0.00, 0.00, 0.00, -0.01, 0.00, 0.00],
+            [-0.01, -0.02, -0.01, -0.05, 0.05, 0.02],
+        ],
+    ),
+];
+
 /// Inputs of which less is worse, or moves the measures more.
 const LESS_IS_WORSE: [&str; 5] = [
     "impact.diameter_mm",
@@ -189,6 +221,18 @@ impl UncertainInput {
             Shape::LogUniform(..) | Shape::Uniform(..) => self.value(normal::below(sign)),
         };
         off.clamp(min, max)
+    }
+
+    /// By how much log10 of each measure moves at the tested objects where the input has `value`;
+    /// nothing of what a person doubts, which is a difference of this eye from others.
+    pub fn moves_curves(&self, value: f64) -> PerInjury<f64> {
+        let own = |(path, _): &&(&str, [PerInjury<f64>; 2])| *path == self.field.path;
+        let found = WITH_CURVES.iter().find(own).filter(|_| self.source.is_some());
+        let Some((_, powers)) = found else {
+            return PerInjury::default();
+        };
+        let powers = powers[usize::from(value > self.nominal)];
+        powers.map(|power| power * libm::log10(value / self.nominal))
     }
 
     /// Whether a run is needed to see what it does: the curves of risk are no input of one.

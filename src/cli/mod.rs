@@ -139,9 +139,10 @@ pub struct RunArgs {
     #[arg(long, value_name = "P", value_parser = arguments::percent, allow_negative_numbers = true,
           conflicts_with_all = ["level", "integrator", "step_us"])]
     pub tolerance: Option<f64>,
-    /// Estimate the mesh error too, from the next finer mesh; text on a terminal always does
+    /// Leave out the mesh error, from the two next finer meshes, and what the inputs are not known
+    /// to, from a run for each; the answer says so
     #[arg(long)]
-    pub mesh_error: bool,
+    pub quick: bool,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,
@@ -281,13 +282,14 @@ pub struct ThresholdArgs {
     /// What to simulate.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// The field to vary, over all that it may be or from one value to another
+    /// The field to vary, over all that it may be or from one value to another [default: the speed
+    /// of an object, the force of a pulse]
     #[arg(long, value_name = "FIELD|FIELD=FROM:TO")]
-    pub vary: String,
-    /// The result and the value that it is to reach, as in `damage_percent = 50`;
-    /// `globe_rupture_percent = 50` is of the risk by the curve that is believed first
+    pub vary: Option<String>,
+    /// The result and the value that it is to reach, as in `hyphema_percent = 50` [default:
+    /// `globe_rupture_percent = 50`, or `damage_percent = 50` of the Paper model]
     #[arg(long, value_name = "RESULT = VALUE")]
-    pub until: String,
+    pub until: Option<String>,
     /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,

@@ -1,10 +1,10 @@
 //! `contrecoup run`: one blow, its results on standard output.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::Write;
+use std::sync::atomic::AtomicBool;
 
 use crate::answer::choose;
-use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::solve::solve;
+use crate::answer::solve::{complete, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, RunArgs};
 use crate::plain_text::write_json;
@@ -16,8 +16,8 @@ use crate::scenario::{EyeInput, Scenario};
 
 /// Simulates the scenario and prints its results.
 ///
-/// For a person at a terminal the mesh error, which takes two finer meshes, is always estimated
-/// first: each figure bears its error.
+/// The mesh error, which takes two finer meshes, and what the inputs are not known to, which takes
+/// a run for each, are estimated first, wherever the output goes: each figure bears its error.
 ///
 /// # Errors
 /// Where the scenario is refused, the simulation fails or the output cannot be written.
@@ -38,9 +38,9 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     } else {
         solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
-    let read_by_a_person = !args.json && io::stdout().is_terminal();
-    if (args.mesh_error || read_by_a_person) && answer.errors.mesh.is_none() {
-        add_mesh_error(&scenario, &mut answer, &mut watch)?;
+    if !args.quick {
+        let stop = AtomicBool::new(false);
+        complete(&scenario, &mut answer, &stop, |share| progress.show("meshes and inputs", share))?;
     }
     if args.json {
         write_json(out, &json::answer(&scenario, &answer, &reasons))?;

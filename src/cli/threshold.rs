@@ -5,7 +5,7 @@ use std::io::Write;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ThresholdArgs};
-use crate::many::threshold::{ThresholdSearch, wanted};
+use crate::many::threshold::{ThresholdSearch, usual, wanted};
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};
 use crate::run::refusal::Refusal;
@@ -22,8 +22,11 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
         let flag = flag.to_owned();
         move |error: ScenarioError| CliError::Input(format!("{flag} {error}"))
     };
-    let until = wanted(&args.until).map_err(refused("--until"))?;
-    let question = ThresholdSearch::read((*scenario).clone(), &args.vary, until);
+    let (field, target) = usual(&scenario);
+    let until = args.until.as_deref().map_or(Ok(target), wanted);
+    let until = until.map_err(refused("--until"))?;
+    let vary = args.vary.as_deref().unwrap_or(field);
+    let question = ThresholdSearch::read((*scenario).clone(), vary, until);
     let question = question.map_err(refused("--vary"))?;
     let stop = interrupt::flag()?;
     let progress = Progress::new();

@@ -2,19 +2,21 @@
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 use serde_json::Value;
 
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, example};
 use crate::plain_text::write_json;
-use crate::report::{claims, experiments, hard_cases as cases};
+use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::verify::claims::{FINEST_CHECKED, Study, check};
 use crate::verify::fit::fit;
 use crate::verify::hard_cases::{self, CaseVerdict};
 use crate::verify::rerun::rerun_all;
 use crate::verify::scenes::{MAX_SCENES, Scenes};
+use crate::verify::tissue_fit::fit_tissues;
 
 /// Arguments of `verify`.
 #[derive(Debug, Args)]
@@ -62,9 +64,23 @@ pub enum VerifyCommand {
     /// Published experiments run again: what was measured beside what the model gives
     #[command(after_help = example("verify experiments --json"))]
     Experiments,
-    /// The fit of the one free number, the bulk modulus of orbital fat, to published experiments
-    #[command(after_help = example("verify fit"))]
-    Fit,
+    /// The fits repeated: the injury curves, by the objects behind the published ones; or the one
+    /// free number of the mechanics, the bulk modulus of orbital fat
+    #[command(after_help = example("verify fit injuries"))]
+    Fit {
+        /// Which fit
+        #[arg(default_value = "injuries")]
+        what: WhichFit,
+    },
+}
+
+/// Which fit is repeated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum WhichFit {
+    /// The curves of injury against what tissues felt
+    Injuries,
+    /// The bulk modulus of orbital fat
+    Fat,
 }
 
 /// Which random scenes.
@@ -108,7 +124,25 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
                 out,
             );
         }
-        VerifyCommand::Fit => {
+        VerifyCommand::Fit {
+            what: WhichFit::Injuries,
+        } => {
+            let stop = AtomicBool::new(false);
+            let fits = shown("fitting", |watch| {
+                fit_tissues(&stop, |share| {
+                    let _ = watch(share);
+                })
+            })?;
+            return print(
+                json,
+                || tissue_fit::json(&fits),
+                |out| tissue_fit::text(&fits, out),
+                out,
+            );
+        }
+        VerifyCommand::Fit {
+            what: WhichFit::Fat,
+        } => {
             let fit = shown("fitting", |watch| fit(&mut |share| watch(share)))?;
             return print(
                 json,

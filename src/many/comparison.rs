@@ -161,7 +161,7 @@ pub fn compare(
     let solved = |scenario: &CheckedScenario| {
         let mut watch = until(stop);
         let mut answer = solve(scenario, keep(scenario), &mut watch)?;
-        complete(scenario, &mut answer, stop)?;
+        complete(scenario, &mut answer, stop, |_| {})?;
         Ok(answer)
     };
     let mut entries = Vec::new();

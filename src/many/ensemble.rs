@@ -17,7 +17,7 @@
 
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::injury::{Blow, Injury};
+use crate::injury::{Blow, Injury, PerInjury};
 use crate::run::ordered::{self, until};
 use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
 use crate::many::statistics::median;
@@ -104,15 +104,17 @@ fn drawn(
     (changed, values)
 }
 
-/// Reads the risks of a sample again as if the curves lay `off` standard deviations away.
-fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64) {
+/// Reads the risks of a sample again as if the curves lay `off` standard deviations away, and as
+/// matched with the eye that was drawn: `moved` says how far log10 of each measure then moves.
+fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64, moved: &PerInjury<f64>) {
     for injury in Injury::ALL {
         let (measure, result) = (injury.measure(), injury.result());
         // Of an eye that was missed it is 0 and stays so.
         if let Some(value) = answer.values[measure]
             && answer.values[result].is_some_and(|risk| risk > 0.0)
         {
-            let drawn = injury.risk_of_draw(blow, value / measure.row().factor, off);
+            let value = value / measure.row().factor * libm::pow(10.0, -moved[*injury as usize]);
+            let drawn = injury.risk_of_draw(blow, value, off);
             answer.values[result] = Some(drawn * result.row().factor);
         }
     }
@@ -170,7 +172,11 @@ impl Job<'_> {
         let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
         let outcome = outcome.map(|mut answer| {
             if let Some(place) = curves {
-                put_curves(&mut answer, &Blow::of(&scenario), drawn[place]);
+                let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
+                let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
+                    std::array::from_fn(|i| sum[i] + one[i])
+                });
+                put_curves(&mut answer, &Blow::of(&scenario), drawn[place], &moved);
             }
             answer
         });

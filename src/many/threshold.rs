@@ -29,7 +29,7 @@ use crate::run::refusal::Refusal;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::set::{full_path, set};
-use crate::scenario::{Scenario, fields};
+use crate::scenario::{Impact, Model, Scenario, fields};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 const WIDTH: f64 = 1e-4;
@@ -327,7 +327,7 @@ impl ThresholdSearch {
         let scenario = self.at(at)?.check()?;
         let mut answer = solve(&scenario, Keep::default(), &mut until(stop))?;
         one_more_run();
-        complete(&scenario, &mut answer, stop)?;
+        complete(&scenario, &mut answer, stop, |_| {})?;
         one_more_run();
         let mut crossing = Crossing {
             at,
@@ -475,6 +475,20 @@ fn range(field: &Field, bounds: &Bounds, ends: &str) -> Result<(f64, f64), Scena
         return Err(refused("is out of range").into());
     }
     Ok((from, to))
+}
+
+/// What is asked of a scenario unless something else is: the field to vary, and the result with the
+/// value that it is to reach.
+pub fn usual(scenario: &Scenario) -> (&'static str, (Quantity, f64)) {
+    let field = match scenario.impact {
+        Impact::ForcePulse(_) => "impact.force_n",
+        Impact::Projectile(_) => "impact.speed_m_s",
+    };
+    let result = match scenario.model {
+        Model::Paper => Quantity::Damage,
+        Model::Physiological(_) => Quantity::GlobeRupture,
+    };
+    (field, (result, 50.0))
 }
 
 /// Reads `RESULT = VALUE`; the unit may follow the value.

@@ -18,4 +18,5 @@ pub mod summary;
 pub mod sweep;
 pub mod text;
 pub mod threshold;
+pub mod tissue_fit;
 pub mod risks;

@@ -13,10 +13,13 @@
 //! Left out: the mesh, whose error every answer states for itself: all is of level 1.
 
 use crate::answer::brief::single;
+use crate::answer::uncertain::{WITH_CURVES, inputs};
 use crate::injury::{Injury, PerInjury, SPEEDS};
 use crate::normal;
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
+use crate::scenario::fields::find;
+use crate::scenario::set::put_number;
 use crate::scenario::{
     Impact, Model, Outline, Physiological, Projectile, Scenario, Species, Support, Surface,
 };
@@ -174,6 +177,8 @@ pub struct TissueFit {
 pub struct TissueFits {
     /// One for each injury.
     pub injuries: Vec<TissueFit>,
+    /// How they go with inputs of the model.
+    pub with_inputs: Vec<WithInput>,
     /// What the tissues feel of the BBs of [`SPEEDS`], SI.
     pub bb: PerInjury<[f64; SPEEDS.len()]>,
 }
@@ -188,6 +193,8 @@ struct Job {
     speed: f64,
     species: Species,
     support: Support,
+    /// Another value of an input of the model.
+    change: Option<(&'static str, f64)>,
 }
 
 /// Runs that were asked for, each once.
@@ -200,9 +207,12 @@ impl Runs {
     fn done(jobs: Vec<Job>, stop: &AtomicBool, mut progress: impl FnMut(f64) + Send) -> Result<Self, Refusal> {
         let mut felt = Vec::new();
         let job = |index: usize| {
-            let Job { kind, speed, species, support } = jobs[index];
-            let scenario = kind.at(speed, species, support).check().map_err(Refusal::Scenario);
-            match scenario.and_then(|scenario| single(&scenario, None, &mut until(stop))) {
+            let Job { kind, speed, species, support, change } = jobs[index];
+            let mut scenario = kind.at(speed, species, support);
+            if let Some((field, value)) = change.and_then(|(path, v)| Some((find(path)?, v))) {
+                put_number(&mut scenario, field, value);
+            }
+            match scenario.check().map_err(Refusal::Scenario).and_then(|checked| single(&checked, None, &mut until(stop))) {
                 Err(Refusal::Cancelled) => None,
                 Err(_) => Some(None),
                 Ok(answer) => {
@@ -251,6 +261,7 @@ fn at(kind: &Kind, energy: f64, species: Species) -> Job {
         speed: kind.speed(energy * kind.area()),
         species,
         support: Support::Gelatin,
+        change: None,
     }
 }
 
@@ -260,6 +271,7 @@ fn onset(kind: &Kind) -> Job {
         speed: kind.speed(ONSET_J),
         species: Species::Pig,
         support: Support::Gelatin,
+        change: None,
     }
 }
 
@@ -269,6 +281,7 @@ fn bb(speed: f64) -> Job {
         speed,
         species: Species::Human,
         support: Support::Orbit,
+        change: None,
     }
 }
 
@@ -363,6 +376,47 @@ impl Match {
     }
 }
 
+/// How the points of 50 % go with an input: log10 of each over log10 of the input, below the
+/// model's own value and above it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WithInput {
+    /// Path of the input.
+    pub path: &'static str,
+    /// Below and above.
+    pub powers: [PerInjury<f64>; 2],
+}
+
+/// A kind at an energy in an eye with another value of an input.
+fn moved(of: &Match, kind: &Kind, change: (&'static str, f64)) -> Job {
+    Job {
+        change: Some(change),
+        ..at(kind, of.half[0], Species::Human)
+    }
+}
+
+/// The values one standard deviation below and above the model's own, and that one.
+fn sides(path: &str) -> Option<([f64; 2], f64)> {
+    let scenario = KINDS[0].at(1.0, Species::Human, Support::Gelatin);
+    let input = inputs(&scenario).into_iter().find(|input| input.field.path == path)?;
+    Some(([-1.0, 1.0].map(|side| input.value(normal::below(side))), input.nominal))
+}
+
+fn with_input(path: &'static str, runs: &Runs) -> Option<WithInput> {
+    let (values, nominal) = sides(path)?;
+    let power = |of: &Match, value: f64| {
+        let each: Vec<f64> = of
+            .kinds()
+            .filter_map(|kind| {
+                let from = runs.of(of.injury, at(kind, of.half[0], Species::Human))?;
+                Some(runs.of(of.injury, moved(of, kind, (path, value)))? - from)
+            })
+            .collect();
+        mean(&each) / libm::log10(value / nominal)
+    };
+    let powers = values.map(|value| std::array::from_fn(|i| power(&MATCHES[i], value)));
+    Some(WithInput { path, powers })
+}
+
 /// Runs the kinds and finds the curves again; `progress` is told the share done.
 ///
 /// # Errors
@@ -373,6 +427,14 @@ pub fn fit_tissues(
 ) -> Result<TissueFits, Refusal> {
     let mut jobs: Vec<Job> = Vec::new();
     let needed = MATCHES.iter().flat_map(Match::jobs);
+    let paths = WITH_CURVES.iter().map(|(path, _)| *path);
+    let with_inputs = paths.clone().flat_map(|path| {
+        let values = sides(path).map_or([f64::NAN; 2], |(values, _)| values);
+        let of = MATCHES.iter().flat_map(|of| of.kinds().map(move |kind| (of, kind)));
+        let jobs = of.flat_map(move |(of, kind)| values.map(|v| moved(of, kind, (path, v))));
+        jobs.collect::<Vec<_>>()
+    });
+    let needed = needed.chain(with_inputs);
     for job in needed.chain(BLUNT.iter().map(onset)).chain(SPEEDS.map(bb)) {
         if !jobs.contains(&job) {
             jobs.push(job);
@@ -384,6 +446,7 @@ pub fn fit_tissues(
     };
     Ok(TissueFits {
         injuries: MATCHES.iter().map(|of| of.fit(&runs)).collect(),
+        with_inputs: paths.filter_map(|path| with_input(path, &runs)).collect(),
         bb: std::array::from_fn(|i| SPEEDS.map(|speed| felt(Injury::ALL[i], speed))),
     })
 }

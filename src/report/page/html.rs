@@ -14,7 +14,7 @@ use crate::report::figure::{SCALE, unusable};
 use crate::report::format::{capital, percent};
 use crate::report::limit;
 use crate::report::page::charts;
-use crate::report::page::content::{DISCLAIMER, inputs, mesh, rows, sources, version};
+use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
@@ -192,6 +192,6 @@ fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
             p { "The same again: " code { (command) } }
         }
         ol { @for source in sources(entries) { li { (source) } } }
-        p { (version()) ". " (DISCLAIMER) }
+        p { (version()) ". " (SIGNS) }
     }
 }

@@ -2,13 +2,14 @@
 
 use std::io::{self, Write};
 
+use crate::injury::SIGNS;
 use crate::report::risks::lines;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
-use crate::report::page::content::{DISCLAIMER, inputs, mesh, rows, sources, version};
+use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.
@@ -31,7 +32,7 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    writeln!(out, "\n{}. {DISCLAIMER}", version())
+    writeln!(out, "\n{}. {SIGNS}", version())
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
