@@ -2,7 +2,6 @@
 
 use super::drawn::{SIZES, app, line_from, open_sampled, picture, press, ticket};
 use super::made_up;
-use std::sync::Arc;
 use std::time::Duration;
 
 use contrecoup::injury::Risk;
@@ -54,7 +53,7 @@ fn bands_of_the_scenario_before_are_not_shown() {
 
 #[test]
 fn what_the_bands_hold_is_said_beside_many_results() {
-    let mut app = app(&["bb-56"], Depth::Mono);
+    let mut app = app(&["golf-ball"], Depth::Mono);
     open_changed(&mut app, |_| {});
     let results = app
         .model
@@ -63,7 +62,7 @@ fn what_the_bands_hold_is_said_beside_many_results() {
         .unwrap()
         .results();
     assert!(results.len() > 13);
-    for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjj"] {
+    for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjj"] {
         press(&mut app, keys);
         for size in SIZES {
             let text = picture(&app, size);
@@ -83,7 +82,7 @@ fn what_the_bands_hold_is_said_beside_many_results() {
                 text.contains("▴ ")
             );
             let drivers = line_from(&text, "What drives");
-            assert_eq!(drivers.contains(" of "), size != (120, 40), "{text}");
+            assert!(drivers.contains(" of "), "{text}");
         }
     }
 }
@@ -91,12 +90,8 @@ fn what_the_bands_hold_is_said_beside_many_results() {
 #[test]
 fn risks_lead_with_the_answer_beside_the_samples_and_the_wider_is_shown() {
     let mut app = app(&["bb-56"], Depth::Mono);
-    let shown = app.model.shown.as_mut().unwrap();
-    let mut answer = (*shown.answer).clone();
-    // After a mesh that folded a range says nothing.
-    answer.flags.clear();
-    let known: Vec<Risk> = answer.risks();
-    shown.answer = Arc::new(answer);
+    let shown = app.model.shown.as_ref().unwrap();
+    let known: Vec<Risk> = shown.answer.risks();
     for wide in [false, true] {
         let done = app.model.ensemble.done.take();
         assert_eq!(done.is_some(), wide);

@@ -32,7 +32,7 @@ use nalgebra::{Point2, Vector2};
 const ROWS: usize = 240;
 const EVERY_FRAME: usize = 6;
 /// The size from which the mesh folds.
-const FOLDING: f64 = 1.5;
+const FOLDING: f64 = 2.0;
 /// What a blow of size 1 does: N at the monitored nodes, m, shares, J, Pa.
 const FORCES_N: [f64; 4] = [12.0, 70.0, 10.0, 11.0];
 const APEX_M: f64 = 2.2e-3;
@@ -359,7 +359,10 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                 .map(|(input, u)| input.value(*u))
                 .collect(),
             outcome: Ok(BriefAnswer {
-                values: nominal.map(|_, value| value.map(|value| value * factor)),
+                values: nominal.map(|of, value| {
+                    let most = if of.is_risk() { 100.0 } else { f64::INFINITY };
+                    value.map(|value| (value * factor).min(most))
+                }),
                 flags: folded.then_some(FlagKind::MeshFolded).into_iter().collect(),
                 check: (index < 8).then_some(Check {
                     first: 0.02,

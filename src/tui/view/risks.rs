@@ -67,14 +67,14 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let (measure, like) = (risk.injury.measure(), risk.equivalent);
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let half = with_unit(&significant(risk.injury.curve().half * row.factor), row.unit);
+    let half = significant(risk.injury.curve().half * row.factor);
     let texts = [
+        format!("{} {felt}, 50 % at {}; like {like}", row.label, with_unit(&half, row.unit)),
         format!("{} {felt}, 50 % at {half}; like {like}", row.label),
-        format!("{} {felt}, 50 % at {half}", row.label),
         format!("{felt}, 50 % at {half}; like {like}"),
     ];
     let mut fitting = texts.iter().filter(|text| width(text) <= room);
-    fitting.next().unwrap_or(&texts[1]).clone()
+    fitting.next().unwrap_or(&texts[2]).clone()
 }
 
 /// Columns of an injury's name and a word of it; where the range and the most likely risk end.

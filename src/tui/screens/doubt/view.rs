@@ -26,7 +26,7 @@ use crate::tui::view::text::{
 use crate::tui::view::theme::Theme;
 
 /// Columns of a result's name, and of each of its three numbers.
-const LABEL: u16 = 19;
+const LABEL: u16 = 21;
 const NUMBER: u16 = 9;
 /// Columns of the answer's own range of a risk.
 const OWN: u16 = 9;

@@ -105,8 +105,8 @@ fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buff
     let texts = match (counting(model, answer), &answer.errors.mesh, model.idle) {
         (Some(text), ..) => {
             let short = text.replace("the ", "").replace(" and", ",");
-            let shortest = short.replace("still counting: ", "…");
-            [text, short, shortest]
+            let shortest = short.replace("still counting: ", "");
+            [text, short, format!("{shortest} to come")]
         }
         (None, Some(_), _) => ["± step and mesh, > for less", "± step and mesh", "±"].map(String::from),
         (None, None, true) => ["± step; mesh to come"; 3].map(String::from),

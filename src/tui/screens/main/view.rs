@@ -223,8 +223,8 @@ fn sparks(answer: &Answer) -> Vec<(Quantity, Peak)> {
     all.filter_map(|q| Some((q, answer.peak(q)?))).collect()
 }
 
-/// Below this many columns the time of a peak stands at its curve.
-const TIMED: u16 = 30;
+/// From so many columns on there may be room for the time of a peak beside it.
+const TIMED: u16 = 26;
 /// The fewest columns of the curves: a name, a figure and its error.
 const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.
