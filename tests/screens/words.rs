@@ -458,7 +458,7 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
     for words in [
         "80 % ranges",
         "eye doctor today",
-        "equator stretch",
+        "; like a BB at",
         "globe rupture",
         "corneal abrasion",
         "pressure, MPa",
