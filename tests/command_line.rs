@@ -327,7 +327,7 @@ fn flags_are_refused_in_the_words_of_the_registry() {
     );
     refused(
         &["--step-us", "0"],
-        "--step-us 0: 0 is out of range: allowed None (auto), or",
+        "--step-us 0: 0 is out of range: allowed Auto, or",
     );
     refused(
         &["--set", "impact.angle_deg=60"],

@@ -240,7 +240,7 @@ fn assert_runs(mut scenario: Scenario, number: usize) {
         return;
     }
     scenario.eye.level = 1;
-    scenario.window_ms = scenario.window_ms.min(0.02);
+    scenario.window_ms = Some(scenario.window_ms.map_or(0.02, |ms| ms.min(0.02)));
     let Ok(checked) = scenario.check() else {
         return;
     };
@@ -262,6 +262,7 @@ fn assert_runs(mut scenario: Scenario, number: usize) {
 fn typed(dice: &mut Dice) -> String {
     let field = &FIELDS[dice.below(FIELDS.len())];
     let value = match &field.kind {
+        Kind::OptionalNumber(..) if dice.below(4) == 0 => "auto".to_owned(),
         Kind::Number(b, _) | Kind::OptionalNumber(b, _) => dice
             .one(&[b.min, b.max, b.fine, b.min - b.fine, b.max * 2.0])
             .to_string(),

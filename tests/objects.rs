@@ -1,7 +1,7 @@
 //! The objects of the library at the axisymmetric eye, beside what is reported of them.
 
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
-use contrecoup::models::axisymmetric::recording::results::Extremes;
+use contrecoup::models::axisymmetric::recording::results::{EngineRun, Extremes};
 use contrecoup::models::axisymmetric::time::run::{STEP_SHARE, run};
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{CheckedScenario, Impact, Model, Surface, library};
@@ -21,6 +21,10 @@ fn objects() -> Vec<(String, CheckedScenario)> {
 }
 
 fn hit(scenario: &CheckedScenario) -> Extremes {
+    run_of(scenario).1.extremes
+}
+
+fn run_of(scenario: &CheckedScenario) -> (AxisymmetricCase, EngineRun) {
     let case = {
         let Model::Physiological(model) = &scenario.model else {
             panic!("{} is of another model", scenario.name);
@@ -37,8 +41,8 @@ fn hit(scenario: &CheckedScenario) -> Extremes {
         keep,
         &mut watch,
     );
-    run.unwrap_or_else(|stop| panic!("{}: {stop:?}", scenario.name))
-        .extremes
+    let run = run.unwrap_or_else(|stop| panic!("{}: {stop:?}", scenario.name));
+    (case, run)
 }
 
 fn mpa(extremes: &Extremes) -> (f64, f64) {
@@ -133,4 +137,34 @@ fn the_slower_baseball_with_the_softest_surface_may_spare_an_eye_and_the_faster_
     // So far the slower one is not told from a burst; only the spread of eyes leaves it room.
     let room = BURST_MPA.0 + 2.0 * BURST_MPA.1;
     assert!(slow < room && fast > room, "{slow} {fast}");
+}
+
+#[test]
+fn each_is_followed_until_it_is_over_at_half_and_at_twice_its_speed_too() {
+    let all = objects().into_iter().map(|(name, scenario)| {
+        let Impact::Projectile(projectile) = &scenario.impact else {
+            unreachable!();
+        };
+        let speed = projectile.speed_m_s;
+        (name, vec![0.5 * speed, speed, 2.0 * speed])
+    });
+    for (name, speeds) in all.chain([("squash-ball".to_owned(), vec![30.0])]) {
+        let (_, scenario) = objects().into_iter().find(|(n, _)| *n == name).unwrap();
+        for speed_m_s in speeds {
+            let mut scenario = contrecoup::scenario::Scenario::from(scenario.clone());
+            assert_eq!(scenario.window_ms, None, "{name}");
+            if let Impact::Projectile(projectile) = &mut scenario.impact {
+                projectile.speed_m_s = speed_m_s;
+            }
+            // Twice the speed of some is more than the model takes.
+            let Ok(scenario) = scenario.check() else {
+                continue;
+            };
+            let (case, run) = run_of(&scenario);
+            assert!(run.settled, "{name} at {speed_m_s} m/s");
+            assert!(run.simulated < 0.7 * case.window.most(), "{name}");
+            let extremes = run.extremes;
+            assert!(!extremes.touching && extremes.rebound > Some(0.0), "{name}");
+        }
+    }
 }

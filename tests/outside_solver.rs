@@ -353,7 +353,7 @@ fn agrees(name: &str, blow: &ForcePulse, filaments: bool) {
 fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_ms: f64) {
     let mut scenario = Scenario {
         impact: Impact::ForcePulse(blow.clone()),
-        window_ms,
+        window_ms: Some(window_ms),
         ..Scenario::default()
     };
     scenario.eye.level = level;
@@ -362,7 +362,7 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
     }
     let case = PaperCase::new(&scenario.check().unwrap());
     // Within the pulse, soon after it, and when the motion has died down.
-    let last = scenario.window_ms;
+    let last = window_ms;
     let times = [0.37 * blow.duration_ms, 0.31, 0.3 * last, last];
     let found = outside(&case.eye, blow, &times);
     assert_eq!(found.states.len(), times.len());

@@ -214,7 +214,7 @@ fn end_state(integrator: Integrator, step: f64, case: &PaperCase) -> State {
 #[test]
 fn halving_the_step_shows_each_integrators_order() {
     let scenario = Scenario {
-        window_ms: 0.24,
+        window_ms: Some(0.24),
         ..Scenario::default()
     };
     let case = PaperCase::new(&scenario.check().unwrap());
@@ -241,7 +241,7 @@ fn halving_the_step_shows_each_integrators_order() {
 #[test]
 fn a_jump_of_the_load_costs_no_order() {
     let mut scenario = Scenario::default();
-    scenario.window_ms = 0.24;
+    scenario.window_ms = Some(0.24);
     scenario.impact = contrecoup::scenario::Impact::ForcePulse(ForcePulse {
         shape: PulseShape::SmoothRectangle { edge_fraction: 0.0 },
         ..ForcePulse::default()
@@ -348,7 +348,7 @@ proptest! {
         scenario.eye.level = level;
         scenario.eye.filament_hops = hops;
         scenario.eye.opening_deg = opening_deg;
-        scenario.window_ms = 0.12;
+        scenario.window_ms = Some(0.12);
         let case = PaperCase::with(&scenario.check().unwrap(), false, portable);
         let step = 0.5 * case.step_limit(Integrator::VelocityVerlet);
         let state = end_state(Integrator::VelocityVerlet, step, &case);
@@ -365,7 +365,7 @@ proptest! {
 #[test]
 fn the_energy_residual_shrinks_with_the_order_of_the_method() {
     let scenario = Scenario {
-        window_ms: 0.3,
+        window_ms: Some(0.3),
         ..Scenario::default()
     };
     let case = PaperCase::new(&scenario.check().unwrap());
@@ -415,7 +415,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
     let mut scenario = Scenario::default();
     scenario.eye.globe_drag_ns_m = 0.0;
     scenario.eye.fat_drag_ns_m = 0.0;
-    scenario.window_ms = 5.0;
+    scenario.window_ms = Some(5.0);
     let case = PaperCase::new(&scenario.check().unwrap());
     for &integrator in Integrator::ALL {
         let limit = stability::step_limit(integrator, &case.system);

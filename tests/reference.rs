@@ -190,7 +190,7 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
     for level in 1..=2 {
         let mut scenario = Scenario::default();
         scenario.eye.level = level;
-        scenario.window_ms = 0.6;
+        scenario.window_ms = Some(0.6);
         let half = PaperCase::new(&scenario.check().unwrap());
         let whole = PaperCase::with(&scenario.check().unwrap(), true, false);
         assert!(half.system.mirrored() && !whole.system.mirrored());

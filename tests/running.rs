@@ -349,3 +349,30 @@ fn too_many_frames_are_refused_before_any_work() {
     .code(2)
     .stderr(contains("--every-us"));
 }
+
+#[test]
+fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
+    let run = |set: &str| json(&["run", "bb-56", "--set", set]);
+    let simulated = |of: &Value| of["numerics"]["simulated_ms"].as_f64().unwrap();
+    let (own, short) = (run("window_ms=AUTO"), run("window_ms=0.2"));
+    assert_eq!(own["scenario"]["window_ms"], "Auto");
+    assert!((1.0..5.0).contains(&simulated(&own)));
+    assert_eq!(own["at_least"].as_array().unwrap().len(), 0);
+    assert_eq!(short["scenario"]["window_ms"], 0.2);
+    assert_eq!(simulated(&short), 0.2);
+    assert!(short["at_least"].as_array().unwrap().len() > 3);
+    program(&["run", "bb-56"])
+        .assert()
+        .success()
+        .stdout(contains("Stopped at 2.937 ms: what acted is gone"));
+    program(&["run", "bb-56", "--set", "window=0"])
+        .assert()
+        .code(2)
+        .stderr(contains(
+            "window_ms: 0 is out of range: allowed Auto, or 0.001 to 1000 ms",
+        ));
+    program(&["sweep", "bb-56", "--vary", "window=0.1,0.2,auto"])
+        .assert()
+        .success()
+        .stdout(contains("\n1,0.2,").and(contains("\n2,Auto,")));
+}

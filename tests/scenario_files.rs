@@ -151,7 +151,7 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
         let text: BoxedStrategy<String> = match &field.kind {
             Kind::Number(b, _) => (b.min..=b.max).prop_map(|n| n.to_string()).boxed(),
             Kind::OptionalNumber(b, _) => prop_oneof![
-                Just("None".to_owned()),
+                Just("Auto".to_owned()),
                 (b.min..=b.max).prop_map(|n| n.to_string())
             ]
             .boxed(),

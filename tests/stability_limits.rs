@@ -176,7 +176,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
         ],
     ] {
         let mut scenario = Scenario {
-            window_ms: 0.5,
+            window_ms: Some(0.5),
             ..Scenario::default()
         };
         for setting in settings {

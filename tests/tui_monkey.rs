@@ -200,7 +200,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
         }
         assert!(app.model.overlay.is_none() && app.model.form.typing.is_none());
         app.model.work.scenario = contrecoup::scenario::Scenario::default();
-        app.model.work.scenario.window_ms = 2.0;
+        app.model.work.scenario.window_ms = Some(2.0);
         let edit = contrecoup::scenario::fields::find("impact.duration_ms").unwrap();
         app.screen = 0;
         app.screens[app.screen].show_pane(0);

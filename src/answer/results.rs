@@ -18,12 +18,15 @@ impl Results {
     /// results. The scene is known by the results that it has.
     pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
         let projectile = self[Quantity::Contact].is_some();
-        self.that_may_lead()
-            .filter(move |(quantity, _)| !projectile || quantity.row().leads == Leads::Always)
+        self.watched().filter(move |(of, _)| match of.row().leads {
+            Leads::Always => true,
+            Leads::WithoutProjectile => !projectile,
+            Leads::Watched | Leads::Never => false,
+        })
     }
 
-    /// The results that lead in some scene: a node force leads only where no projectile acts.
-    pub(crate) fn that_may_lead(&self) -> impl Iterator<Item = (Quantity, f64)> {
+    /// The results that lead in some scene, and those whose own errors are watched.
+    pub(crate) fn watched(&self) -> impl Iterator<Item = (Quantity, f64)> {
         self.present()
             .filter(|(quantity, _)| quantity.row().leads != Leads::Never)
     }
@@ -74,10 +77,10 @@ impl Results {
         })
     }
 
-    /// The largest error among `results` that may lead and are more than rounding, with its result.
+    /// The largest error among watched `results` that are more than rounding, with its result.
     pub(crate) fn worst_listed(&self, results: &Results) -> Option<(Quantity, f64)> {
         let counts = |(of, _): &(Quantity, f64)| !results[*of].is_some_and(|v| of.is_rounding(v));
-        largest(self.that_may_lead().filter(counts))
+        largest(self.watched().filter(counts))
     }
 
     /// Raises errors of `family` to `share` of the largest of that family; NaN stays NaN.
@@ -106,7 +109,7 @@ fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, RuptureByPressure};
+    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, GlobeRupture};
 
     fn with(known: &[(Quantity, f64)]) -> Results {
         Results::from_fn(|q| known.iter().find(|(of, _)| *of == q).map(|(_, v)| *v))
@@ -126,8 +129,8 @@ mod tests {
 
     #[test]
     fn differences_are_of_what_both_have_and_not_of_risks() {
-        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (RuptureByPressure, 4.0)]);
-        let b = with(&[(Damage, 10.0), (Contact, 1.0), (RuptureByPressure, 8.0)]);
+        let a = with(&[(Damage, 11.0), (Pressure, 1.0), (GlobeRupture, 4.0)]);
+        let b = with(&[(Damage, 10.0), (Contact, 1.0), (GlobeRupture, 8.0)]);
         let difference = a.difference_percent(&b);
         let found: Vec<(Quantity, f64)> = difference.present().collect();
         assert_eq!(found, [(Damage, 10.0)]);

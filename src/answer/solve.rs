@@ -130,9 +130,13 @@ impl Answer {
         self.run.readings.peak(of)
     }
 
-    /// Simulated time that was asked for, in s.
+    /// Simulated time that was asked for, in s; where none was, how long the run lasted.
     pub fn window(&self) -> f64 {
-        self.case.window()
+        if self.case.ends_by_itself() {
+            self.run.simulated
+        } else {
+            self.case.window()
+        }
     }
 
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
@@ -163,18 +167,13 @@ impl Answer {
         let value = self.run.readings.value(measure)?;
         let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
         let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
-        let cut = self.cut(measure);
         let inputs = self.inputs.unwrap_or_default();
         Some(Known {
             value,
-            error: if cut == Some(Cut::NotFinal) {
-                1.0
-            } else {
-                self.errors.share(measure) + mesh_unknown
-            },
+            error: self.errors.share(measure) + mesh_unknown,
             inputs: inputs.measures[injury as usize],
             energy_inputs: inputs.energy,
-            cut: cut.is_some(),
+            cut: self.at_least(measure),
         })
     }
 
@@ -200,10 +199,14 @@ impl Answer {
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
         let of = rests_on(of);
-        if has(&[FlagKind::PulseCut, FlagKind::ContactCut]) {
+        if has(&[
+            FlagKind::PulseCut,
+            FlagKind::ContactCut,
+            FlagKind::WindowCapped,
+        ]) {
             // What goes back gives energy back, of which the index holds a share.
-            let energy = [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy];
-            return Some(if energy.contains(&of) { Cut::NotFinal } else { Cut::AtLeast });
+            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
+            return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
         }
         let late = |of: Quantity| {
             let peak = self.peak(of);
@@ -445,18 +448,17 @@ mod tests {
     fn only_what_may_still_grow_at_the_end_of_the_run_is_at_least_so_large() {
         let of = |window_ms, preset: &str| {
             let mut scenario = find(preset).unwrap().scenario().unwrap();
-            scenario.window_ms = window_ms;
+            scenario.window_ms = Some(window_ms);
             solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
         };
         let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));
         let none = |of: &Quantity| !whole.at_least(*of);
         assert!(Quantity::ALL.iter().all(none));
-        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::RuptureByStress));
-        assert!(!cut.at_least(Quantity::RuptureByEnergy));
+        assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::GlobeRupture));
         // What bounces takes energy along.
         assert_eq!(cut.cut(Quantity::Energy), Some(Cut::NotFinal));
         assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
-        assert!(cut.verdicts()[0].at_least && !whole.verdicts()[0].at_least);
+        assert!(cut.risks()[0].at_least && !whole.risks()[0].at_least);
         // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
         let paper = of(0.21, "paper-300n");
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));

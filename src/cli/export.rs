@@ -118,8 +118,9 @@ fn shown(path: &Path) -> String {
 }
 
 fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
-    let nodes = Compiled::new(scenario).eye.regions().len() as f64;
-    let least_us = scenario.window_ms * 1e3 * nodes / MAX_POSITIONS;
+    let case = Compiled::new(scenario);
+    let nodes = case.eye.regions().len() as f64;
+    let least_us = case.window() * 1e6 * nodes / MAX_POSITIONS;
     if every_us < least_us {
         return Err(CliError::Input(format!(
             "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"

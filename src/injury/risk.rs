@@ -87,12 +87,12 @@ impl Injury {
         self.curve().known + UNTESTED * (blow.wider + aslant)
     }
 
-    /// The published curve that counts beside the tissue's, the energy of the blow, and its weight.
-    fn by_energy(self, blow: &Blow) -> Option<(&'static EnergyCurve, f64, f64)> {
-        let retina = self == Self::RetinaBack || self == Self::RetinaFront;
-        let counts = !retina && blow.tested > 0.0;
-        let curve = EnergyCurve::of(self).next().filter(|_| counts)?;
-        Some((curve, blow.energy?, blow.tested))
+    /// `tissue` blended with what the published curves say of the energy of the blow times a
+    /// factor, where they count.
+    fn blended(self, blow: &Blow, factor: f64, tissue: f64) -> f64 {
+        let energy = blow.energy.filter(|_| blow.tested > 0.0);
+        let published = energy.and_then(|energy| EnergyCurve::counted(self, energy * factor));
+        published.map_or(tissue, |published| blend(blow.tested, published, tissue))
     }
 
     /// The risk of a blow that the tissue felt as `measure` (SI), 0 to 1.
@@ -100,10 +100,7 @@ impl Injury {
         let curve = self.curve();
         let spread = hypot(curve.eyes, self.known_for(blow));
         let tissue = normal::below(log10(measure / curve.half) / spread);
-        match self.by_energy(blow) {
-            Some((published, energy, weight)) => blend(weight, published.risk(energy), tissue),
-            None => tissue,
-        }
+        self.blended(blow, 1.0, tissue)
     }
 
     /// The risk if curves lie `off` standard deviations from where they are believed to lie, with
@@ -112,13 +109,8 @@ impl Injury {
         let curve = self.curve();
         let way = off * hypot(self.known_for(blow), inputs.0);
         let tissue = normal::below((log10(measure / curve.half) + way) / curve.eyes);
-        match self.by_energy(blow) {
-            Some((published, energy, weight)) => {
-                let way = off * hypot(curve.energy_known, inputs.1);
-                blend(weight, published.risk(energy * pow(10.0, way)), tissue)
-            }
-            None => tissue,
-        }
+        let energy = off * hypot(curve.energy_known, inputs.1);
+        self.blended(blow, pow(10.0, energy), tissue)
     }
 
     /// The risk of one eye among many if its curve lies `off` standard deviations from where it is
@@ -170,5 +162,96 @@ impl Injury {
             ),
         ];
         all.into_iter().filter_map(|(holds, note)| holds.then_some(note)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::find;
+    use crate::scenario::set::set;
+
+    fn known(value: f64) -> Known {
+        Known {
+            value,
+            error: 0.1,
+            ..Known::default()
+        }
+    }
+
+    #[test]
+    fn half_of_the_eyes_are_hurt_at_the_point_of_50_percent_and_ranges_hold_the_risk() {
+        let unlike = Blow::default();
+        for injury in Injury::ALL {
+            let half = injury.curve().half;
+            assert!((injury.risk(&unlike, half) - 0.5).abs() < 1e-12);
+            assert_eq!(injury.risk(&unlike, 0.0), 0.0);
+            for share in [0.01, 0.3, 1.0, 3.0, 100.0] {
+                let risk = injury.assess(&unlike, known(share * half));
+                let (low, high) = risk.range;
+                assert!(low <= risk.risk && risk.risk <= high, "{risk:?}");
+                assert_eq!(risk.at_least, share * half > injury.curve().end);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_less_known_widens_a_range_and_never_narrows_it() {
+        for preset in ["bb-56", "squash-ball"] {
+            let blow = Blow::of(&find(preset).unwrap().scenario().unwrap());
+            for injury in Injury::ALL {
+                let mut more = known(0.7 * injury.curve().half);
+                let mut before = injury.assess(&blow, more).range;
+                for _ in 0..4 {
+                    (more.error, more.inputs) = (more.error + 0.1, more.inputs + 0.1);
+                    more.energy_inputs += 0.05;
+                    let now = injury.assess(&blow, more).range;
+                    assert!(now.0 <= before.0 && before.1 <= now.1);
+                    before = now;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_risk_jumps_as_a_blow_ceases_to_be_like_those_tested() {
+        let field = |path: &str, from: f64, to: f64| {
+            let mut before: Option<Vec<f64>> = None;
+            let steps = 2000;
+            for step in 0..=steps {
+                let value = from + (to - from) * f64::from(step) / f64::from(steps);
+                let mut scenario = find("bb-56").unwrap().scenario().unwrap();
+                if path.ends_with("modulus_mpa") {
+                    set(&mut scenario, "impact.surface", "Elastic(modulus_mpa: 50)").unwrap();
+                }
+                set(&mut scenario, path, &format!("{value:.4}")).unwrap();
+                let blow = Blow::of(&scenario);
+                let ends = |injury: &Injury| {
+                    let risk = injury.assess(&blow, known(0.6 * injury.curve().half));
+                    [risk.risk, risk.range.0, risk.range.1]
+                };
+                let now: Vec<f64> = Injury::ALL.iter().flat_map(ends).collect();
+                if let Some(before) = before {
+                    let most = before.iter().zip(&now).map(|(a, b)| (a - b).abs());
+                    let most = most.fold(0.0, f64::max);
+                    assert!(most < 0.05, "{path} {value}: {most}");
+                }
+                before = Some(now);
+            }
+        };
+        field("impact.diameter_mm", 10.0, 18.0);
+        field("impact.angle_deg", 0.0, 30.0);
+        field("impact.surface.modulus_mpa", 5.0, 200.0);
+    }
+
+    #[test]
+    fn a_small_hard_blow_straight_on_has_the_published_risk() {
+        let bb = Blow::of(&find("bb-92").unwrap().scenario().unwrap());
+        let rupture = Injury::GlobeRupture;
+        assert!(rupture.risk(&bb, 0.064) > 0.99);
+        assert!(rupture.risk(&Blow { tested: 0.0, ..bb }, 0.064) < 0.9);
+        // The retina's published curve is too thin to count.
+        let back = Injury::RetinaBack;
+        assert_eq!(back.risk(&bb, 0.02), back.risk(&Blow { tested: 0.0, ..bb }, 0.02));
     }
 }

@@ -28,7 +28,8 @@ pub struct TissueCurve {
     pub energy_known: f64,
     /// Where the data end: the largest of the kinds at 100 kJ/m2, SI.
     pub end: f64,
-    /// Share by which the measure may be off where finer meshes tell no limit.
+    /// Share by which the measure is taken to be off where finer meshes tell no limit: as far apart
+    /// as two meshes may be that tell one.
     pub mesh_unknown: f64,
     /// What the curve was matched to.
     pub matched: &'static str,
@@ -48,7 +49,7 @@ static CURVES: [TissueCurve; Injury::ALL.len()] = [
         known: 0.107,
         energy_known: 0.05,
         end: 0.153,
-        mesh_unknown: 0.15,
+        mesh_unknown: 0.30,
         matched: "34.2 to 35.8 kJ/m2, human eyes in gelatin",
     },
     TissueCurve {
@@ -57,7 +58,7 @@ static CURVES: [TissueCurve; Injury::ALL.len()] = [
         known: 0.082,
         energy_known: 0.10,
         end: 0.131,
-        mesh_unknown: 0.15,
+        mesh_unknown: 0.30,
         matched: "30.4 kJ/m2, human and pig eyes; thin data",
     },
     TissueCurve {
@@ -66,7 +67,7 @@ static CURVES: [TissueCurve; Injury::ALL.len()] = [
         known: 0.150,
         energy_known: 0.10,
         end: 0.143,
-        mesh_unknown: 0.15,
+        mesh_unknown: 0.30,
         matched: "10 % at 1.2 J with blunt metal of 2.6 to 45.5 g, 16 pig eyes; very thin data",
     },
     TissueCurve {
@@ -75,7 +76,7 @@ static CURVES: [TissueCurve; Injury::ALL.len()] = [
         known: 0.134,
         energy_known: 0.05,
         end: 5.62e-3,
-        mesh_unknown: 0.30,
+        mesh_unknown: 0.60,
         matched: "19.2 and 21.7 kJ/m2, human and pig eyes",
     },
     TissueCurve {
@@ -84,16 +85,16 @@ static CURVES: [TissueCurve; Injury::ALL.len()] = [
         known: 0.173,
         energy_known: 0.10,
         end: 9.10e-3,
-        mesh_unknown: 0.30,
+        mesh_unknown: 0.50,
         matched: "12.7 and 20.2 kJ/m2, human and pig eyes",
     },
     TissueCurve {
-        half: 1375.0,
-        eyes: 0.139,
-        known: 0.275,
+        half: 2180.0,
+        eyes: 0.135,
+        known: 0.272,
         energy_known: 0.10,
-        end: 9.79e4,
-        mesh_unknown: 0.15,
+        end: 1.02e5,
+        mesh_unknown: 0.30,
         matched: "1.50 kJ/m2, foam beside metal",
     },
 ];

@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn a_measurement_goes_on_where_it_was_stopped_and_finer_levels_are_more_exact() {
         let scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         let scenario = scenario.check().unwrap();
@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn it_can_be_stopped_within_every_run_that_it_makes() {
         let scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         let scenario = scenario.check().unwrap();

@@ -196,7 +196,7 @@ mod tests {
 
     fn of(force: &str) -> (String, CheckedScenario) {
         let mut scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         set(&mut scenario, "impact.force_n", force).unwrap();

@@ -303,12 +303,13 @@ pub fn run(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::quantity::Quantity;
     use crate::answer::brief::Check;
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {
         let mut scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();

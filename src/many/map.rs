@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn a_grid_is_filled_in_from_its_corners_and_goes_on_where_it_was_stopped() {
         let scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         let of = Quantity::Damage;

@@ -222,7 +222,7 @@ mod tests {
     fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
         let axes = axes.iter().map(|a| SweepAxis::read(a).unwrap()).collect();
         let scenario = Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         };
         Sweep::new(scenario, axes)

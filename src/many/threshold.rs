@@ -537,7 +537,7 @@ mod tests {
 
     fn short() -> Scenario {
         Scenario {
-            window_ms: 0.3,
+            window_ms: Some(0.3),
             ..Scenario::default()
         }
     }

@@ -50,7 +50,7 @@ mod tests {
             .unwrap()
             .scenario()
             .unwrap();
-        bb.window_ms = 0.2;
+        bb.window_ms = Some(0.2);
         let answer = solve(&bb.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
         let text = text(&bb, &answer, Some("contrecoup run bb-56"));
         let lines: Vec<&str> = text.lines().collect();

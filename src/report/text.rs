@@ -9,9 +9,10 @@ use crate::report::{errors, limit};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
 use crate::plain_text::printable;
-use crate::run::flags::Flag;
+use crate::run::flags::{Flag, FlagKind};
 use crate::run::model::Shown;
 use crate::run::quantity::Quantity;
+use crate::scenario::problem::plain;
 use crate::scenario::{Impact, Projectile, Scenario};
 use std::io::{self, Write};
 
@@ -182,12 +183,16 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         },
         answer.step_limit * 1e6,
     )?;
-    if answer.run.simulated < 0.999_999 * answer.window() {
+    let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
+    if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
+        let (at, why) = (answer.run.simulated * 1e3, answer.case.rules().ends_early);
+        writeln!(out, "Stopped at {at:.3} ms: {why}")?;
+    } else if answer.run.simulated < 0.999_999 * answer.window() {
         writeln!(
             out,
             "Stopped at {:.3} of {} ms: {}",
             answer.run.simulated * 1e3,
-            answer.window() * 1e3,
+            plain((answer.window() * 1e9).round() / 1e6),
             answer.case.rules().ends_early
         )?;
     }

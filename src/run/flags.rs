@@ -49,6 +49,8 @@ pub enum FlagKind {
     LostInRounding,
     /// The window ended while a result still grew.
     WindowShort,
+    /// A run without a set window met its cap before it was known that nothing can grow.
+    WindowCapped,
     /// The window ended before the pulse.
     PulseCut,
     /// The loaded arc is narrower than the distance between two nodes.
@@ -79,6 +81,7 @@ impl FlagKind {
             Self::Unconverged => "unconverged",
             Self::LostInRounding => "lost_in_rounding",
             Self::WindowShort => "window_short",
+            Self::WindowCapped => "window_capped",
             Self::PulseCut => "pulse_cut",
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",

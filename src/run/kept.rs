@@ -38,6 +38,9 @@ pub struct Spacing {
     pub early_every: f64,
     /// The length of all others, in s.
     pub every: f64,
+    /// Whether instead of that half as many as at first are twice as long as those before, and so
+    /// on: for a run whose end is not known.
+    pub doubles: bool,
 }
 
 impl Spacing {
@@ -47,11 +50,28 @@ impl Spacing {
             early: 0,
             early_every: every,
             every,
+            doubles: false,
+        }
+    }
+
+    /// So many intervals of this length, in s, at first, half as many twice as long, and so on.
+    pub fn doubling(early: u32, every: f64) -> Self {
+        Self {
+            early,
+            doubles: true,
+            ..Self::even(every)
         }
     }
 
     /// When the frame with this number is due, in s.
     pub(crate) fn due(self, number: usize) -> f64 {
+        if self.doubles && number > self.early as usize {
+            let half = (self.early as usize / 2).max(1);
+            let after = number - self.early as usize;
+            let (times, rest) = (after / half, after % half);
+            let scale = self.early_every * libm::exp2(times as f64);
+            return scale * (self.early as usize + 2 * rest) as f64;
+        }
         let early = number.min(self.early as usize);
         self.early_every * early as f64 + self.every * (number - early) as f64
     }
@@ -61,7 +81,7 @@ impl Spacing {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
     /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye
-    /// of the first step after each thousandth of the window.
+    /// of the first step after each thousandth of a window that was asked for.
     pub traces: bool,
     /// Frames, so far apart.
     pub frames: Option<Spacing>,
@@ -151,4 +171,63 @@ pub struct Traces {
     pub projectile: Vec<f64>,
     /// Velocity of the projectile, m/s.
     pub projectile_velocity: Vec<f64>,
+}
+
+impl Traces {
+    /// Leaves the first value after each multiple of `every`, in s.
+    pub(crate) fn thin(&mut self, every: f64) {
+        let bin = |time: &f64| (time / every).floor();
+        let mut last = f64::NEG_INFINITY;
+        let stays = |time: &f64| {
+            let first = bin(time) > last;
+            last = last.max(bin(time));
+            first
+        };
+        let stays: Vec<bool> = self.time.iter().map(stays).collect();
+        // A trace that is added must be thinned too: hence no `..`.
+        let Self {
+            time,
+            load,
+            force: [centre, front, right, top],
+            tissue: [equator, back, edge, lens_pull, iris],
+            apex,
+            shell_growth,
+            meridian_growth,
+            kinetic,
+            elastic,
+            dissipated,
+            work,
+            pressure,
+            back_pressure,
+            scleral_stress,
+            shortening,
+            lens,
+            intrusion,
+            contact_force,
+            projectile,
+            projectile_velocity,
+        } = self;
+        let motion = [
+            centre,
+            front,
+            right,
+            top,
+            equator,
+            back,
+            edge,
+            lens_pull,
+            iris,
+            apex,
+            shell_growth,
+            meridian_growth,
+        ];
+        let energies = [load, kinetic, elastic, dissipated, work];
+        let tissues = [pressure, back_pressure, scleral_stress, shortening, lens];
+        let object = [intrusion, contact_force, projectile, projectile_velocity];
+        let all = motion.into_iter().chain(energies).chain(tissues);
+        for trace in all.chain(object).chain([time]) {
+            let mut stays = stays.iter();
+            trace.retain(|_| *stays.next().unwrap_or(&false));
+        }
+    }
 }

@@ -25,8 +25,13 @@ pub trait EyeModel: Debug + Send + Sync {
     /// Integrators, error estimates and mesh rules of the model.
     fn rules(&self) -> &'static Rules;
 
-    /// Simulated time, in s.
+    /// Simulated time at most, in s.
     fn window(&self) -> f64;
+
+    /// Whether that is only a cap: a run ends when nothing can grow, whatever is kept of it.
+    fn ends_by_itself(&self) -> bool {
+        false
+    }
 
     /// Refinement level of the mesh.
     fn level(&self) -> u32;

@@ -5,6 +5,7 @@ use crate::run::plan::{LOCAL_TOLERANCE, Plan};
 use crate::run::refusal::Refusal;
 use crate::run::rules::Automatic;
 use crate::scenario::Scenario;
+use crate::scenario::problem::plain;
 
 /// More than this takes longer than half an hour.
 const MAX_SPRING_EVALUATIONS: f64 = 1e12;
@@ -45,11 +46,17 @@ pub(crate) fn plan_by<E: EyeModel + ?Sized>(
                 least_us: step_us * share,
             },
             None => Refusal::WindowTooLong {
-                window_ms: scenario.window_ms,
+                asked: match scenario.window_ms {
+                    Some(window_ms) => plain(window_ms),
+                    None => format!(
+                        "Auto, here {} at most,",
+                        plain((window * 1e9).round() / 1e6)
+                    ),
+                },
                 steps,
                 integrator: integrator.name(),
                 step_us: step * 1e6,
-                longest_ms: scenario.window_ms / share,
+                longest_ms: window * 1e3 / share,
             },
         });
     }

@@ -72,7 +72,7 @@ pub enum Quantity {
     /// How much farther than at rest the lens's equator is from the shell at the root of the iris,
     /// at 45 degrees, mm.
     IrisPull,
-    /// Energy given to the axisymmetric eye over the area of the largest contact, kJ/m2.
+    /// Most energy that the axisymmetric eye is given over the area of the largest contact, kJ/m2.
     CornealEnergy,
     /// Risk of rupture of the globe, %.
     GlobeRupture,
@@ -96,6 +96,8 @@ pub enum Leads {
     /// Only where no projectile hits. Where one does, node forces follow every wave and differ from
     /// mesh to mesh.
     WithoutProjectile,
+    /// Nowhere, but its own error is watched: what tissues feel may wander far more than the motion.
+    Watched,
     /// Nowhere.
     Never,
 }
@@ -346,31 +348,37 @@ impl Quantity {
                 ..number("rebound_speed_m_s", "rebound speed", "rebound", "m/s")
             },
             Self::EquatorStretch => Row {
+                leads: Leads::Watched,
                 factor: 1e2,
                 trace: Some(tissue("equator stretch", "equator_stretch_percent", 0, |t| &t.tissue[0])),
                 ..number("equator_stretch_percent", "equator stretch", "equator", "%")
             },
             Self::BackStretch => Row {
+                leads: Leads::Watched,
                 factor: 1e2,
                 trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| &t.tissue[1])),
                 ..number("back_stretch_percent", "stretch at back", "back", "%")
             },
             Self::EdgeGrowth => Row {
+                leads: Leads::Watched,
                 factor: 1e2,
                 trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| &t.tissue[2])),
                 ..number("edge_growth_percent", "retina edge growth", "edge", "%")
             },
             Self::LensPull => Row {
+                leads: Leads::Watched,
                 factor: 1e3,
                 trace: Some(tissue("pull on lens", "lens_pull_mm", 3, |t| &t.tissue[3])),
                 ..number("lens_pull_mm", "pull on lens", "pull", "mm")
             },
             Self::IrisPull => Row {
+                leads: Leads::Watched,
                 factor: 1e3,
                 trace: Some(tissue("pull on iris", "iris_pull_mm", 4, |t| &t.tissue[4])),
                 ..number("iris_pull_mm", "pull on iris", "iris", "mm")
             },
             Self::CornealEnergy => Row {
+                leads: Leads::Watched,
                 factor: 1e-3,
                 ..number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
             },

@@ -57,13 +57,13 @@ pub enum Refusal {
     },
     /// Even by the longest safe step the run would take hours.
     #[error(
-        "window_ms: {} would take {steps:.3e} steps, too many for half an hour: stiff springs and small \
+        "window_ms: {asked} would take {steps:.3e} steps, too many for half an hour: stiff springs and small \
          masses keep {integrator} on this mesh to steps of {} us: allowed up to {}, \
-         more on a coarser mesh or with softer tissue", plain(*window_ms), limit(*step_us, f64::floor), limit(*longest_ms, f64::floor)
+         more on a coarser mesh or with softer tissue", limit(*step_us, f64::floor), limit(*longest_ms, f64::floor)
     )]
     WindowTooLong {
-        /// What was asked, in ms.
-        window_ms: f64,
+        /// What was asked, in ms or in words.
+        asked: String,
         /// How many steps.
         steps: f64,
         /// Name of the integrator.

@@ -312,7 +312,7 @@ mod tests {
     #[test]
     fn every_problem_is_reported_in_the_order_of_the_fields() {
         let mut scenario = Scenario {
-            window_ms: f64::NAN,
+            window_ms: Some(f64::NAN),
             ..Scenario::default()
         };
         scenario.eye.filament_hops = vec![2, 2];

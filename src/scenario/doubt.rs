@@ -54,10 +54,11 @@ impl<'de> Visitor<'de> for Once {
 /// What may stand between a value and its doubt; the first is what the program writes.
 const SIGNS: [&str; 3] = ["±", "+-", "+/-"];
 
-/// The number that a field holds now and its bounds, if it is one that can be doubted.
+/// The number that a field holds now and its bounds.
 pub fn number(field: &Field, scenario: &Scenario) -> Option<(f64, Bounds)> {
     match &field.kind {
         Kind::Number(bounds, place) => Some((*(place.get)(scenario)?, *bounds)),
+        Kind::OptionalNumber(bounds, place) => Some(((*(place.get)(scenario)?)?, *bounds)),
         _ => None,
     }
 }
@@ -199,7 +200,7 @@ mod tests {
     fn a_doubt_goes_with_its_field() {
         let mut scenario = Scenario::default();
         set(&mut scenario, "impact.shape.edge_fraction", "0.1 ± 0.02").unwrap();
-        set(&mut scenario, "window_ms", "3 ± 0.1").unwrap();
+        set(&mut scenario, "impact.force_n", "300 ± 10").unwrap();
         set(&mut scenario, "impact.shape", "Triangle").unwrap();
         assert_eq!(scenario.doubt.len(), 1);
         assert!(scenario.check().is_ok());
@@ -227,14 +228,16 @@ mod tests {
         assert!(said("x ± 3").contains("is not a number"));
         let mut scenario = Scenario::default();
         assert!(set(&mut scenario, "eye.level", "1 ± 1").is_err());
-        assert!(set(&mut scenario, "numerics.step_us", "1 ± 1").is_err());
+        for optional in ["numerics.step_us", "window_ms"] {
+            assert!(set(&mut scenario, optional, "1 ± 1").is_err());
+        }
     }
 
     #[test]
     fn a_file_is_told_the_line_of_a_bad_doubt() {
         let file = |line: &str| {
             let text = format!(
-                "(name: \"a\", impact: ForcePulse(force_n: 300.0),\n doubt: {{\n  \"window_ms\": 0.1,\n  {line},\n}})"
+                "(name: \"a\", impact: ForcePulse(force_n: 300.0),\n doubt: {{\n  \"impact.duration_ms\": 0.1,\n  {line},\n}})"
             );
             parse(&text, "f.ron").map_err(|error| error.to_string())
         };

@@ -8,6 +8,7 @@
 
 use std::mem::discriminant;
 
+use crate::scenario::auto::AUTO;
 use crate::scenario::problem::plain;
 use crate::scenario::{
     FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
@@ -450,7 +451,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.half_width_deg", "Half width", "deg", "Half of the arc that the force acts on", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", "How the force rises and falls", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
     field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
-    field("window_ms", "Simulated time", "ms", "How long to watch from the first contact on", Number(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
+    field("window_ms", "Simulated time", "ms", "How long to watch from the first contact on; auto until it is over", OptionalNumber(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", "A finer mesh is slower and off by less", Integer(1, 8, at!(eye.level))),
     field("eye.opening_deg", "Orbit opening", "deg", "Angle from the front at which bone begins", Number(b(1.0, 120.0, 1.0, 10.0), of_section!(opening_deg))),
     field("eye.lens", "Stiff lens", "", "Which springs are as stiff as the lens", Choice(&OneOf(LENSES, of_section!(lens)))),
@@ -481,7 +482,7 @@ impl Field {
             Number(_, place) => (place.get)(scenario)
                 .map(|number| plain(*number) + &crate::scenario::doubt::suffix(self, scenario)),
             OptionalNumber(_, place) => {
-                (place.get)(scenario).map(|number| number.map_or("None".to_owned(), plain))
+                (place.get)(scenario).map(|number| number.map_or(AUTO.to_owned(), plain))
             }
             Integer(_, _, place) => (place.get)(scenario).map(u32::to_string),
             Choice(choices) => choices.get(scenario).map(str::to_owned),
@@ -515,7 +516,7 @@ impl Field {
                 format!("{} to {}{unit}", plain(*min), plain(*max))
             }
             OptionalNumber(Bounds { min, max, .. }, _) => {
-                format!("None (auto), or {} to {}{unit}", plain(*min), plain(*max))
+                format!("{AUTO}, or {} to {}{unit}", plain(*min), plain(*max))
             }
             Integer(min, max, _) => format!("whole numbers {min} to {max}"),
             Choice(choices) => [&choices.names(), choices.written()].concat().join(", "),

@@ -5,6 +5,7 @@
 //!
 //! None is spelled `Auto`: the program chooses.
 
+use crate::scenario::auto::AUTO;
 use serde::{Deserializer, Serializer, de};
 use std::fmt;
 use std::sync::LazyLock;
@@ -25,9 +26,6 @@ pub enum Integrator {
     /// The Dormand-Prince pair, which chooses its own steps.
     Dopri5,
 }
-
-/// How a scenario spells that the program chooses.
-const AUTO: &str = "Auto";
 
 impl Integrator {
     /// All integrators.

@@ -295,14 +295,16 @@ mod tests {
     }
 
     #[test]
-    fn the_paper_preset_is_the_default_scenario() {
+    fn the_paper_preset_is_the_default_scenario_with_the_window_that_it_takes() {
         let preset = BUILT_IN
             .iter()
             .find(|(name, _)| *name == "paper-300n")
             .unwrap();
+        let usual = Scenario::default();
+        let window_ms = usual.known_window_ms();
         assert_eq!(
             Preset::built_in(preset).scenario().unwrap(),
-            Scenario::default()
+            Scenario { window_ms, ..usual }
         );
     }
 

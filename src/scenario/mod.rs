@@ -6,6 +6,7 @@
 //!
 //! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
 
+mod auto;
 mod check;
 mod curve;
 mod curve_file;
@@ -49,8 +50,10 @@ pub struct Scenario {
     pub model: Model,
     /// What hits the eye.
     pub impact: Impact,
-    /// Simulated time from the first contact, in ms.
-    pub window_ms: f64,
+    /// Simulated time from the first contact, in ms; none, spelled `Auto`, lasts until nothing can
+    /// grow.
+    #[serde(serialize_with = "auto::serialize")]
+    pub window_ms: Option<f64>,
     /// Anatomy and mesh.
     pub eye: EyeInput,
     /// Integrator and step.
@@ -69,8 +72,8 @@ struct WrittenScenario {
     #[serde(default, deserialize_with = "named")]
     model: Option<Model>,
     impact: Impact,
-    #[serde(default = "Scenario::default_window_ms")]
-    window_ms: f64,
+    #[serde(default, deserialize_with = "auto::deserialize")]
+    window_ms: Option<f64>,
     #[serde(default)]
     eye: EyeInput,
     #[serde(default)]
@@ -101,8 +104,15 @@ impl From<WrittenScenario> for Scenario {
 }
 
 impl Scenario {
-    fn default_window_ms() -> f64 {
-        3.0
+    /// Simulated time in ms, where it is known before a run: what is asked, else of a pulse at the
+    /// Paper model, whose drag stills the eye within 2 ms, the customary 3 ms or as long as that
+    /// takes.
+    pub fn known_window_ms(&self) -> Option<f64> {
+        match (&self.model, &self.impact) {
+            _ if self.window_ms.is_some() => self.window_ms,
+            (Model::Paper, Impact::ForcePulse(pulse)) => Some((pulse.duration_ms + 2.0).max(3.0)),
+            _ => None,
+        }
     }
 }
 
@@ -112,7 +122,7 @@ impl Default for Scenario {
             name: "300 N for 0.2 ms".to_owned(),
             model: Model::default(),
             impact: Impact::ForcePulse(ForcePulse::default()),
-            window_ms: Self::default_window_ms(),
+            window_ms: None,
             eye: EyeInput::default(),
             numerics: NumericsInput::default(),
             doubt: BTreeMap::new(),
@@ -418,5 +428,6 @@ pub struct NumericsInput {
     #[serde(with = "integrator")]
     pub integrator: Option<Integrator>,
     /// The step, in us; none lets the program take one from the stability bound.
+    #[serde(deserialize_with = "auto::deserialize")]
     pub step_us: Option<f64>,
 }

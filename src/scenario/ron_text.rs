@@ -222,6 +222,7 @@ fn expected(path: &str) -> Option<(&'static str, String)> {
     Some(match field.kind {
         _ if whole == path => (not_a(&field.kind), field.allowed()),
         Kind::Integers(..) => ("is not a whole number in range", field.allowed()),
+        Kind::OptionalNumber(..) => (not_a(&field.kind), field.allowed()),
         // Only a table has numbers inside.
         _ => ("is not a number", "knots (t_ms, share)".to_owned()),
     })

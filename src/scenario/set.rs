@@ -197,10 +197,12 @@ fn confirm(scenario: &mut Scenario, path: &str) {
 /// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set
 /// by a person.
 pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
-    if let Kind::Number(_, place) = &field.kind {
-        store((place.get_mut)(scenario), Some(value));
-        confirm(scenario, field.path);
-    }
+    match &field.kind {
+        Kind::Number(_, place) => store((place.get_mut)(scenario), Some(value)),
+        Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), Some(Some(value))),
+        _ => return,
+    };
+    confirm(scenario, field.path);
 }
 
 /// Paths of the fields that a scenario has.

@@ -289,6 +289,7 @@ mod tests {
                 early: 12,
                 early_every: 1e-5,
                 every: 1e-4,
+                doubles: false,
             }),
         };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();

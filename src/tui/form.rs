@@ -146,9 +146,9 @@ pub fn allowed(field: &Field) -> String {
     as_typed(&field.allowed())
 }
 
-/// A file says `None` where a person says `auto`.
+/// A file says `Auto` where a person says `auto`.
 fn as_typed(text: &str) -> String {
-    text.replace("None (auto)", "auto")
+    text.replace("Auto, or ", "auto, or ")
 }
 
 /// Whether the scenario says that no source of a field's figure was checked.
@@ -172,7 +172,7 @@ pub fn unverified(scenario: &Scenario) -> &[String] {
 pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     let text = field.text(scenario)?;
     Some(match (&field.kind, text.as_str()) {
-        (Kind::OptionalNumber(..), "None") => "auto".to_owned(),
+        (Kind::OptionalNumber(..), "Auto") => "auto".to_owned(),
         _ => text,
     })
 }

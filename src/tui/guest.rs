@@ -32,7 +32,7 @@ pub const MEMORY: u64 = 256 << 20;
 /// # Errors
 /// Says what is too much.
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
-    let (level, window) = (scenario.eye.level, scenario.window_ms);
+    let (level, window) = (scenario.eye.level, scenario.window_ms.unwrap_or(0.0));
     if level > FINEST_LEVEL {
         return Err(format!(
             "level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"
@@ -129,7 +129,7 @@ mod tests {
         fine.eye.level = FINEST_LEVEL + 1;
         assert!(allowed(&fine).unwrap_err().contains("allowed 1 to 3"));
         let long = Scenario {
-            window_ms: 20.5,
+            window_ms: Some(20.5),
             ..Scenario::default()
         };
         assert!(allowed(&long).unwrap_err().contains("up to 20 ms"));

@@ -16,6 +16,8 @@ use crate::tui::worker::run_watched;
 const FRAMES: f64 = 400.0;
 /// The time in which most happens after a short blow, in s.
 const LIVELY: f64 = 5e-3;
+/// The time of the first half of them in a run whose end is not known, in s.
+const EARLY: f64 = 0.8e-3;
 /// Numbers of nodes times frames that a replay may keep: some 100 MB.
 const MAX_KEPT: f64 = 4e6;
 
@@ -120,7 +122,11 @@ pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
 
 /// In a long window half of the frames fall into the time in which most happens.
 fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
-    let window = scenario.window_ms * 1e-3;
+    let Some(window) = scenario.known_window_ms().map(|ms| ms * 1e-3) else {
+        // All of them by 3.2 ms, and a quarter more each time that it lasts twice as long.
+        let early = (0.5 * frames).round();
+        return Spacing::doubling(early as u32, EARLY / early);
+    };
     let pulse = match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.duration_ms * 1e-3,
         Impact::Projectile(_) => 0.0,
@@ -134,6 +140,7 @@ fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
         early: early as u32,
         early_every: lively / early,
         every: (window - lively) / (frames - early),
+        doubles: false,
     }
 }
 

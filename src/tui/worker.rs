@@ -198,7 +198,7 @@ mod tests {
 
     fn long() -> Scenario {
         let mut scenario = Scenario {
-            window_ms: 1000.0,
+            window_ms: Some(1000.0),
             ..Scenario::default()
         };
         scenario.eye.level = 4;

@@ -127,7 +127,7 @@ fn scene(change: impl FnOnce(&mut ForcePulse, &mut EyeInput)) -> Scenario {
 
 fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
     Scenario {
-        window_ms,
+        window_ms: Some(window_ms),
         ..scenario
     }
 }
@@ -286,7 +286,7 @@ impl HardCase {
         let between = worst_error(&between, &results);
         let known = between <= ACCURATE_PERCENT;
         let worst = truth
-            .that_may_lead()
+            .watched()
             .filter_map(|(quantity, truth)| Some((quantity, truth, claimed[quantity]?)))
             .filter(|(of, truth, claimed)| {
                 truth > claimed && !results[*of].is_some_and(|value| of.is_rounding(value))

@@ -146,7 +146,10 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
 /// Whether a flag matters to a reading. That at a way of the object is taken before its window
 /// ends, which cuts what comes after on purpose.
 fn limits(reading: Gauge, kind: FlagKind) -> bool {
-    let ends = matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort);
+    let ends = matches!(
+        kind,
+        FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped
+    );
     !(ends && matches!(reading, Gauge::ForceAt(_)))
 }
 

@@ -168,6 +168,8 @@ fn object(draw: Draw) -> Scenario {
             },
             ..Projectile::default()
         }),
+        // What a blow does at first; the published coverage is of this.
+        window_ms: Some(3.0),
         ..Scenario::default()
     }
 }

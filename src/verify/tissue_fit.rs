@@ -6,6 +6,8 @@
 //! half of what published figures lie apart, says how far it is known; the spread of the published
 //! curve times the slope of log10 of the measure over that of energy says how much eyes differ.
 //!
+//! Masses that are assumed count to how far the curve is known.
+//!
 //! The retina's front edge has no curve of its own. Blunt metal of 2.6, 3.5 and 45.5 g began to
 //! hurt the retina of 16 pig eyes at 1.20 J (Scott 2000, AAAM 44:205), which is taken as a risk of
 //! 10 %; the diameters were not published and are judged. How far that is known is judged too.
@@ -38,20 +40,25 @@ pub struct Kind {
     pub diameter_mm: f64,
     /// Whether it is a rod with a flat face; else a ball.
     pub rod: bool,
+    /// A standard deviation of the mass, in g, where it is assumed.
+    pub doubt_g: f64,
     /// Whether it is the foam of an airbag's cover, which only abrasions were seen from.
     pub foam: bool,
 }
 
 const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> Kind {
-    Kind { name, mass_g, diameter_mm, rod, foam: false }
+    Kind { name, mass_g, diameter_mm, rod, doubt_g: 0.0, foam: false }
 }
 
-/// The kinds behind the energy curves. The mass of the rod of 9.25 mm is assumed.
+/// The kinds behind the energy curves.
 pub static KINDS: [Kind; 6] = [
     kind("BB 4.5 mm", 0.345, 4.5, false),
     kind("pellet 6 mm", 0.2, 6.0, false),
     kind("ball 6.35 mm", 1.05, 6.35, false),
-    kind("rod 9.25 mm", 3.5, 9.25, true),
+    Kind {
+        doubt_g: 0.9,
+        ..kind("rod 9.25 mm", 3.5, 9.25, true)
+    },
     kind("rod 11.16 mm", 45.5, 11.16, true),
     Kind {
         foam: true,
@@ -99,7 +106,6 @@ impl Kind {
             name: self.name.to_owned(),
             model: Model::Physiological(model),
             impact: Impact::Projectile(projectile),
-            window_ms: 4.0,
             ..Scenario::default()
         }
     }
@@ -107,6 +113,15 @@ impl Kind {
     /// The speed of an energy, in J.
     fn speed(&self, energy: f64) -> f64 {
         (2.0 * energy / (self.mass_g * 1e-3)).sqrt()
+    }
+
+    /// This object with a mass one standard deviation larger, where that is assumed.
+    fn heavier(&self) -> Option<Self> {
+        (self.doubt_g > 0.0).then(|| Self {
+            mass_g: self.mass_g + self.doubt_g,
+            doubt_g: 0.0,
+            ..*self
+        })
     }
 
     /// The area of its face, in m2.
@@ -312,6 +327,12 @@ impl Match {
                 }
             }
             jobs.push(at(kind, END, Species::Human));
+            if let Some(heavier) = kind.heavier() {
+                let each = self.species().iter();
+                jobs.extend(each.flat_map(|species| {
+                    self.half.iter().map(move |half| at(&heavier, *half, *species))
+                }));
+            }
         }
         jobs
     }
@@ -352,7 +373,16 @@ impl Match {
         });
         let apart = 0.5 * slope * libm::log10(published.1 / published.0);
         let eyes = self.spread * slope;
-        let (mut known, mut half) = (libm::hypot(disagreement, apart), mean(&logs));
+        // Masses that are assumed move the mean by their share of it.
+        let masses = felt.iter().filter_map(|(kind, felt)| {
+            let moved = self.felt(&kind.heavier()?, 1.0, runs)? - felt;
+            Some((moved / logs.len() as f64).powi(2))
+        });
+        let masses: f64 = masses.sum::<f64>().sqrt();
+        let (mut known, mut half) = (
+            libm::hypot(libm::hypot(disagreement, apart), masses),
+            mean(&logs),
+        );
         if injury == Injury::RetinaFront {
             known = EDGE_KNOWN;
             let onsets: Vec<f64> = BLUNT.iter().filter_map(|kind| runs.of(injury, onset(kind))).collect();

@@ -115,7 +115,7 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
     let whole = case.rules().element == Element::Cell;
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
-        time: over(&|s| s * case.window()),
+        time: over(&|s| s * lasts(case)),
         load: over(&|s| force * touch(s)),
         force: std::array::from_fn(|n| over(&|s| size * FORCES_N[n] * shaken(n, s))),
         apex: over(&|s| give * APEX_M * pushed(s)),
@@ -235,7 +235,7 @@ fn readings(scenario: &Scenario, traces: &Traces, size: f64) -> Readings {
 fn details(case: &Compiled, size: f64) -> Vec<Detail> {
     match case.rules().element {
         Element::Spring => {
-            let at = 0.1 * case.window() * 1e3;
+            let at = 0.1 * lasts(case) * 1e3;
             vec![Detail {
                 key: "largest_spring_strain_percent",
                 value: 20.0 * size,
@@ -253,8 +253,8 @@ fn details(case: &Compiled, size: f64) -> Vec<Detail> {
 /// A mesh that folds early, by the front, and stays so.
 fn fold(case: &Compiled, size: f64) -> Option<Fold> {
     (size >= FOLDING).then(|| Fold {
-        since: 0.05 * case.window(),
-        lasted: 0.95 * case.window(),
+        since: 0.05 * lasts(case),
+        lasted: 0.95 * lasts(case),
         stays: true,
         quads: 14,
         of: 193,
@@ -272,6 +272,15 @@ fn flags(fold: Option<Fold>) -> Vec<Flag> {
         time: Some(time),
     });
     folded.into_iter().collect()
+}
+
+/// Simulated time, in s.
+fn lasts(case: &Compiled) -> f64 {
+    if case.ends_by_itself() {
+        3e-3
+    } else {
+        case.window()
+    }
 }
 
 /// The answer to a scenario, with traces and frames.
@@ -298,7 +307,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
         fold,
         missed: false,
         energy_residual: 1e-5,
-        simulated: case.window(),
+        simulated: lasts(&case),
         traces: Some(traces),
         frames,
         cost: Cost {
@@ -310,7 +319,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
         plan: Plan {
             integrator: (scenario.numerics.integrator).unwrap_or(case.rules().answer.integrator),
             step,
-            window: case.window(),
+            window: lasts(&case),
             multiple: 1.0,
             local_tolerance: LOCAL_TOLERANCE,
         },

@@ -17,6 +17,9 @@ use crate::scenario::{
 };
 use std::f64::consts::PI;
 
+/// The longest that a run without a set time lasts, in s, with a pulse the longest after it.
+const LONGEST: f64 = 60e-3;
+
 /// An axisymmetric eye ready to be hit.
 #[derive(Debug, Clone)]
 pub struct AxisymmetricCase {
@@ -25,7 +28,7 @@ pub struct AxisymmetricCase {
     /// What hits it.
     pub load: engine::AxisymmetricLoad,
     /// Simulated time, in s.
-    pub window: f64,
+    pub window: engine::Until,
     /// Front angle of the blow, in degrees.
     pub angle_deg: f64,
     /// What catches an object that is too wide.
@@ -54,8 +57,11 @@ impl AxisymmetricCase {
         Self {
             limit: engine::step_limit(&eye, &load),
             eye,
+            window: match scenario.window_ms {
+                Some(ms) => engine::Until::Time(ms * 1e-3),
+                None => engine::Until::Settled(LONGEST + duration(&load).unwrap_or(0.0)),
+            },
             load,
-            window: scenario.window_ms * 1e-3,
             angle_deg,
             rim: match model.support {
                 Support::Gelatin => "the rim of the gelatin's cup",
@@ -114,10 +120,14 @@ impl AxisymmetricCase {
 
     /// Duration of a pulse, in s.
     pub fn pulse(&self) -> Option<f64> {
-        match &self.load {
-            engine::AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
-            engine::AxisymmetricLoad::Object(_) => None,
-        }
+        duration(&self.load)
+    }
+}
+
+fn duration(load: &engine::AxisymmetricLoad) -> Option<f64> {
+    match load {
+        engine::AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
+        engine::AxisymmetricLoad::Object(_) => None,
     }
 }
 

@@ -180,7 +180,7 @@ mod tests {
                 angle_deg: 30.0,
                 ..Projectile::default()
             }),
-            window_ms: 0.05,
+            window_ms: Some(0.05),
             ..Scenario::default()
         };
         let keep = Keep {

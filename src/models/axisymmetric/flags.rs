@@ -2,11 +2,13 @@
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::recording::results::Extremes;
+use crate::models::axisymmetric::time::until::Until;
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
 use crate::run::quantity::Quantity;
 use crate::run::raised::Raised;
 use crate::run::readings::Readings;
 use crate::scenario::TRUSTED_ANGLE_DEG;
+use crate::scenario::problem::plain;
 
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
@@ -64,13 +66,24 @@ fn window(
     (readings, simulated): (&Readings, f64),
     raised: &mut Raised,
 ) {
-    if let Some(pulse) = case.pulse().filter(|pulse| case.window < *pulse) {
-        raised.pulse_cut(case.window, pulse);
+    let end = case.window.most();
+    if let Some(pulse) = case.pulse().filter(|pulse| end < *pulse) {
+        raised.pulse_cut(end, pulse);
         return;
+    }
+    if matches!(case.window, Until::Settled(_)) && simulated >= end {
+        let cap = plain((end * 1e9).round() / 1e6);
+        raised.raise_at(
+            end,
+            FlagKind::WindowCapped,
+            format!(
+                "after {cap} ms, the most that window_ms: Auto simulates, a result could still grow"
+            ),
+        );
     }
     if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
         raised.raise_at(
-            case.window,
+            end,
             FlagKind::ContactCut,
             "the window ended before the projectile had left the eye",
         );
@@ -81,6 +94,6 @@ fn window(
     });
     if let Some(of) = late {
         let how = format!("a result still grew when the window ended: {}", of.label());
-        raised.window_short(case.window, how);
+        raised.window_short(end, how);
     }
 }

@@ -29,7 +29,10 @@ pub use crate::models::axisymmetric::time::run::{
     AxisymmetricLoad, CellLoop, STEP_SHARE, Scheme, Steps, Stop, run, run_as, run_through,
     step_limit,
 };
+pub use crate::models::axisymmetric::time::until::Until;
 #[cfg(test)]
 mod case_tests;
 #[cfg(test)]
 mod forces_tests;
+#[cfg(test)]
+mod window_tests;

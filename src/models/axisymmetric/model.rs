@@ -23,7 +23,11 @@ impl EyeModel for AxisymmetricCase {
     }
 
     fn window(&self) -> f64 {
-        self.window
+        self.window.most()
+    }
+
+    fn ends_by_itself(&self) -> bool {
+        matches!(self.window, engine::Until::Settled(_))
     }
 
     fn level(&self) -> u32 {
@@ -75,7 +79,14 @@ impl EyeModel for AxisymmetricCase {
 
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
         let steps = self.steps_by(plan)?;
-        let run = engine::run(&self.eye, &self.load, plan.window, steps, keep, watch);
+        let run = engine::run(
+            &self.eye,
+            &self.load,
+            self.window.within(plan.window),
+            steps,
+            keep,
+            watch,
+        );
         let run = run.map_err(|stop| self.refused(stop))?;
         let extremes = &run.extremes;
         let readings = readings::of(extremes);
@@ -103,8 +114,15 @@ impl EyeModel for AxisymmetricCase {
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
         let steps = self.steps_by(plan)?;
-        engine::run_through(&self.eye, &self.load, plan.window, steps, spacing, take)
-            .map_err(|stop| self.refused(stop))
+        engine::run_through(
+            &self.eye,
+            &self.load,
+            self.window.within(plan.window),
+            steps,
+            spacing,
+            take,
+        )
+        .map_err(|stop| self.refused(stop))
     }
 
     fn drawing(&self) -> Drawing {

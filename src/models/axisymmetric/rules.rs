@@ -68,6 +68,19 @@ fn scatter(of: Quantity) -> MeshScatter {
         | Quantity::ForceFront
         | Quantity::ForceRight
         | Quantity::ForceTop => MeshScatter::within(0.25, 0.3),
+        // The wall's largest stretch wanders between segments.
+        Quantity::EquatorStretch | Quantity::BackStretch => MeshScatter::within(0.10, 0.3),
+        // What the lens does late, in a vitreous that hardly holds it, fades as the mesh gets
+        // finer.
+        Quantity::LensPull => MeshScatter {
+            least: 0.1,
+            ..MeshScatter::within(0.6, 0.6)
+        },
+        Quantity::IrisPull => MeshScatter {
+            least: 0.2,
+            ..MeshScatter::within(0.35, 0.5)
+        },
+        Quantity::EdgeGrowth | Quantity::CornealEnergy => MeshScatter::within(0.08, 0.3),
         _ => MeshScatter::within(0.04, 0.3),
     }
 }

@@ -80,11 +80,13 @@ impl PaperCase {
     /// Compiles a scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
-        let Impact::ForcePulse(pulse) = &scenario.impact else {
+        let (Impact::ForcePulse(pulse), Some(window_ms)) =
+            (&scenario.impact, scenario.known_window_ms())
+        else {
             unreachable!("no checked scenario has an object at the Paper model");
         };
         let input = (scenario.eye.clone(), pulse.clone());
-        Self::built(input, scenario.window_ms * 1e-3, (whole, portable))
+        Self::built(input, window_ms * 1e-3, (whole, portable))
     }
 
     fn built(input: (EyeInput, ForcePulse), window: f64, (whole, portable): (bool, bool)) -> Self {

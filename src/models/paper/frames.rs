@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn the_same_frames_come_one_by_one_as_are_kept() {
         let mut scenario = find("bb-62").unwrap().scenario().unwrap();
-        scenario.window_ms = 0.2;
+        scenario.window_ms = Some(0.2);
         let spacing = Spacing::even(1e-5);
         let keep = Keep {
             traces: false,

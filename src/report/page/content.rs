@@ -22,7 +22,11 @@ const LIVELY: f64 = 0.6e-3;
 pub fn keep(scenario: &Scenario) -> Keep {
     Keep {
         traces: true,
-        frames: Some(spacing(scenario.window_ms * 1e-3, FRAMES)),
+        frames: Some(match scenario.known_window_ms() {
+            Some(window) => spacing(window * 1e-3, FRAMES),
+            // Of these the page takes as many as of others.
+            None => Spacing::doubling(2 * FRAMES as u32, 0.5 * LIVELY / FRAMES),
+        }),
     }
 }
 
@@ -34,6 +38,7 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
         early: half as u32,
         early_every: early / half,
         every: (window - early) / half,
+        doubles: false,
     }
 }
 

@@ -111,7 +111,9 @@ fn scalars_are_set_by_their_path() {
         after("numerics.step_us", "Some(2)").numerics.step_us,
         Some(2.0)
     );
+    assert_eq!(after("window_ms", "4").window_ms, Some(4.0));
     for text in ["None", "auto", "AUTO"] {
+        assert_eq!(after("window_ms", text).window_ms, None);
         let mut scenario = after("numerics.step_us", "2");
         set(&mut scenario, "numerics.step_us", text).unwrap();
         assert_eq!(scenario.numerics.step_us, None);

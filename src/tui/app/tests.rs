@@ -400,11 +400,11 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     app.model.form.selected = FormRow::Field(fields::find("window_ms").unwrap());
     // By steps, by typing, and by whatever else brings a scenario.
     press(&mut app, &"L".repeat(30));
-    assert_eq!(app.model.work.scenario.window_ms, 20.0);
+    assert_eq!(app.model.work.scenario.window_ms, Some(20.0));
     assert!(notice(&app).contains("not for guests"));
     for keys in ["\r\x1521", "\r"] {
         press(&mut app, keys);
-        assert_eq!(app.model.work.scenario.window_ms, 20.0);
+        assert_eq!(app.model.work.scenario.window_ms, Some(20.0));
         let error = app
             .model
             .form

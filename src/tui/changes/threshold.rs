@@ -2,7 +2,7 @@
 //! the form.
 
 use crate::many::threshold::ThresholdSearch;
-use crate::scenario::fields::Kind;
+use crate::scenario::doubt::number;
 use crate::tui::changes::edit::change;
 use crate::tui::form::{FormRow, with_text};
 use crate::tui::line::TextLine;
@@ -13,11 +13,11 @@ use crate::tui::threshold::{Asking, FindThreshold};
 
 /// Asks about the number with the cursor: rupture of the globe first, where there are risks.
 pub(crate) fn ask(model: &mut AppModel) {
-    let number = match model.form.selected {
-        FormRow::Field(field) if matches!(field.kind, Kind::Number(..)) => Some(field),
+    let asked = match model.form.selected {
+        FormRow::Field(field) => number(field, &model.work.scenario).map(|_| field),
         _ => None,
     };
-    let asking = match (number, &model.shown) {
+    let asking = match (asked, &model.shown) {
         (Some(field), Some(shown)) => Asking::of(field, shown),
         (None, _) => {
             model.notice = Some("choose a row with a number first".to_owned());

@@ -55,8 +55,14 @@ impl<C: Cells> Motion<'_, C> {
         e.apex.offer(shape.apex, time);
         e.lens.offer(shape.lens, time);
         if let Some((object, projectile)) = &self.object {
+            let kept = projectile.kinetic(0.0) + projectile.stored() + self.energy.lost_in_object;
+            let between = now.touch.map_or(0.0, |touch| touch.energy);
+            e.energy_given.offer(self.energy_before - kept - between, time);
             let touched = -self.eye.parameters.radius - object.reach();
             e.intrusion.offer(projectile.x[0] - touched, time);
+        }
+        if self.load.is_some() {
+            e.energy_given.offer(self.energy.work, time);
         }
         let volume = now.sums.volume / self.globe_volume;
         e.least_volume = e.least_volume.min(volume);

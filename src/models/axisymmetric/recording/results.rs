@@ -40,6 +40,8 @@ pub struct Extremes {
     /// front edge, and how much the lens and the root of the iris are drawn apart, in m; see
     /// [`super::tissue`].
     pub tissue: [Peak; 5],
+    /// Most energy that the eye held of what hit it, J.
+    pub energy_given: Peak,
     /// Radius of the largest contact, m.
     pub contact_radius: f64,
     /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
@@ -75,11 +77,11 @@ impl Extremes {
         }
     }
 
-    /// Energy that the eye was given over the area of the largest contact, J/m2; 0 without any.
+    /// Most energy that the eye was given over the area of the largest contact, J/m2; 0 without any.
     pub fn energy_over_contact(&self) -> f64 {
         let area = PI * self.contact_radius * self.contact_radius;
         if area > 0.0 {
-            self.energy_imparted.max(0.0) / area
+            self.energy_given.value / area
         } else {
             0.0
         }

@@ -27,6 +27,7 @@ use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
 use crate::models::axisymmetric::recording::tissue::Tissues;
+use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::fold::FoldWatch;
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
@@ -39,10 +40,6 @@ use std::ops::ControlFlow;
 pub const STEP_SHARE: f64 = 0.75;
 /// Most a step grows.
 const GROWTH: f64 = 1.05;
-/// Balances of energy taken over a window.
-const BALANCES: f64 = 100.0;
-/// Values of a trace that a window is divided into.
-const TRACE_POINTS: f64 = 1000.0;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
 const GONE: f64 = 0.5e-3;
@@ -127,12 +124,18 @@ pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
 pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
-    let mut motion = Motion::new(eye, CellRows::new(eye), blow, Keep::default(), 1.0);
+    let mut motion = Motion::new(
+        eye,
+        CellRows::new(eye),
+        blow,
+        Keep::default(),
+        Until::Time(1.0),
+    );
     motion.forces(0.0).limit
 }
 
-/// Hits `eye` and follows it for `window` s, with such `steps`, which a number alone gives as a
-/// share of the stability bound.
+/// Hits `eye` and follows it for `window`, which a number alone gives in s, with such `steps`, which
+/// a number alone gives as a share of the stability bound.
 ///
 /// # Errors
 /// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch
@@ -140,7 +143,7 @@ pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
 pub fn run(
     eye: &AxisymmetricEye,
     blow: &AxisymmetricLoad,
-    window: f64,
+    window: impl Into<Until>,
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
@@ -156,12 +159,12 @@ pub fn run_as(
     form: CellLoop,
     eye: &AxisymmetricEye,
     blow: &AxisymmetricLoad,
-    window: f64,
+    window: impl Into<Until>,
     steps: impl Into<Steps>,
     keep: Keep,
     watch: Watch,
 ) -> Result<EngineRun, Stop> {
-    let steps = steps.into();
+    let (steps, window) = (steps.into(), window.into());
     let mut frames = Vec::new();
     let take = &mut |frame| {
         frames.push(frame);
@@ -187,7 +190,7 @@ pub fn run_as(
 pub fn run_through(
     eye: &AxisymmetricEye,
     blow: &AxisymmetricLoad,
-    window: f64,
+    window: impl Into<Until>,
     steps: impl Into<Steps>,
     spacing: Spacing,
     take: Take,
@@ -197,7 +200,7 @@ pub fn run_through(
         frames: Some(spacing),
     };
     let watch = &mut |_| ControlFlow::Continue(());
-    let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window);
+    let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window.into());
     motion
         .run_through_window(steps.into(), watch, take)
         .map(|_| ())
@@ -265,7 +268,7 @@ pub(crate) struct Motion<'a, C> {
     pub stress: f64,
     /// Low passes of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
-    pub window: f64,
+    pub window: Until,
     /// When what acts was last seen to be gone, s.
     pub over_since: Option<f64>,
     pub contact_evaluations: usize,
@@ -297,7 +300,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         cells: C,
         blow: &AxisymmetricLoad,
         keep: Keep,
-        window: f64,
+        window: Until,
     ) -> Self {
         let target = Target::new(eye);
         let (object, load) = match blow {
@@ -310,7 +313,7 @@ impl<'a, C: Cells> Motion<'a, C> {
                 let shares = Target::shares(eye, *half_width);
                 let pulse = pulse.clone();
                 let load = Load {
-                    segments: pulse.segments(window),
+                    segments: pulse.segments(window.most()),
                     pulse,
                     shares,
                 };
@@ -386,9 +389,11 @@ impl<'a, C: Cells> Motion<'a, C> {
     ) -> Result<EngineRun, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
-        let trace_every = self.keep.traces.then_some(self.window / TRACE_POINTS);
+        let mut trace_every = self.window.trace_every();
+        let (end, balance_every) = (self.window.most(), self.window.balance_every());
         loop {
-            if steps % WATCH_EVERY == 0 && watch(time / self.window).is_break() {
+            let share = self.window.share(time, self.swing);
+            if steps % WATCH_EVERY == 0 && watch(share).is_break() {
                 return Err(Stop::Watched);
             }
             let now = self.forces(time);
@@ -402,16 +407,13 @@ impl<'a, C: Cells> Motion<'a, C> {
             let kick = by.kick(before, step);
             let forces = self.offer_readings(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
-            let last = time >= self.window || settled;
-            let due = |next: &mut f64, every: Option<f64>| match every {
-                Some(every) if time >= *next || last => {
-                    *next = every * ((time / every).floor() + 1.0);
-                    true
-                }
-                _ => false,
-            };
-            let trace = due(&mut next_trace, trace_every);
-            let balance = due(&mut next_balance, Some(self.window / BALANCES));
+            let last = time >= end || settled;
+            let after = |every: f64| every * ((time / every).floor() + 1.0);
+            let trace = self.keep.traces && (time >= next_trace || last);
+            let balance = time >= next_balance || last;
+            if balance {
+                next_balance = after(balance_every);
+            }
             if balance || trace {
                 self.take_balance(&now, kick);
                 if balance {
@@ -423,16 +425,20 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
             if trace {
                 self.take_trace(&now, time, forces);
+                if !last {
+                    self.window.thin(&mut self.traces, &mut trace_every);
+                }
+                next_trace = after(trace_every);
             }
             if !step.is_finite() || step <= 0.0 {
                 return Err(Stop::NotFinite { time, step: steps });
             }
             self.refuse_if_gone_through(time)?;
             if last {
-                let settled = time < self.window;
+                let settled = time < end;
                 return Ok(self.finish(time, steps, settled));
             }
-            step = step.min(self.window - time).max(f64::MIN_POSITIVE);
+            step = step.min(end - time).max(f64::MIN_POSITIVE);
             let kick = by.kick(before, step);
             self.energy.lost += now.sums.loss * kick;
             self.energy.lost_in_object += now.loss_in_object * kick;
@@ -503,9 +509,9 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 
     /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
-    /// window.
+    /// of a time that was asked for.
     fn settled(&mut self, time: f64) -> bool {
-        if self.keep != Keep::default() {
+        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
             return false;
         }
         let over = match (&self.object, &self.load) {

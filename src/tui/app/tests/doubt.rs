@@ -22,7 +22,7 @@ fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
 /// A model with its answer, and what it asks for when it is whole or was refused.
 fn idle_model() -> (App, (u64, RunSamples)) {
     let mut app = opened();
-    app.model.work.scenario.window_ms = 0.2;
+    app.model.work.scenario.window_ms = Some(0.2);
     let effects = begin(&mut app);
     let (ticket, question) = asked::<Simulate>(&effects).unwrap();
     let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
@@ -135,7 +135,7 @@ fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
     assert_eq!(app.state::<Doubt>().row, last);
     letter(&mut app, 'k');
     assert_eq!(app.state::<Doubt>().row, last - 1);
-    app.model.work.scenario.window_ms = 0.3;
+    app.model.work.scenario.window_ms = Some(0.3);
     letter(&mut app, 'k');
     assert_eq!(
         app.state::<Doubt>().row,

@@ -129,6 +129,11 @@ fn what_the_form_shows_can_be_typed() {
     let mut app = app();
     let field = |path| FormRow::Field(fields::find(path).unwrap());
     press(&mut app, "a");
+    app.model.form.selected = field("window_ms");
+    press(&mut app, "4\r");
+    assert_eq!(app.model.work.scenario.window_ms, Some(4.0));
+    press(&mut app, "\r\x15auto\r");
+    assert_eq!(app.model.work.scenario.window_ms, None);
     app.model.form.selected = field("numerics.step_us");
     press(&mut app, "2\r");
     assert_eq!(app.model.work.scenario.numerics.step_us, Some(2.0));

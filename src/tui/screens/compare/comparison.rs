@@ -336,7 +336,7 @@ mod tests {
         let mut comparison = Comparison::default();
         for name in ["foam-dart", "bb-62"] {
             let mut scenario = library::find(name).unwrap().scenario().unwrap();
-            scenario.window_ms = 0.5;
+            scenario.window_ms = Some(0.5);
             comparison.mark(name, &scenario).unwrap();
             let checked = scenario.check().unwrap();
             let keep = Keep {

@@ -248,6 +248,9 @@ fn shown_value(model: &AppModel, field: &Field) -> String {
             Some(shown) if field.path == "numerics.step_us" => {
                 format!("auto, {:.3}", shown.answer.plan.step * 1e6)
             }
+            Some(shown) if field.path == "window_ms" => {
+                format!("auto, {:.1}", shown.answer.window() * 1e3)
+            }
             _ => text,
         },
         (Kind::Choice(_), name) => spaced(name),

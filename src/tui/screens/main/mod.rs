@@ -140,7 +140,10 @@ fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
     let Some(field) = fields::find(path) else {
         return;
     };
-    let present = model.shown.as_ref().map(|s| s.answer.plan.step * 1e6);
+    let present = model.shown.as_ref().map(|shown| match path {
+        "window_ms" => shown.answer.window() * 1e3,
+        _ => shown.answer.plan.step * 1e6,
+    });
     match furthest(&model.work.scenario, field, step, present) {
         Ok(scenario) if scenario == model.work.scenario => {
             model.notice = Some(format!("{}: {}", field.label, allowed(field)));

@@ -420,7 +420,7 @@ mod tests {
         assert_eq!((reading.value, reading.exact), (Some(1.0), true));
         let left = map.lacking(&adopted).unwrap();
         assert_eq!(left.known.known().0, 81, "it goes on from there");
-        scenario.window_ms = 2.0;
+        scenario.window_ms = Some(2.0);
         assert!(map.grid(&scenario).is_none());
     }
 }

@@ -1,0 +1,142 @@
+//! How long a run lasts: as long as was asked, else until nothing can grow.
+
+use crate::answer::solve::{Answer, Cut, solve};
+use crate::run::flags::FlagKind;
+use crate::run::kept::{Keep, Spacing};
+use crate::run::quantity::Quantity;
+use crate::run::watch::unwatched;
+use crate::scenario::library::find;
+use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario};
+use proptest::prelude::*;
+use std::ops::ControlFlow;
+
+const ALL: Keep = Keep {
+    traces: true,
+    frames: Some(Spacing {
+        early: 20,
+        early_every: 10e-6,
+        every: 10e-6,
+        doubles: true,
+    }),
+};
+
+fn preset(name: &str, window_ms: Option<f64>) -> Scenario {
+    Scenario {
+        window_ms,
+        ..find(name).unwrap().scenario().unwrap()
+    }
+}
+
+fn solved(scenario: &Scenario, keep: Keep) -> Answer {
+    solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap()
+}
+
+fn raised(answer: &Answer, kind: FlagKind) -> bool {
+    answer.flags.iter().any(|flag| flag.kind == kind)
+}
+
+#[test]
+fn a_run_that_ends_by_itself_reads_what_a_long_one_does() {
+    for (name, long) in [("bb-56", 9.0), ("squash-ball", 18.0)] {
+        let own = solved(&preset(name, None), Keep::default());
+        // What keeps traces goes on to the end of its window.
+        let whole = solved(&preset(name, Some(long)), ALL);
+        assert_eq!(whole.run.simulated, long * 1e-3);
+        assert!(own.run.simulated < 0.5 * whole.run.simulated, "{name}");
+        for &of in Quantity::ALL {
+            // What is read at the end still rings a little, as the object does within itself.
+            let near = if own.peak(of).is_some() { 0.0 } else { 1e-3 };
+            let (a, b) = (own.result(of), whole.result(of));
+            let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
+            assert!(
+                (a - b).abs() <= near * b.abs(),
+                "{name} {} {a} {b}",
+                of.key()
+            );
+            assert_eq!(own.cut(of), None, "{name} {}", of.key());
+        }
+        assert!(!own.flags.iter().any(|f| f.kind.name().contains("window")));
+    }
+}
+
+#[test]
+fn what_is_kept_changes_neither_the_end_nor_a_reading() {
+    let scenario = preset("bb-56", None);
+    let (bare, kept) = (solved(&scenario, Keep::default()), solved(&scenario, ALL));
+    assert_eq!(bare.run.simulated, kept.run.simulated);
+    assert_eq!(bare.run.readings, kept.run.readings);
+    assert_eq!(bare.errors, kept.errors);
+    assert_eq!(kept.window(), kept.run.simulated);
+    let times = &kept.run.traces.as_ref().unwrap().time;
+    assert!((1000..=2000).contains(&times.len()), "{}", times.len());
+    assert_eq!(times.last(), Some(&kept.run.simulated));
+    let mut streamed = Vec::new();
+    let take = &mut |frame| {
+        streamed.push(frame);
+        ControlFlow::Continue(())
+    };
+    let spacing = ALL.frames.unwrap();
+    kept.case.frames(&kept.plan, spacing, take).unwrap();
+    assert_eq!(streamed, kept.run.frames);
+}
+
+#[test]
+fn what_never_settles_meets_a_cap_that_is_flagged() {
+    let mut slow = preset("bb-62", None);
+    if let Impact::Projectile(bb) = &mut slow.impact {
+        bb.speed_m_s = 0.01;
+    }
+    let answer = solved(&slow, Keep::default());
+    assert!(raised(&answer, FlagKind::WindowCapped));
+    assert_eq!(answer.run.simulated, 60e-3);
+    assert_eq!(answer.cut(Quantity::Pressure), Some(Cut::AtLeast));
+}
+
+#[test]
+fn a_window_that_is_set_counts() {
+    let answer = solved(&preset("bb-62", Some(0.2)), Keep::default());
+    assert_eq!((answer.run.simulated, answer.window()), (0.2e-3, 0.2e-3));
+    assert!(raised(&answer, FlagKind::ContactCut));
+    assert!(!raised(&answer, FlagKind::WindowCapped));
+}
+
+#[test]
+fn a_long_pulse_is_never_cut() {
+    let scenario = Scenario {
+        model: Model::Physiological(Physiological::default()),
+        impact: Impact::ForcePulse(ForcePulse {
+            force_n: 20.0,
+            duration_ms: 9.0,
+            ..ForcePulse::default()
+        }),
+        ..Scenario::default()
+    };
+    let answer = solved(&scenario, Keep::default());
+    assert!(answer.run.simulated > 9e-3 && answer.flags.is_empty());
+}
+
+#[test]
+fn the_watch_is_told_a_share_that_never_falls() {
+    let checked = preset("bb-56", None).check().unwrap();
+    let mut shares = Vec::new();
+    let answer = solve(&checked, Keep::default(), &mut |share| {
+        shares.push(share);
+        ControlFlow::Continue(())
+    });
+    answer.unwrap();
+    assert!(shares.len() > 10 && shares.is_sorted());
+    assert!(shares.iter().all(|share| (0.0..1.0).contains(share)));
+}
+
+proptest! {
+    #[test]
+    fn frames_that_come_ever_more_slowly_double_their_spacing(early in 1_u32..300, share in 0.0..20.0_f64) {
+        let n = 1 + (share * f64::from(early)) as usize;
+        let spacing = Spacing::doubling(2 * early, 1e-6);
+        let gap = |n: usize| (spacing.due(n + 1) - spacing.due(n)) * 1e6;
+        let ratio = gap(n) / gap(n - 1);
+        prop_assert!((ratio - 1.0).abs() < 1e-6 || (ratio - 2.0).abs() < 1e-6, "{}", ratio);
+        let first = spacing.due(2 * early as usize) * 1e6;
+        prop_assert!((first - f64::from(2 * early)).abs() < 1e-6);
+    }
+}
