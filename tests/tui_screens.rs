@@ -11,7 +11,8 @@
 use std::time::Duration;
 
 use contrecoup::answer::solve::Answer;
-use contrecoup::many::threshold::{Crossing, Threshold};
+use contrecoup::injury::Injury;
+use contrecoup::many::threshold::{Crossing, RiskThere, Threshold};
 use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Scenario;
 use contrecoup::tui::app::App;
@@ -224,7 +225,7 @@ fn map_screens() {
 }
 
 #[test]
-fn a_projectile_brings_its_pressure_its_force_and_its_injury_curves() {
+fn a_projectile_brings_its_pressure_its_force_and_its_injuries() {
     screen("main_projectile", &["bb-56"], "");
     screen("replay_projectile", &["golf-ball"], "\x1b2");
     state("forces_pressure", &["bb-56"], "\x1b3vvvvvvvv");
@@ -257,20 +258,23 @@ fn the_question_at_which_value_a_result_is_reached() {
         press(app, "jjjjjt");
     });
     pictures("threshold_found", &["bb-56"], &[USUAL], |app| {
-        press(app, "jjjjjt\x1b[A\x1b[A\r");
+        press(app, "jjjjjt\r");
         let Some(Overlay::Threshold(asking)) = &app.model.overlay else {
             panic!("nothing is asked")
         };
         let job = asking.task.job.as_ref().unwrap();
+        let answer = &app.model.shown.as_ref().unwrap().answer;
         let crossing = Crossing {
             at: 61.234,
             rising: true,
-            step: Some(0.1),
-            mesh: Some(18.0),
+            step: None,
+            mesh: None,
             jump: None,
             flags: Vec::new(),
-            believed: None,
-            caution: None,
+            risk: answer.risk(Injury::GlobeRupture).map(|risk| RiskThere {
+                risk,
+                range: (Some(38.2), Some(95.1)),
+            }),
         };
         let found = Threshold {
             seen: Vec::new(),

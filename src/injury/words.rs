@@ -65,7 +65,8 @@ impl Risk {
 
     /// The range in percent.
     pub fn percent(&self) -> String {
-        if self.at_least {
+        // What is over 99 % needs no other word for more.
+        if self.at_least && span(self.range) != whole(1.0) {
             format!("{AT_LEAST} {}", whole(self.range.0))
         } else {
             span(self.range)

@@ -15,7 +15,7 @@ use crate::tui::overlay::Overlay;
 use crate::tui::page::WritePage;
 use crate::tui::request::TaskQuestion as _;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::{EstimateMesh, Simulate};
+use crate::tui::simulation::{Complete, Simulate};
 use crate::tui::task::Task;
 use crate::tui::undo::History;
 use crate::tui::work::Work;
@@ -37,8 +37,8 @@ pub struct AppModel {
     pub shown: Option<ShownAnswer>,
     /// The answer to the newest edit.
     pub run: Task<Simulate>,
-    /// The mesh error of the answer on show.
-    pub mesh: Task<EstimateMesh>,
+    /// What the ranges of the answer on show do not hold yet.
+    pub rest: Task<Complete>,
     /// A page to take away.
     pub page: Task<WritePage>,
     /// What is in front of the screen.
@@ -80,7 +80,7 @@ impl AppModel {
             form: ScenarioForm::default(),
             shown: None,
             run: Task::default(),
-            mesh: Task::default(),
+            rest: Task::default(),
             page: Task::default(),
             overlay: None,
             clock: Clock::default(),
@@ -164,11 +164,9 @@ impl AppModel {
 
     /// What is computed though nobody asked for it, and how far it is.
     pub fn ahead(&self) -> Option<String> {
-        let mesh = || {
-            Some(format!(
-                "mesh error {}",
-                self.mesh.job.as_ref()?.pace?.done(None)
-            ))
+        let rest = || {
+            let done = self.rest.job.as_ref()?.pace?.done(None);
+            Some(format!("mesh and inputs {done}"))
         };
         let samples = || {
             let job = self.ensemble.task.job.as_ref()?;
@@ -176,7 +174,7 @@ impl AppModel {
             let words = format!("{} samples", pace.done(Some(count)));
             job.question.is_idle().then_some(words)
         };
-        mesh().or_else(samples)
+        rest().or_else(samples)
     }
 
     /// Whether pictures should take few bytes: while they move over a slow link.

@@ -1,13 +1,16 @@
-//! The answer to the form: asked for at every edit, and its mesh error once nothing newer is
-//! wanted.
+//! The answer to the form: asked for at every edit, and what its ranges do not hold yet once
+//! nothing newer is wanted: the mesh error, and what the inputs are not known to.
 
+use crate::answer::input_doubt::{InputDoubt, InputQuery};
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{Impact, Scenario};
+use crate::tui::idle;
 use crate::tui::request::TaskQuestion;
+use crate::tui::worker::run_watched;
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -30,20 +33,75 @@ impl TaskQuestion for Simulate {
     }
 }
 
-/// Asks for the mesh error of the answer on show.
+/// Asks for what the ranges of an answer do not hold yet.
 #[derive(Debug)]
-pub struct EstimateMesh {
+pub struct Complete {
     /// What was answered.
     pub scenario: Scenario,
-    /// What of the answer matters.
-    pub query: MeshQuery,
+    mesh: Option<MeshQuery>,
+    inputs: InputQuery,
 }
 
-impl TaskQuestion for EstimateMesh {
-    type Answer = MeshError;
+/// What completes an answer: first the mesh error, then both.
+#[derive(Debug, Clone)]
+pub struct Completion {
+    /// None where it is known already or was refused.
+    pub mesh: Option<MeshError>,
+    /// None while it is being counted.
+    pub inputs: Option<InputDoubt>,
+}
 
-    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
-        self.query.estimate(&self.scenario, watch)
+impl Complete {
+    /// The question for the answer to a scenario.
+    pub fn of(scenario: &Scenario, answer: &Answer) -> Self {
+        Self {
+            scenario: scenario.clone(),
+            mesh: answer.errors.mesh.is_none().then(|| MeshQuery::of(answer)),
+            inputs: InputQuery::of(answer),
+        }
+    }
+}
+
+impl Completion {
+    /// Takes it into its answer. Each part only widens the ranges of the risks: an error is added,
+    /// and a spread in quadrature.
+    pub fn put(self, answer: &mut Answer) {
+        if let Some(mesh) = self.mesh.filter(|_| answer.errors.mesh.is_none()) {
+            answer.add(mesh);
+        }
+        answer.inputs = self.inputs.or(answer.inputs);
+    }
+}
+
+impl TaskQuestion for Complete {
+    type Answer = Completion;
+
+    fn answer(&self, watch: Watch) -> Result<Completion, Refusal> {
+        self.fill_in(watch, &mut |_| {})
+    }
+
+    fn fill_in(
+        &self,
+        watch: Watch,
+        show: &mut dyn FnMut(Completion),
+    ) -> Result<Completion, Refusal> {
+        let mut first = |share: f64| watch(0.5 * share);
+        let mesh = self.mesh.map(|mesh| mesh.estimate(&self.scenario, &mut first));
+        let mesh = match mesh {
+            Some(Err(Refusal::Cancelled)) => return Err(Refusal::Cancelled),
+            mesh => mesh.and_then(Result::ok),
+        };
+        let inputs = None;
+        show(Completion { mesh: mesh.clone(), inputs });
+        let mut second = |share: f64| watch(0.5 + 0.5 * share);
+        let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
+            let told = |share| {
+                // `stop` tells it to end.
+                let _ = progress.report(share, || ());
+            };
+            idle::pool().install(|| self.inputs.estimate(&self.scenario, stop, told))
+        })?;
+        Ok(Completion { mesh, inputs: Some(inputs) })
     }
 
     fn is_idle(&self) -> bool {
@@ -99,16 +157,34 @@ pub fn keep(scenario: &Scenario) -> Keep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::quantity::Quantity;
     use crate::run::watch::unwatched;
+    use crate::scenario::library::find;
+
+    /// The ranges of all risks.
+    fn ranges(answer: &Answer) -> Vec<(f64, f64)> {
+        answer.risks().iter().map(|risk| risk.range).collect()
+    }
 
     #[test]
-    fn the_mesh_error_needs_no_second_answer() {
-        let scenario = Scenario::default();
-        let answer = Simulate(scenario.clone()).answer(&mut unwatched).unwrap();
-        let query = MeshQuery::of(&answer);
-        let question = EstimateMesh { scenario, query };
-        let damage = question.answer(&mut unwatched).unwrap().errors[Quantity::Damage].unwrap();
-        assert!((20.0..40.0).contains(&damage), "{damage}");
+    fn each_part_of_what_completes_an_answer_only_widens_its_ranges() {
+        for preset in ["bb-56", "squash-ball", "paper-300n"] {
+            let scenario = find(preset).unwrap().scenario().unwrap();
+            let mut answer = Simulate(scenario.clone()).answer(&mut unwatched).unwrap();
+            let mut before = ranges(&answer);
+            let question = Complete::of(&scenario, &answer);
+            let mut parts = Vec::new();
+            let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part)).unwrap();
+            assert!(parts.len() == 1 && parts[0].inputs.is_none() && parts[0].mesh.is_some());
+            parts.push(whole);
+            for part in parts {
+                part.put(&mut answer);
+                let after = ranges(&answer);
+                for (before, after) in before.iter().zip(&after) {
+                    assert!(after.0 <= before.0 && before.1 <= after.1, "{before:?} {after:?}");
+                }
+                before = after;
+            }
+            assert!(answer.uncounted().is_empty());
+        }
     }
 }

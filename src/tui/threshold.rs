@@ -5,7 +5,6 @@
 
 use std::sync::Arc;
 
-use crate::answer::derived::Derived;
 use crate::injury::Injury;
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::report::format::significant;
@@ -77,8 +76,8 @@ impl Asking {
             error: None,
         };
         let there = |quantity: &Quantity| asking.results.iter().any(|(other, _)| other == quantity);
-        let quantity = rupture(shown).filter(there).unwrap_or(quantity);
-        asking.choose(quantity);
+        let rupture = Some(Injury::GlobeRupture.result()).filter(there);
+        asking.choose(rupture.unwrap_or(quantity));
         Some(asking)
     }
 
@@ -117,14 +116,4 @@ fn brief(value: f64) -> String {
     significant(value)
         .parse()
         .map_or_else(|_| significant(value), plain)
-}
-
-/// Rupture of the globe by the measure that is believed first.
-fn rupture(shown: &ShownAnswer) -> Option<Quantity> {
-    let verdicts = shown.answer.verdicts();
-    let verdict = verdicts.iter().find(|v| v.injury == Injury::GlobeRupture)?;
-    let (risk, _) = verdict.parts.first()?;
-    let measure = risk.curve.measure;
-    let by = |quantity: &&Quantity| matches!(quantity.derived(), Some(Derived::Risk(Injury::GlobeRupture, m)) if m == measure);
-    Quantity::ALL.iter().find(by).copied()
 }

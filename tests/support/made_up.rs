@@ -25,14 +25,14 @@ use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
 use contrecoup::run::quantity::{Family, Quantity};
 use contrecoup::run::readings::{Reading, Readings};
 use contrecoup::run::rules::Element;
-use contrecoup::scenario::{Impact, Model, Scenario};
+use contrecoup::scenario::{Impact, Model, Projectile, Scenario};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
 const ROWS: usize = 240;
 const EVERY_FRAME: usize = 6;
 /// The size from which the mesh folds.
-const FOLDING: f64 = 1.5;
+const FOLDING: f64 = 2.0;
 /// What a blow of size 1 does: N at the monitored nodes, m, shares, J, Pa.
 const FORCES_N: [f64; 4] = [12.0, 70.0, 10.0, 11.0];
 const APEX_M: f64 = 2.2e-3;
@@ -41,6 +41,9 @@ const MERIDIAN: f64 = 0.03;
 const ENERGY_J: f64 = 0.5;
 const PRESSURE_PA: f64 = 0.4e6;
 const STRESS_PA: f64 = 8e6;
+/// What its tissues feel: shares, then m; and J/m2 at the cornea.
+const TISSUE: [f64; 5] = [0.03, 0.02, 0.08, 1.2e-3, 1.8e-3];
+const CORNEA_J_M2: f64 = 2e3;
 
 /// From 0 up to 1 in the `middle` and down to 0, both `reach` away from it.
 fn hump(at: f64, middle: f64, reach: f64) -> f64 {
@@ -55,14 +58,19 @@ fn rise(at: f64, end: f64) -> f64 {
     share * share * (3.0 - 2.0 * share)
 }
 
+/// The object that hits, if one does.
+fn object(scenario: &Scenario) -> Option<&Projectile> {
+    match &scenario.impact {
+        Impact::ForcePulse(_) => None,
+        Impact::Projectile(object) => Some(object),
+    }
+}
+
 /// How large a blow is.
-fn size(case: &Compiled, scenario: &Scenario) -> f64 {
+fn size(scenario: &Scenario) -> f64 {
     match &scenario.impact {
         Impact::ForcePulse(pulse) => pulse.force_n / 300.0,
-        Impact::Projectile(_) => case
-            .risk_inputs
-            .blow
-            .map_or(0.0, |b| (0.5 * b.mass * b.speed * b.speed / 0.2).sqrt()),
+        Impact::Projectile(object) => (object.energy_j() / 0.2).sqrt(),
     }
 }
 
@@ -102,8 +110,8 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         Impact::ForcePulse(pulse) => pulse.force_n,
         Impact::Projectile(_) => 0.0,
     };
-    let blow = case.risk_inputs.blow;
-    let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter, b.speed));
+    let blow = object(scenario);
+    let (radius, speed) = blow.map_or((0.0, 0.0), |b| (0.5 * b.diameter_m(), b.speed_m_s));
     let whole = case.rules().element == Element::Cell;
     let some = |there: bool, of: &dyn Fn(f64) -> f64| if there { over(of) } else { Vec::new() };
     Traces {
@@ -127,6 +135,7 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         }),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
         projectile: some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
+        tissue: TISSUE.map(|most| some(whole, &|s| give * most * pushed(s - 0.02))),
         projectile_velocity: some(blow.is_some(), &|s| speed * (1.0 - 2.0 * s)),
     }
 }
@@ -203,8 +212,8 @@ fn peak(times: &[f64], values: &[f64]) -> Peak {
 }
 
 /// What a model reads off its eye: the peak of each trace that there is, and the numbers.
-fn readings(case: &Compiled, traces: &Traces, size: f64) -> Readings {
-    let speed = case.risk_inputs.blow.map(|blow| 0.5 * blow.speed);
+fn readings(scenario: &Scenario, traces: &Traces, size: f64) -> Readings {
+    let speed = object(scenario).map(|object| 0.5 * object.speed_m_s);
     let of_section = traces.pressure.is_empty();
     Readings::from_fn(|of| {
         let trace = of.row().trace?;
@@ -217,6 +226,7 @@ fn readings(case: &Compiled, traces: &Traces, size: f64) -> Readings {
     })
     .map(|of, reading| match of {
         Quantity::Rebound => speed.map(Reading::from),
+        Quantity::CornealEnergy if !of_section => Some((CORNEA_J_M2 * size * size).into()),
         _ => *reading,
     })
 }
@@ -276,10 +286,10 @@ fn lasts(case: &Compiled) -> f64 {
 /// The answer to a scenario, with traces and frames.
 pub fn answer(scenario: &Scenario) -> Answer {
     let case = Compiled::new(&scenario.check().unwrap());
-    let size = size(&case, scenario);
+    let size = size(scenario);
     let traces = traces(&case, scenario, size);
     let fold = fold(&case, size);
-    let diameter = case.risk_inputs.blow.map(|blow| blow.diameter);
+    let diameter = object(scenario).map(Projectile::diameter_m);
     let frames = (0..=ROWS).step_by(EVERY_FRAME);
     let frames = frames
         .map(|row| frame(scenario, &traces, row, diameter))
@@ -291,7 +301,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
     };
     let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
     let run = Run {
-        readings: readings(&case, &traces, size),
+        readings: readings(scenario, &traces, size),
         details: details(&case, size),
         flags: Vec::new(),
         fold,
@@ -321,6 +331,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
             limits: None,
             energy_balance: 1e-3,
         },
+        inputs: None,
         flags: flags(fold),
         element_evaluations: 8_000_000,
         solve_time: Duration::from_millis(10),
@@ -357,7 +368,10 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                 .map(|(input, u)| input.value(*u))
                 .collect(),
             outcome: Ok(BriefAnswer {
-                values: nominal.map(|_, value| value.map(|value| value * factor)),
+                values: nominal.map(|of, value| {
+                    let most = if of.is_risk() { 100.0 } else { f64::INFINITY };
+                    value.map(|value| (value * factor).min(most))
+                }),
                 flags: folded.then_some(FlagKind::MeshFolded).into_iter().collect(),
                 check: (index < 8).then_some(Check {
                     first: 0.02,

@@ -35,15 +35,9 @@ const RUN: u32 = 3;
 
 /// The same for every result of a scene that springs alone solve.
 fn all(value: f64) -> Results {
-    use Quantity::{Contact, Pressure, RetinaByEnergy, RuptureByEnergy, RuptureByPressure};
-    let absent = [
-        Contact,
-        Pressure,
-        RetinaByEnergy,
-        RuptureByEnergy,
-        RuptureByPressure,
-    ];
-    Results::from_fn(|of| (!absent.contains(&of)).then_some(value))
+    let absent = [Quantity::Contact, Quantity::Pressure];
+    let there = |of: Quantity| !of.is_risk() && !absent.contains(&of);
+    Results::from_fn(|of| there(of).then_some(value))
 }
 
 /// The measurement, with so many of its levels run.

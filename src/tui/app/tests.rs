@@ -18,7 +18,7 @@ use crate::tui::request::{Report, Ticket};
 use crate::tui::save::SaveError;
 use crate::tui::screens::SCREENS;
 use crate::tui::screens::accuracy::measurement::Measurement;
-use crate::tui::screens::compare::comparison::{Comparison, EstimateMarked, SimulateMarked};
+use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, SimulateMarked};
 use crate::tui::screens::map::state::Map;
 use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
@@ -313,9 +313,9 @@ fn marks_are_simulated_one_after_another() {
     };
     let effects = done(&mut app, first);
     let (second, _) = asked::<SimulateMarked>(&effects).unwrap();
-    // Their mesh errors follow once all are there.
+    // Mesh errors and inputs follow once all are there.
     let effects = done(&mut app, second);
-    assert!(asked::<EstimateMarked>(&effects).is_some());
+    assert!(asked::<CompleteMarked>(&effects).is_some());
     assert!(
         app.state::<Comparison>()
             .entries

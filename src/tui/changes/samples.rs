@@ -9,10 +9,13 @@ use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
 
-/// Whether nothing else is wanted for what is on show.
+/// Whether nothing else is wanted for what is on show, and it has no risks: their ranges hold what
+/// is not known of the inputs.
 fn is_settled(model: &AppModel, screens_busy: bool) -> bool {
-    let answered = |shown: &ShownAnswer| shown.scenario == model.work.scenario;
-    let computes = screens_busy || model.is_busy() || simulation::lacks_mesh_error(model).is_some();
+    let answered = |shown: &ShownAnswer| {
+        shown.scenario == model.work.scenario && shown.answer.silence().is_some()
+    };
+    let computes = screens_busy || model.is_busy() || simulation::incomplete(model).is_some();
     !computes && model.shown.as_ref().is_some_and(answered)
 }
 

@@ -1,14 +1,14 @@
-//! The answer to the form, and its mesh error: what is asked for, and what is done with what
+//! The answer to the form, and what completes it: what is asked for, and what is done with what
 //! comes.
 
 use std::sync::Arc;
 
-use crate::answer::mesh_error::MeshQuery;
 use crate::run::refusal::Refusal;
 use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::{EstimateMesh, Simulate, is_alike};
+use crate::tui::ensemble::key;
+use crate::tui::simulation::{Complete, Simulate, is_alike};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.
 pub(crate) fn follow(model: &mut AppModel) {
@@ -16,6 +16,9 @@ pub(crate) fn follow(model: &mut AppModel) {
     if let Some(shown) = &mut model.shown
         && is_alike(&shown.scenario, scenario)
     {
+        if shown.scenario.doubt != scenario.doubt && shown.answer.inputs.is_some() {
+            Arc::make_mut(&mut shown.answer).inputs = None;
+        }
         shown.scenario.clone_from(scenario);
     }
 }
@@ -26,7 +29,7 @@ pub(crate) fn start(model: &mut AppModel) {
     model.run.ask(Simulate(scenario), &mut model.out);
 }
 
-/// What the workers say of the answer and of its mesh error.
+/// What the workers say of the answer and of what completes it.
 pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.take_report(report) {
         match outcome {
@@ -37,42 +40,40 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
             None => explain_cancelling(model),
         }
     }
-    if let Some((_, Some(mesh))) = model.mesh.take_report(report)
+    if let Some((_, Some(part))) = model.rest.take_report(report)
         && let Some(shown) = model.shown.as_mut()
     {
-        Arc::make_mut(&mut shown.answer).add(mesh);
+        part.put(Arc::make_mut(&mut shown.answer));
     }
 }
 
-/// The answer on show, if its mesh error is not known and was not refused.
-pub(crate) fn lacks_mesh_error(model: &AppModel) -> Option<&ShownAnswer> {
-    let lacks = |shown: &&ShownAnswer| shown.answer.errors.mesh.is_none();
-    let refused = |shown: &&ShownAnswer| {
-        let complaint = model.mesh.complaint.as_ref();
-        complaint.is_some_and(|(asked, _)| is_alike(&asked.scenario, &shown.scenario))
+/// The answer on show, if something is still to be counted in its ranges and was not refused.
+pub(crate) fn incomplete(model: &AppModel) -> Option<&ShownAnswer> {
+    let refused = |shown: &ShownAnswer| {
+        let complaint = model.rest.complaint.as_ref();
+        complaint.is_some_and(|(asked, _)| key(&asked.scenario) == key(&shown.scenario))
     };
-    let shown = model.shown.as_ref().filter(lacks);
-    shown.filter(|shown| !refused(shown))
+    let shown = model.shown.as_ref()?;
+    (shown.answer.inputs.is_none() && !refused(shown)).then_some(shown)
 }
 
-/// Estimates the mesh error of the answer on show while nothing is computed that somebody asked
-/// for; stops where it is of another answer or not wanted any more.
+/// Completes the answer on show while nothing is computed that somebody asked for; stops where it
+/// is of another answer or not wanted any more.
 pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     let free = model.idle && !model.is_busy() && !screens_busy;
-    let wanted = lacks_mesh_error(model).filter(|_| free);
-    let wanted = wanted.map(|shown| (shown.scenario.clone(), MeshQuery::of(&shown.answer)));
-    let under_way = model.mesh.job.as_ref().map(|job| &job.question.scenario);
-    let right = match (under_way, &wanted) {
-        (Some(asked), Some((scenario, _))) => is_alike(asked, scenario),
+    let wanted = incomplete(model).filter(|_| free);
+    let under_way = model.rest.job.as_ref().map(|job| &job.question.scenario);
+    let right = match (under_way, wanted) {
+        (Some(asked), Some(shown)) => key(asked) == key(&shown.scenario),
         (asked, wanted) => asked.is_none() && wanted.is_none(),
     };
     if right {
         return;
     }
-    model.mesh.stop(None, &mut model.out);
-    if let Some((scenario, query)) = wanted {
-        let question = EstimateMesh { scenario, query };
-        model.mesh.ask(question, &mut model.out);
+    let question = wanted.map(|shown| Complete::of(&shown.scenario, &shown.answer));
+    model.rest.stop(None, &mut model.out);
+    if let Some(question) = question {
+        model.rest.ask(question, &mut model.out);
     }
 }
 

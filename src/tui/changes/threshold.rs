@@ -11,7 +11,7 @@ use crate::tui::overlay::Overlay;
 use crate::tui::request::Report;
 use crate::tui::threshold::{Asking, FindThreshold};
 
-/// Asks about the number with the cursor: rupture of the globe by its most believed measure first.
+/// Asks about the number with the cursor: rupture of the globe first, where there are risks.
 pub(crate) fn ask(model: &mut AppModel) {
     let asked = match model.form.selected {
         FormRow::Field(field) => number(field, &model.work.scenario).map(|_| field),

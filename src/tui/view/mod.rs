@@ -12,6 +12,7 @@ pub mod picker;
 pub mod popup;
 mod projection;
 pub mod raster;
+pub mod risks;
 pub mod text;
 pub mod theme;
 pub mod threshold;

@@ -3,7 +3,7 @@
 
 use ratatui::style::{Color, Modifier, Style};
 
-use crate::injury::gravity;
+use crate::injury::{Risk, gravity};
 use crate::run::places::Region;
 use crate::tui::look::Look;
 use crate::tui::terminal::caps::Depth;
@@ -149,9 +149,13 @@ impl Theme {
         )
     }
 
-    /// A risk from 0 to 1, by the words of the verdicts.
-    pub fn risk(self, risk: f64) -> Style {
-        self.grave(gravity(risk))
+    /// A risk by the upper end of its range, so that no colour is surer than that; none where the
+    /// range says nothing.
+    pub fn risk(self, risk: &Risk) -> Style {
+        if risk.is_unclear() {
+            return self.text();
+        }
+        self.grave(gravity(risk.range.1))
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.

@@ -79,8 +79,8 @@ pub fn draw(model: &AppModel, asking: &Asking, area: Rect, buffer: &mut Buffer) 
                     theme.warning(),
                 );
             }
-            if let Some(caution) = crossing.caution {
-                say(&format!("beware: {}", caution.text()), theme.warning());
+            for note in crossing.risk.iter().flat_map(|there| &there.risk.notes) {
+                say(&format!("beware: {note}"), theme.warning());
             }
         }
         if let Some(taken) = asking.taken() {

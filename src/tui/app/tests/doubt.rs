@@ -11,7 +11,7 @@ use crate::tui::ensemble::{FEW, MANY, RunSamples};
 use crate::tui::outbox::Effect;
 use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::screens::doubt::Doubt;
-use crate::tui::simulation::{EstimateMesh, Simulate};
+use crate::tui::simulation::{Complete, Simulate};
 use crossterm::event::KeyCode;
 use std::time::Duration;
 
@@ -19,7 +19,7 @@ fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
     asked::<RunSamples>(effects).map(|(ticket, question)| (ticket, question.clone()))
 }
 
-/// A model with its answer, and what it asks for when the mesh error has come.
+/// A model with its answer, and what it asks for when it is whole or was refused.
 fn idle_model() -> (App, (u64, RunSamples)) {
     let mut app = opened();
     app.model.work.scenario.window_ms = Some(0.2);
@@ -27,10 +27,10 @@ fn idle_model() -> (App, (u64, RunSamples)) {
     let (ticket, question) = asked::<Simulate>(&effects).unwrap();
     let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
     let effects = update(&mut app, Message::News(report));
-    let (ticket, _) = asked::<EstimateMesh>(&effects).unwrap();
-    let report = Report::done::<EstimateMesh>(ticket, Err(Refusal::Cancelled));
+    let (ticket, _) = asked::<Complete>(&effects).unwrap();
+    let report = Report::done::<Complete>(ticket, Err(Refusal::Cancelled));
     let effects = update(&mut app, Message::News(report));
-    let asked = sampled(&effects).expect("the band follows the mesh error");
+    let asked = sampled(&effects).expect("the band follows what completes the answer");
     (app, asked)
 }
 

@@ -3,13 +3,11 @@
 use crate::many::map::Spot;
 use crate::run::quantity::Quantity;
 use crate::run::readings::PerQuantity;
-use crate::scenario::library::find;
 use crate::tui::app::App;
 use crate::tui::app::driven::{asked, begun, key, letter};
 use crate::tui::app::update::{Message, update};
 use crate::tui::outbox::Effect;
 use crate::tui::request::Report;
-use crate::tui::screens::map::is_void_there;
 use crate::tui::screens::map::state::{DrawMap, Map};
 use crate::tui::simulation::Simulate;
 use crossterm::event::KeyCode;
@@ -71,7 +69,7 @@ fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it
     let first = shown(&app);
     assert_eq!(
         first,
-        Quantity::RuptureByStress,
+        Quantity::GlobeRupture,
         "a risk, where there is one"
     );
     let all = Quantity::ALL
@@ -99,30 +97,6 @@ fn escape_and_leaving_stop_it_and_a_key_goes_on() {
     let effects = letter(&mut app, '-');
     assert_eq!(effects[0], Effect::Stop(ticket));
     assert!(drawn(&effects).is_some(), "other ranges");
-}
-
-#[test]
-fn a_risk_by_energy_means_nothing_where_the_object_is_too_large_for_its_curve() {
-    let mut app = begun();
-    app.model.work.scenario = find("squash-ball").unwrap().scenario().unwrap();
-    letter(&mut app, '7');
-    let void = |app: &App, of| is_void_there(app.state::<Map>(), &app.model, of);
-    assert!(void(&app, Quantity::RuptureByEnergy));
-    assert!(!void(&app, Quantity::RuptureByStress));
-    // Where the diameter is varied it is that under the cursor.
-    let spans = |app: &App| app.state::<Map>().spans.unwrap();
-    for _ in 0..60 {
-        if spans(&app).0.field.path == "impact.diameter_mm" {
-            break;
-        }
-        letter(&mut app, 'x');
-    }
-    assert_eq!(spans(&app).0.field.path, "impact.diameter_mm");
-    for _ in 0..40 {
-        key(&mut app, KeyCode::Left);
-    }
-    assert!(app.state::<Map>().values().unwrap().0 < 30.0);
-    assert!(!void(&app, Quantity::RuptureByEnergy));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Asking at which value a result reaches another one.
 
-use crate::answer::derived::Derived;
 use crate::answer::solve::solve;
 use crate::injury::Injury;
+use crate::many::threshold::Threshold;
 use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::watch::unwatched;
@@ -10,6 +10,7 @@ use crate::scenario::fields;
 use crate::scenario::library::find;
 use crate::tui::app::App;
 use crate::tui::app::driven::{asked, key, letter, opened};
+use crate::tui::app::frame::draw;
 use crate::tui::app::update::{Message, update};
 use crate::tui::form::FormRow;
 use crate::tui::outbox::Effect;
@@ -19,6 +20,8 @@ use crate::tui::request::TaskQuestion as _;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::threshold::{Asking, FindThreshold};
 use crossterm::event::KeyCode;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 
 /// At the speed of a BB whose answer is on show.
 fn bb() -> App {
@@ -31,6 +34,13 @@ fn bb() -> App {
     app
 }
 
+/// The screen as text.
+fn drawn(app: &App) -> String {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
+    draw(app, &mut buffer);
+    buffer.content.iter().map(ratatui::buffer::Cell::symbol).collect()
+}
+
 fn asking(app: &App) -> &Asking {
     match &app.model.overlay {
         Some(Overlay::Threshold(asking)) => asking,
@@ -38,29 +48,22 @@ fn asking(app: &App) -> &Asking {
     }
 }
 
-fn risk_by_energy(app: &mut App) {
-    letter(app, 't');
-    while asking(app).quantity != Quantity::RuptureByEnergy {
-        key(app, KeyCode::Down);
-    }
-}
-
 #[test]
 fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     let mut app = bb();
     letter(&mut app, 't');
-    assert!(matches!(
-        asking(&app).quantity.derived(),
-        Some(Derived::Risk(Injury::GlobeRupture, _))
-    ));
-    key(&mut app, KeyCode::Esc);
-    risk_by_energy(&mut app);
+    assert_eq!(asking(&app).quantity, Quantity::GlobeRupture);
     assert_eq!(asking(&app).input.value(), "50");
     let effects = key(&mut app, KeyCode::Enter);
     let (ticket, question) = asked::<FindThreshold>(&effects).unwrap();
     let found = question.answer(&mut unwatched);
     let report = Report::done::<FindThreshold>(ticket, found);
     update(&mut app, Message::News(report));
+    let crossing = asking(&app).chosen().unwrap();
+    let (from, to) = crossing.risk.as_ref().unwrap().range;
+    assert!(from.unwrap() < crossing.at && crossing.at < to.unwrap());
+    let text = drawn(&app);
+    assert!(text.contains("50 % at ") && text.contains(" to "), "{text}");
     let speed: f64 = asking(&app).taken().unwrap().parse().unwrap();
     assert!((40.0..80.0).contains(&speed), "{speed}");
     key(&mut app, KeyCode::Enter);
@@ -79,7 +82,7 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
 fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
     let mut app = bb();
     let before = app.model.work.clone();
-    risk_by_energy(&mut app);
+    letter(&mut app, 't');
     let effects = key(&mut app, KeyCode::Enter);
     let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
     // What is asked stays as it is meanwhile.
@@ -96,7 +99,7 @@ fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
 #[test]
 fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     let mut app = bb();
-    risk_by_energy(&mut app);
+    letter(&mut app, 't');
     letter(&mut app, 'x');
     key(&mut app, KeyCode::Enter);
     assert!(asking(&app).error.is_some() && asking(&app).task.job.is_none());
@@ -108,4 +111,29 @@ fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     app.model.shown = None;
     letter(&mut app, 't');
     assert!(app.model.overlay.is_none());
+}
+
+#[test]
+fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
+    let mut app = bb();
+    letter(&mut app, 't');
+    let mut asked_for = std::collections::HashSet::new();
+    for _ in 0..Quantity::ALL.len() {
+        asked_for.insert(asking(&app).quantity);
+        key(&mut app, KeyCode::Down);
+    }
+    for injury in Injury::ALL {
+        assert!(asked_for.contains(&injury.result()), "{injury:?}");
+    }
+    while asking(&app).quantity != Quantity::GlobeRupture {
+        key(&mut app, KeyCode::Down);
+    }
+    let effects = key(&mut app, KeyCode::Enter);
+    let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
+    let never = Threshold {
+        seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))],
+        crossings: Vec::new(),
+    };
+    update(&mut app, Message::News(Report::done::<FindThreshold>(ticket, Ok(never))));
+    assert!(drawn(&app).contains("Never: "), "{}", drawn(&app));
 }

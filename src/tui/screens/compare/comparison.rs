@@ -3,14 +3,12 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
 use crate::many::comparison::ComparisonColumn;
 use crate::many::comparison::Entry;
 use crate::many::comparison::Found;
 use crate::many::comparison::columns;
 use crate::many::comparison::order;
-use crate::report;
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -19,9 +17,8 @@ use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use crate::tui::request::TaskQuestion;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::{EstimateMesh, Simulate};
+use crate::tui::simulation::{Complete, Completion, Simulate};
 use crate::tui::task::Task;
-use crate::tui::work::brief;
 
 /// The name under which the form stands in the list.
 pub const FORM: &str = "(the form)";
@@ -50,20 +47,20 @@ impl TaskQuestion for SimulateMarked {
     }
 }
 
-/// Asks for the mesh error of a marked scenario's answer.
+/// Asks for what the ranges of a marked scenario's answer do not hold yet.
 #[derive(Debug)]
-pub struct EstimateMarked {
+pub struct CompleteMarked {
     /// Its name in the list.
     pub name: String,
-    /// What is estimated.
-    pub mesh: EstimateMesh,
+    /// What is asked.
+    pub rest: Complete,
 }
 
-impl TaskQuestion for EstimateMarked {
-    type Answer = MeshError;
+impl TaskQuestion for CompleteMarked {
+    type Answer = Completion;
 
-    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
-        self.mesh.answer(watch)
+    fn answer(&self, watch: Watch) -> Result<Completion, Refusal> {
+        self.rest.answer(watch)
     }
 }
 
@@ -139,8 +136,8 @@ pub struct Comparison {
     pub alignment: Alignment,
     /// The entry that is being simulated.
     pub task: Task<SimulateMarked>,
-    /// The entry whose mesh error is being estimated.
-    pub mesh: Task<EstimateMarked>,
+    /// The entry whose answer is being completed.
+    pub rest: Task<CompleteMarked>,
 }
 
 impl Comparison {
@@ -181,25 +178,23 @@ impl Comparison {
         self.entries.iter().find(awaited)
     }
 
-    /// The next entry whose mesh error is to be estimated, once all are simulated.
-    pub fn next_mesh(&self) -> Option<(&Marked, &Answer)> {
-        let lacks = |entry: &Marked| !entry.without_mesh;
-        let open = self.entries.iter().filter(|entry| lacks(entry));
-        let mut answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
-        let next = answered.find(|(_, answer)| answer.errors.mesh.is_none());
-        next.filter(|_| self.next().is_none())
+    /// The entries whose answers are still to be completed.
+    pub fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
+        let open = self.entries.iter().filter(|entry| !entry.without_mesh);
+        let answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
+        answered.filter(|(_, answer)| answer.inputs.is_none())
     }
 
-    /// Takes in the mesh error of an entry, or that it has none.
-    pub fn set_mesh_error(&mut self, asked: &EstimateMarked, mesh: Option<MeshError>) {
+    /// Takes in what completes an entry, or that nothing does.
+    pub fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
         let mut entries = self.entries.iter_mut();
-        let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.mesh.scenario;
+        let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.rest.scenario;
         let Some(entry) = entries.find(same) else {
             return;
         };
-        entry.without_mesh = mesh.is_none();
-        if let (Found::Answer(shown), Some(mesh)) = (&mut entry.found, mesh) {
-            Arc::make_mut(&mut shown.answer).add(mesh);
+        entry.without_mesh = rest.as_ref().is_none_or(|rest| rest.mesh.is_none());
+        if let (Found::Answer(shown), Some(rest)) = (&mut entry.found, rest) {
+            rest.put(Arc::make_mut(&mut shown.answer));
         }
     }
 
@@ -241,7 +236,7 @@ impl Comparison {
     /// one.
     pub fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
         let first = self.columns().into_iter().nth(1);
-        let risk = first.filter(|column| column.is_believed());
+        let risk = first.filter(|column| column.is_risk());
         self.sort.or(risk.map(|column| (column, true)))
     }
 
@@ -252,22 +247,6 @@ impl Comparison {
             entries.sort_by(|a, b| order(a, b, by));
         }
         entries
-    }
-
-    /// That a risk rests on one measure here and on another there, if so: of the column with the
-    /// cursor, of the one that sorts, or of the first of `shown`.
-    pub fn mixed(&self, shown: &[ComparisonColumn]) -> Option<String> {
-        let answers = self.entries.iter();
-        let answers = answers.filter_map(|entry| Some((brief(&entry.name), entry.answer()?)));
-        let answers: Vec<(&str, &Answer)> = answers.collect();
-        let sorting = self.sorting().map(|(column, _)| column);
-        let first = std::iter::once(self.here()).chain(sorting);
-        let columns = first.chain(shown.iter().copied());
-        let mut notes = columns.filter_map(|column| match column {
-            ComparisonColumn::Name => None,
-            ComparisonColumn::Result(of) => report::verdict::mixed(&answers, of),
-        });
-        notes.next()
     }
 
     /// The curve below the table: by itself the pressure, where there is one.
@@ -295,6 +274,7 @@ impl Comparison {
 mod tests {
     use super::*;
     use crate::answer::solve::solve;
+    use crate::injury::Injury;
     use crate::run::kept::Keep;
     use crate::run::watch::unwatched;
     use crate::scenario::library;
@@ -373,8 +353,19 @@ mod tests {
         assert_eq!(comparison.columns()[1], rupture);
         assert_eq!(comparison.sorting(), Some((rupture, true)));
         assert_eq!(order(&comparison), ["bb-62", "foam-dart"]);
-        let (name, _) = comparison.next_mesh().map(|(e, a)| (&e.name, a)).unwrap();
-        assert_eq!(name, "foam-dart", "in the order of marking");
+        let (first, _) = comparison.incomplete().next().unwrap();
+        assert_eq!(first.name, "foam-dart", "in the order of marking");
+        // Every other risk sorts as well.
+        for injury in Injury::ALL {
+            let columns = comparison.columns();
+            let column = ComparisonColumn::Result(injury.result());
+            comparison.column = columns.iter().position(|c| *c == column).unwrap();
+            comparison.sort = None;
+            comparison.sort_here();
+            let largest = comparison.sort.is_some_and(|(_, largest)| largest);
+            let first = if largest { "bb-62" } else { "foam-dart" };
+            assert_eq!(order(&comparison)[0], first, "{injury:?}");
+        }
         comparison.alignment = Alignment::Deepest;
         let deepest = |entry: &Marked| {
             let answer = entry.answer().unwrap();

@@ -9,7 +9,6 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::mesh_error::MeshQuery;
 use crate::many::comparison::Found;
 use crate::plain_text::quoted;
 use crate::run::kept::Traces;
@@ -26,10 +25,10 @@ use crate::tui::screens::forces::drawn;
 use crate::tui::screens::replay::FrameKeys;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::EstimateMesh;
+use crate::tui::simulation::Complete;
 use crate::tui::work::Work;
 use comparison::{
-    Comparison, EstimateMarked, FORM, LIST, MAX_MARKED, REPLAYS, SimulateMarked, TABLE,
+    Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, REPLAYS, SimulateMarked, TABLE,
 };
 
 pub(super) const ABOUT: About = About {
@@ -116,8 +115,8 @@ impl Screen for Comparison {
         }
     }
 
-    /// Simulates the marked scenarios one after another while they are on show, and then estimates
-    /// their mesh errors; stops what nobody waits for.
+    /// Simulates the marked scenarios one after another while they are on show, and then completes
+    /// their answers; stops what nobody waits for.
     fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         if on_show {
             self.replace(FORM, &model.work.scenario);
@@ -126,17 +125,17 @@ impl Screen for Comparison {
             let mut entries = self.entries.iter();
             on_show && entries.any(|e| e.name == name && e.scenario == *scenario)
         };
-        let (run, mesh) = (self.task.job.as_ref(), self.mesh.job.as_ref());
+        let (run, rest) = (self.task.job.as_ref(), self.rest.job.as_ref());
         let runs_on = run.is_some_and(|job| awaited(&job.question.name, &job.question.scenario));
-        let mesh_goes_on =
-            mesh.is_some_and(|job| awaited(&job.question.name, &job.question.mesh.scenario));
+        let rest_goes_on =
+            rest.is_some_and(|job| awaited(&job.question.name, &job.question.rest.scenario));
         if !runs_on {
             self.task.stop(None, &mut model.out);
         }
-        if !mesh_goes_on {
-            self.mesh.stop(None, &mut model.out);
+        if !rest_goes_on {
+            self.rest.stop(None, &mut model.out);
         }
-        if !on_show || runs_on || mesh_goes_on {
+        if !on_show || runs_on || rest_goes_on {
             return;
         }
         if let Some(entry) = self.next() {
@@ -145,21 +144,20 @@ impl Screen for Comparison {
                 scenario: entry.scenario.clone(),
             };
             self.task.ask(question, &mut model.out);
-        } else if let Some((entry, answer)) = self.next_mesh() {
-            let question = EstimateMarked {
-                name: entry.name.clone(),
-                mesh: EstimateMesh {
-                    scenario: entry.scenario.clone(),
-                    query: MeshQuery::of(answer),
-                },
-            };
-            self.mesh.ask(question, &mut model.out);
+            return;
+        }
+        let question = self.incomplete().next().map(|(entry, answer)| CompleteMarked {
+            name: entry.name.clone(),
+            rest: Complete::of(&entry.scenario, answer),
+        });
+        if let Some(question) = question {
+            self.rest.ask(question, &mut model.out);
         }
     }
 
     fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
-        if let Some((asked, mesh)) = self.mesh.take_report(report) {
-            self.set_mesh_error(&asked, mesh);
+        if let Some((asked, rest)) = self.rest.take_report(report) {
+            self.complete(&asked, rest);
         }
         let Some((asked, outcome)) = self.task.take_report(report) else {
             return;
@@ -173,15 +171,15 @@ impl Screen for Comparison {
     }
 
     fn is_busy(&self) -> bool {
-        self.task.job.is_some() || self.mesh.job.is_some()
+        self.task.job.is_some() || self.rest.job.is_some()
     }
 
     /// Gives up what is under way; the rest is not begun either.
     fn cancel(&mut self, model: &mut AppModel) -> bool {
-        if let Some(job) = &self.mesh.job {
+        if let Some(job) = &self.rest.job {
             let asked = job.question.clone();
-            self.mesh.stop(None, &mut model.out);
-            self.set_mesh_error(&asked, None);
+            self.rest.stop(None, &mut model.out);
+            self.complete(&asked, None);
             return true;
         }
         let Some(job) = &self.task.job else {

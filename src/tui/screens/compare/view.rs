@@ -4,11 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::injury::lines;
 use crate::many::comparison::ComparisonColumn;
 use crate::many::comparison::Found;
+use crate::report::risks::first_line;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
+use crate::tui::view::risks::longest;
 use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
@@ -94,22 +95,18 @@ pub(super) fn heading(
     put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
 }
 
-/// How far simulations and mesh errors are.
+/// How far simulations and what completes them are.
 fn progress(compare: &Comparison) -> String {
     let count = compare.entries.len();
     let answered = |entry: &&Marked| !matches!(entry.found, Found::Awaited);
     let done = compare.entries.iter().filter(answered).count();
-    let lacks = |entry: &&Marked| {
-        let lacks = |answer: &Answer| answer.errors.mesh.is_none();
-        !entry.without_mesh && entry.answer().is_some_and(lacks)
-    };
-    let open = compare.entries.iter().filter(lacks).count();
+    let open = compare.incomplete().count();
     match (count, done, open) {
         (0, ..) => "mark two to six".to_owned(),
         (1, ..) => "mark one more".to_owned(),
         _ if done < count => format!("{done} of {count} simulated"),
         (_, _, 0) => String::new(),
-        _ => format!("mesh errors: {} of {count}", count - open),
+        _ => format!("mesh and inputs: {} of {count}", count - open),
     }
 }
 
@@ -163,25 +160,16 @@ fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut B
     heading(compare, model, area, &marked(compare), buffer);
     let count = compare.entries.len() as u16;
     let numbers = columns(compare, area);
-    let shown: Vec<ComparisonColumn> = numbers.iter().map(|(column, _)| *column).collect();
-    let note = compare.mixed(&shown);
-    let room = area.height.saturating_sub(1 + u16::from(note.is_some()));
+    let room = area.height - 1;
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
     let table_area = Rect::new(area.x, area.y + 1, area.width, rows);
     table(compare, model, each, &numbers, table_area, buffer);
-    let mut next = 1 + rows;
-    if let Some(note) = note {
-        let theme = Theme::of(model.look);
-        let note = fitted(&note, usize::from(area.width.saturating_sub(2)));
-        put(buffer, area, (1, next), &note, theme.warning());
-        next += 1;
-    }
     let below = room - rows;
     if below >= CHART {
-        let place = Rect::new(area.x, area.y + next, area.width, below);
+        let place = Rect::new(area.x, table_area.bottom(), area.width, below);
         overlaid(compare, model, compare.curve(), place, buffer);
     }
 }
@@ -322,13 +310,8 @@ fn row(
 
 /// What to believe of the gravest injury, in the longest words that there is room for.
 fn belief(answer: &Answer, room: usize) -> String {
-    let verdicts = answer.verdicts();
-    let Some((name, _)) = lines(&verdicts).into_iter().next() else {
-        return String::new();
-    };
-    let forms = verdicts[0].forms().into_iter();
-    let texts: Vec<String> = forms.map(|words| format!("{name}: {words}")).collect();
-    let fits = |text: &&String| usize::from(width(text)) <= room;
-    let fitting = texts.iter().find(fits).or(texts.last());
-    fitted(fitting.map_or("", String::as_str), room)
+    match answer.risks().first() {
+        Some(risk) => longest(risk, room),
+        None => fitted(&first_line(answer), room),
+    }
 }

@@ -1,4 +1,5 @@
-//! What is not known of the inputs: a band for every result, and what drives one of them.
+//! What is not known of the inputs: a band for every result, and what drives one of them. Of a risk
+//! the answer has a range of its own; the wider of the two is shown.
 //!
 //! Each band has a scale of its own, from the least to the greatest of band and nominal value; a
 //! diamond stands where the scenario as it is lies. So shapes compare, and numbers stand beside.
@@ -7,18 +8,17 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::answer::derived::Derived;
-use crate::injury::Verdict;
+use crate::answer::solve::Answer;
+use crate::injury::Injury;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
-use crate::report::verdict::is_void;
+use crate::report::risks::range;
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::AppModel;
-use crate::tui::screens::injury::void;
 use crate::tui::task::Job;
 use crate::tui::view::text::{
     fitted, numeral, put, put_both, put_lines, put_right, seen, width, wrapped,
@@ -26,12 +26,14 @@ use crate::tui::view::text::{
 use crate::tui::view::theme::Theme;
 
 /// Columns of a result's name, and of each of its three numbers.
-const LABEL: u16 = 19;
+const LABEL: u16 = 21;
 const NUMBER: u16 = 9;
+/// Columns of the answer's own range of a risk.
+const OWN: u16 = 9;
 /// Rows of what drives a result, at least: its name and the strongest three.
 const DRIVERS: u16 = 4;
 /// Rows that the notes may always take: what the bands hold fits into them at any width.
-const NOTES: u16 = 3;
+const NOTES: u16 = 4;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
 
@@ -40,8 +42,8 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let (said, style) = status(model, theme);
     let titles = [
-        "How sure? Where 5 to 95 % of samples lie",
-        "How sure? 5 to 95 %",
+        "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
+        "How sure? 5 to 95 %, risks 10 to 90 %",
         "How sure?",
     ];
     put_both(buffer, area, (&titles, theme.heading()), (&said, style));
@@ -62,14 +64,12 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         put_lines(buffer, area, (1, 2), lines, theme.text());
         return;
     };
-    let verdicts = model
-        .shown
-        .as_ref()
-        .map_or_else(Vec::new, |s| s.answer.verdicts());
-    let results = listed(ensemble, &verdicts);
+    let answered = model.shown.as_ref().filter(|s| s.scenario == model.work.scenario);
+    let answer = answered.map(|shown| shown.answer.as_ref());
+    let results = listed(ensemble);
     let chosen = row.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
-    let notes = Notes::of(ensemble, usize::from(area.width - 2));
+    let notes = Notes::of(ensemble, answer, usize::from(area.width - 2));
     let least = notes
         .brief
         .len()
@@ -80,8 +80,7 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let first = (chosen + 1).saturating_sub(shown);
     for (row, of) in results.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        let states = (first + row == chosen, is_void(&verdicts, *of));
-        result(ensemble, *of, states, theme, line, buffer);
+        result((ensemble, answer), *of, first + row == chosen, theme, line, buffer);
     }
     let text = seen(first, shown, results.len());
     put(buffer, area, (1, 1), &text, theme.quiet());
@@ -99,13 +98,33 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     put_lines(buffer, area, (1, first), &notes, theme.quiet());
 }
 
-/// The results that have bands: first the risks that are believed, the gravest first, which are
-/// the answer, then other risks, and last what means nothing here.
-fn listed(ensemble: &Ensemble, verdicts: &[Verdict]) -> Vec<Quantity> {
+/// The results that have bands: first the risks, the gravest first, which are the answer.
+pub fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
     let mut results = ensemble.results();
-    let believed = |of: Quantity| matches!(of.derived(), Some(Derived::Believed(_)));
-    results.sort_by_key(|of| (is_void(verdicts, *of), !believed(*of), !of.is_risk()));
+    results.sort_by_key(|of| !of.is_risk());
     results
+}
+
+/// The answer's own range of a risk, in %.
+fn own(answer: &Answer, of: Quantity) -> Option<Band> {
+    let risk = answer.risk(Injury::of(of)?)?;
+    Some(Band {
+        low: 100.0 * risk.range.0,
+        median: 100.0 * risk.risk,
+        high: 100.0 * risk.range.1,
+    })
+}
+
+/// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.
+/// Whether the samples' is wider than that.
+fn shown_band(ensemble: &Ensemble, answer: Option<&Answer>, of: Quantity) -> Option<(Band, bool)> {
+    let band = ensemble.band(of)?;
+    let wide = |band: Band| band.high - band.low;
+    Some(match answer.and_then(|answer| own(answer, of)) {
+        Some(own) if wide(band) > wide(own) => (band, true),
+        Some(own) => (own, false),
+        None => (band, false),
+    })
 }
 
 /// What is computed before the first bands, and when those come.
@@ -147,66 +166,51 @@ fn status(model: &AppModel, theme: Theme) -> (String, Style) {
 }
 
 fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
-    for (i, word) in ["5 %", "median", "95 %"].iter().enumerate() {
+    for (i, word) in ["low", "median", "high"].iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
         put_right(buffer, area, (right, 1), word, theme.quiet());
     }
-    let text = "◆ as it stands";
-    if LABEL + 3 + 3 * NUMBER + width(text) < area.width {
+    let texts = ["◆ as it stands   answer", "answer"];
+    let fits = |text: &&&str| LABEL + 3 + 3 * NUMBER + width(text) < area.width;
+    if let Some(text) = texts.iter().find(fits) {
         put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
     }
 }
 
 fn result(
-    ensemble: &Ensemble,
+    (ensemble, answer): (&Ensemble, Option<&Answer>),
     of: Quantity,
-    (chosen, void_here): (bool, bool),
+    chosen: bool,
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let Some(band) = ensemble.band(of) else {
+    let Some((band, _)) = shown_band(ensemble, answer, of) else {
         return;
     };
-    let style = match (void_here, chosen) {
-        (true, _) => theme.quiet(),
-        (false, true) => theme.strong(),
-        (false, false) => theme.text(),
-    };
-    put(
-        buffer,
-        area,
-        (0, 0),
-        if chosen { "▸" } else { " " },
-        theme.strong(),
-    );
-    let name = format!("{} {}", of.label(), of.row().unit);
-    put(
-        buffer,
-        area,
-        (1, 0),
-        &fitted(&name, usize::from(LABEL + 1)),
-        style,
-    );
-    for (i, value) in [band.low, band.median, band.high].iter().enumerate() {
+    let (sign, style) = if chosen { ("▸", theme.strong()) } else { (" ", theme.text()) };
+    put(buffer, area, (0, 0), sign, theme.strong());
+    let name = fitted(&format!("{} {}", of.label(), of.row().unit), usize::from(LABEL + 1));
+    put(buffer, area, (1, 0), &name, style);
+    for (i, value) in [band.low, band.median, band.high].into_iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
+        let text = if of.is_risk() {
+            format!("{value:.0}")
+        } else {
+            allowing(value, Some(0.1 * (band.high - band.low)))
+        };
         // One column is kept free, so that numbers do not touch.
-        let text = [allowing(*value, Some(0.1 * (band.high - band.low)))];
-        let mut fitting = text.into_iter().filter(|text| width(text) < NUMBER);
-        let text = fitting
-            .next()
-            .unwrap_or_else(|| numeral(*value, NUMBER - 1));
+        let fits = width(&text) < NUMBER;
+        let text = if fits { text } else { numeral(value, NUMBER - 1) };
         put_right(buffer, area, (right, 0), &text, style);
     }
+    let range = answer.and_then(|answer| range(answer, of));
+    put_right(buffer, area, (area.width - 1, 0), &range.unwrap_or_default(), theme.text());
     let left = LABEL + 4 + 3 * NUMBER;
-    if left + 8 < area.width {
-        let field = Rect::new(area.x + left, area.y, area.width - left - 1, 1);
-        if void_here {
-            put(buffer, field, (0, 0), void(field.width), theme.quiet());
-        } else {
-            let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
-            strip(band, nominal, theme, field, buffer);
-        }
+    if left + OWN + 8 < area.width {
+        let field = Rect::new(area.x + left, area.y, area.width - left - OWN - 1, 1);
+        let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
+        strip(band, nominal, theme, field, buffer);
     }
 }
 
@@ -303,7 +307,7 @@ struct Notes {
 }
 
 impl Notes {
-    fn of(ensemble: &Ensemble, room: usize) -> Self {
+    fn of(ensemble: &Ensemble, answer: Option<&Answer>, room: usize) -> Self {
         let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
         // The star is that of the band on the main screen.
         let star = if is_whole(ensemble) { "" } else { "* " };
@@ -323,6 +327,14 @@ impl Notes {
             .collect();
         if !counts.is_empty() {
             text.extend([" Flags: ", &counts.join(", "), "."]);
+        }
+        let wider = |injury: &&Injury| {
+            let shown = shown_band(ensemble, answer, injury.result());
+            shown.is_some_and(|(_, wider)| wider)
+        };
+        let wider: Vec<&str> = Injury::ALL.iter().filter(wider).map(|i| i.word()).collect();
+        if !wider.is_empty() {
+            text.extend([" Wider than the answer, so shown: ", &wider.join(", "), "."]);
         }
         let brief = wrapped(&text, room);
         let checks = ensemble.checks();

@@ -1,41 +1,39 @@
 //! What to believe of the injuries, the damage index as a gauge, its three parts against their
-//! limits, what is not known of the inputs, and flags. Every figure bears its error; the line
-//! above says what of.
+//! limits, and flags; where there are no risks, what is not known of the inputs. Every figure bears
+//! its error; the line above says what of, or what is still being counted.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::injury::{Injury, Term, Verdict, lines, span};
+use crate::injury::{Injury, Term};
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::limit::alone;
+use crate::report::risks::first_line;
 use crate::run::flags::Flag;
 use crate::run::quantity::Quantity;
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::view::text::{
-    fitted, flag_name, flowed, put, put_lines, put_right, width, wrapped,
-};
+use crate::tui::view::risks::{SIGN_ROWS, counting, longest, signs};
+use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// What the screen answers.
 pub const QUESTION: &str = "How bad?";
-/// How many rows it takes of so many; `beside` says whether all verdicts stand beside it.
+/// How many rows it takes of so many; `beside` says whether the risks stand beside it.
 pub fn height(of: u16, beside: bool) -> u16 {
     match of {
-        28.. if beside => ROOM + 1,
+        28.. if beside => ROOM,
         28.. => ROOM + ANSWERS,
-        20.. => LEAST + 2,
-        _ => LEAST,
+        _ => LEAST + ANSWERS,
     }
 }
 
-/// Rows without verdicts where there is room, and how many of those there are then.
+/// Rows of the risks and the signs, and those of the rest: where there is room, and where the
+/// parts of the index stand in one line.
+const ANSWERS: u16 = Injury::ALL.len() as u16 + SIGN_ROWS;
 const ROOM: u16 = 10;
-const ANSWERS: u16 = Injury::ALL.len() as u16;
-/// Rows where there is none, with the verdict on the gravest injury: the risks of the others take
-/// what is more.
-const LEAST: u16 = 8;
+const LEAST: u16 = 4;
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
@@ -58,38 +56,42 @@ fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) 
 
 /// The fewest columns of a gauge.
 const SHORTEST: u16 = 4;
-/// Rows of the index and its parts, and those below.
-const INDEX: u16 = 1;
-const BELOW: u16 = 5;
+/// Rows of the index and its parts, and of those and what stands below.
+const BLOCK: u16 = 4;
+const WITH_BELOW: u16 = BLOCK + 1;
 
-/// Draws the score below a line that says whether it is out of date; `beside` says whether all
-/// verdicts stand beside it.
+/// Draws the score below a line that says whether it is out of date; `beside` says whether the
+/// risks stand beside it.
 pub fn draw(model: &AppModel, shown: &ShownAnswer, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
-    let most = match area.height {
-        _ if beside => 1,
-        height if height >= ROOM + ANSWERS => ANSWERS,
-        height => 1 + height.saturating_sub(LEAST),
-    };
-    let said = answers(shown, most, area.width);
-    put_lines(buffer, area, (0, 1), &said, theme.strong());
-    let rows = said.len() as u16;
-    let area = crate::tui::view::below(area, rows);
+    let mut area = crate::tui::view::below(area, 1);
+    if !beside {
+        let said = answers(shown, theme, area.width);
+        for (y, (text, style)) in (0..).zip(&said) {
+            put(buffer, area, (0, y), text, *style);
+        }
+        area = crate::tui::view::below(area, said.len() as u16);
+    }
+    let whole = area.height > WITH_BELOW;
     let block = Rect {
-        y: area.y + INDEX,
-        height: BELOW - INDEX,
+        height: if whole { BLOCK } else { area.height.saturating_sub(1).min(2) },
         ..area
     };
     match unusable(&shown.answer) {
         Some(why) => raw(shown, &why, theme, block, buffer),
         None => index(shown, theme, block, buffer),
     }
-    below(model, shown, theme, area, buffer);
-    flags(shown, theme, area, buffer);
+    let mut rest = crate::tui::view::below(area, block.height);
+    if whole {
+        below(model, shown, theme, rest, buffer);
+        rest = crate::tui::view::below(rest, 1);
+    }
+    flags(shown, theme, rest, buffer);
 }
 
-/// The line above: whether the score is out of date, and what its errors come from.
+/// The line above: whether the score is out of date, and what its errors come from, or what the
+/// ranges do not hold yet.
 fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     for x in 0..area.width {
         put(buffer, area, (x, 0), "─", theme.line());
@@ -99,14 +101,21 @@ fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buff
         None => (QUESTION, theme.heading()),
     };
     let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
-    let texts = match (&shown.answer.errors.mesh, model.idle) {
-        (Some(_), _) => [" ± step and mesh, > for less ", " ± step and mesh "],
-        (None, true) => [" ± step; mesh to come "; 2],
-        (None, false) => [" ± step; mesh off "; 2],
+    let answer = &shown.answer;
+    let texts = match (counting(model, answer), &answer.errors.mesh, model.idle) {
+        (Some(text), ..) => {
+            let short = text.replace("the ", "").replace(" and", ",");
+            let shortest = short.replace("still counting: ", "");
+            [text, short, format!("{shortest} to come")]
+        }
+        (None, Some(_), _) => ["± step and mesh, > for less", "± step and mesh", "±"].map(String::from),
+        (None, None, true) => ["± step; mesh to come"; 3].map(String::from),
+        (None, None, false) => ["± step; mesh off"; 3].map(String::from),
     };
-    let fits = |text: &&&str| end + width(text) < area.width;
+    let fits = |text: &&String| end + width(text) + 2 < area.width;
     if let Some(text) = texts.iter().find(fits) {
-        put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
+        let style = theme.quiet();
+        put_right(buffer, area, (area.width - 1, 0), &format!(" {text} "), style);
     }
 }
 
@@ -129,6 +138,11 @@ fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
             bar(share, theme.gauge(share), theme, gauge, buffer);
         }
     }
+    if area.height < BLOCK {
+        let text = &brief(shown)[1];
+        put(buffer, area, (0, 1), text, theme.text());
+        return;
+    }
     for (y, (of, term)) in (1..).zip(PARTS) {
         if let Some(value) = answer.result(of) {
             part(shown, (of, value, term), theme, line(y), buffer);
@@ -136,26 +150,34 @@ fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// The parts of the index, how many times its limit each is, long and short.
+fn brief(shown: &ShownAnswer) -> [String; 2] {
+    let times = PARTS.iter().filter_map(|(of, term)| {
+        let times = times(shown, *of, shown.answer.result(*of)?, *term)?;
+        Some(format!("{} {times}", of.row().short))
+    });
+    let times: Vec<String> = times.collect();
+    [
+        format!("{} x limit", times.join(", ")),
+        format!("x limit: {}", times.join("  ")),
+    ]
+}
+
 /// In place of an index that means nothing: why, what to do, and the figures without weight.
 fn raw(shown: &ShownAnswer, why: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let mut said = wrapped(why, usize::from(area.width));
-    let most = usize::from(area.height - 1);
+    let most = usize::from(area.height.max(3) - 1);
     let rest = said.split_off(said.len().min(most - 1)).join(" ");
     if !rest.is_empty() {
         said.push(fitted(&rest, usize::from(area.width)));
     }
     put_lines(buffer, area, (0, 0), &said, theme.warning());
-    let answer = &shown.answer;
-    let index = Figure::of(answer, Quantity::Damage).map_or_else(String::new, |f| f.number);
-    let times = PARTS.iter().filter_map(|(of, term)| {
-        let times = times(shown, *of, answer.result(*of)?, *term)?;
-        Some(format!("{} {times}", of.row().short))
-    });
-    let times: Vec<String> = times.collect();
-    let texts = [
-        format!("raw: index {index}, {} x limit", times.join(", ")),
-        format!("raw {index}: {} x", times.join(" ")),
-    ];
+    if said.len() >= area.height.into() {
+        return;
+    }
+    let index = Figure::of(&shown.answer, Quantity::Damage).map_or_else(String::new, |f| f.number);
+    let [long, short] = brief(shown);
+    let texts = [format!("raw: index {index}, {long}"), format!("raw {index}: {short}")];
     let fits = |text: &&String| width(text) <= area.width;
     let text = texts.iter().find(fits).unwrap_or(&texts[1]);
     put(buffer, area, (0, said.len() as u16), text, theme.quiet());
@@ -168,41 +190,18 @@ fn times(shown: &ShownAnswer, of: Quantity, value: f64, term: Term) -> Option<St
     Some(text.split(' ').next()?.to_owned())
 }
 
-/// What to believe of each injury, the gravest first, in so many rows at most.
-fn answers(shown: &ShownAnswer, rows: u16, wide: u16) -> Vec<String> {
-    let verdicts = shown.answer.verdicts();
+/// What to believe of each injury, the gravest first, or why nothing is said, and the signs.
+fn answers(shown: &ShownAnswer, theme: Theme, wide: u16) -> Vec<(String, Style)> {
     let room = usize::from(wide);
-    if let [(name, words)] = &lines(&verdicts)[..] {
-        // Where the reasons find no room the next step to take does, which comes last.
-        let parts = (words.split(':').next(), words.rsplit("; ").next());
-        let (said, next) = (parts.0.unwrap_or(words), parts.1.unwrap_or(words));
-        let forms = [
-            words.clone(),
-            format!("{said} (8 says why); {next}"),
-            format!("{said} (8 says why)"),
-        ];
-        let texts = forms.map(|form| wrapped(&format!("{name}: {form}"), room));
-        let mut fitting = texts
-            .into_iter()
-            .filter(|text| text.len() <= usize::from(rows));
-        return fitting
-            .next()
-            .unwrap_or_else(|| vec![fitted(&format!("{name}: {said}"), room)]);
+    let risks = shown.answer.risks();
+    let one = |risk: &crate::injury::Risk| (longest(risk, room), theme.risk(risk));
+    let mut said: Vec<(String, Style)> = risks.iter().map(one).collect();
+    if said.is_empty() {
+        let silence = wrapped(&first_line(&shown.answer), room);
+        said.extend(silence.into_iter().map(|line| (line, theme.strong())));
     }
-    let one = |verdict: &Verdict| longest(verdict.injury.name(), &verdict.forms(), room);
-    if rows >= ANSWERS {
-        return verdicts.iter().map(one).collect();
-    }
-    let mut texts: Vec<String> = verdicts.iter().take(1).map(one).collect();
-    texts.extend(others(&verdicts[1..], usize::from(rows - 1), wide));
-    texts
-}
-
-/// A name with the longest of some words that fits.
-fn longest(name: &str, forms: &[String], room: usize) -> String {
-    let texts = forms.iter().map(|words| format!("{name}: {words}"));
-    let mut fitting = texts.filter(|text| usize::from(width(text)) <= room);
-    fitting.next().unwrap_or_else(|| fitted(name, room))
+    said.extend(signs(wide).into_iter().map(|line| (line, theme.heading())));
+    said
 }
 
 /// What is not known of the inputs, and how far the apex moved where there is room.
@@ -210,34 +209,30 @@ fn below(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buffer
     let bands = bands(model, shown);
     let apex = Figure::of(&shown.answer, Quantity::Apex);
     let apex = apex.map_or_else(String::new, |apex| format!("apex {apex}"));
-    let beside = width(&apex) + 2;
     let text = bands.iter().find(|text| width(text) <= area.width);
     let text = text.or(bands.last()).map_or("", String::as_str);
-    put(buffer, area, (0, BELOW), text, theme.text());
-    if width(text) + beside <= area.width {
-        put_right(buffer, area, (area.width, BELOW), &apex, theme.text());
+    let end = put(buffer, area, (0, 0), text, theme.text());
+    if end + width(&apex) + 2 <= area.width {
+        put_right(buffer, area, (area.width, 0), &apex, theme.text());
     }
 }
 
-/// Between what nine in ten samples of the inputs have the risk of rupture, or else the index, the
+/// Between what nine in ten samples of the inputs have the index where no risk has a range, the
 /// longest words first. Where the band holds fewer than were asked for, or folded ones, it says
 /// so, or bears a star that the screen of its own explains.
 fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
+    if shown.answer.silence().is_none() {
+        return Vec::new();
+    }
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "to come" } else { "off" };
         return vec![format!("inputs unknown: {waiting}")];
     };
-    let rupture = Quantity::GlobeRupture;
-    let believed = shown.answer.result(rupture);
-    let within = if let Some(band) = believed.and_then(|_| ensemble.band(rupture)) {
-        let range = span((band.low / 100.0, band.high / 100.0));
-        format!("{} {range}", rupture.row().label)
-    } else if let Some(band) = ensemble.band(Quantity::Damage) {
-        let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
-        format!("{} to {}", end(band.low), end(band.high))
-    } else {
+    let Some(band) = ensemble.band(Quantity::Damage) else {
         return vec!["inputs unknown: no band".to_owned()];
     };
+    let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
+    let within = format!("{} to {}", end(band.low), end(band.high));
     let (held, folded) = (ensemble.valid().count(), ensemble.folded());
     let (mark, reason) = if held < ensemble.asked as usize {
         ("*", format!("{held} of {}", ensemble.asked))
@@ -333,7 +328,7 @@ fn tends(shown: &ShownAnswer, free: u16, theme: Theme, area: Rect, buffer: &mut 
     ];
     let fits = |text: &&String| free + 2 + width(text) <= area.width;
     if let Some(text) = texts.iter().find(fits) {
-        put_right(buffer, area, (area.width, 6), text, theme.text());
+        put_right(buffer, area, (area.width, 0), text, theme.text());
     }
 }
 
@@ -347,30 +342,12 @@ fn sentence(flag: &Flag) -> String {
     }
 }
 
-/// The risks of other injuries in so many rows, as many as there is room for, and where all are.
-fn others(verdicts: &[Verdict], rows: usize, room: u16) -> Vec<String> {
-    let one = |verdict: &Verdict| Some(format!("{} {}", verdict.injury.word(), verdict.percent()?));
-    let mut all: Vec<String> = verdicts.iter().filter_map(one).collect();
-    let silent = verdicts.iter().filter(|verdict| verdict.range.is_none());
-    let silent: Vec<&str> = silent.map(|verdict| verdict.injury.word()).collect();
-    if !silent.is_empty() {
-        all.push(format!("{}: no measure", silent.join(", ")));
-    }
-    let some = |count: usize| {
-        let more = (count < all.len()).then(|| "8: all".to_owned());
-        let parts: Vec<String> = all[..count].iter().cloned().chain(more).collect();
-        flowed(&parts, room)
-    };
-    let mut texts = (1..=all.len()).rev().map(some);
-    texts.find(|lines| lines.len() <= rows).unwrap_or_default()
-}
-
 /// Every flag by name; the sentence where there is room.
 fn flags(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let rows = usize::from(area.height.saturating_sub(6));
+    let rows = usize::from(area.height);
     let flags = &shown.answer.flags;
     if flags.is_empty() {
-        let end = put(buffer, area, (0, 6), "No flags raised", theme.quiet());
+        let end = put(buffer, area, (0, 0), "No flags raised", theme.quiet());
         tends(shown, end, theme, area, buffer);
         return;
     }
@@ -389,5 +366,5 @@ fn flags(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
         lines
     };
     let lines = lines.iter().take(rows);
-    put_lines(buffer, area, (0, 6), lines, theme.warning());
+    put_lines(buffer, area, (0, 0), lines, theme.warning());
 }

@@ -5,21 +5,21 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
+use crate::report::risks::first_line;
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
 use crate::run::trace::OtherTrace;
 use crate::run::trace::Trace;
 use crate::tui::model::AppModel;
-use crate::tui::screens::injury;
 use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score};
 use crate::tui::screens::replay::pressures;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::view;
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::raster::Ink;
-use crate::tui::view::text::{put, put_lines, put_right, width};
+use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
+use crate::tui::view::text::{put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Where the parts of the screen are.
@@ -32,7 +32,7 @@ pub struct Layout {
     pub eye: Rect,
     traces: Rect,
     score: Rect,
-    /// What published curves say, where there is room for it.
+    /// The risks, where there is room for them beside.
     risks: Option<Rect>,
 }
 
@@ -100,7 +100,7 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
             width: place.width - 1,
             ..place
         };
-        risks(model, shown, inside, buffer);
+        beside(model, shown, inside, buffer);
     }
     if model.stale().is_some() {
         // All but the line that says so.
@@ -116,27 +116,21 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What to believe of each injury in full, what each curve says, and the pressure in the eye; of
-/// an eye without one what acts on it.
-fn risks(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+/// What to believe of each injury and what its tissue felt, and the pressure in the eye; of an eye
+/// without one what acts on it.
+fn beside(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     put(buffer, area, (1, 0), "What to believe", theme.heading());
-    let below = area.height / 3;
-    let upper = Rect {
-        height: area.height - below,
-        ..area
-    };
-    let verdicts = shown.answer.verdicts();
-    let used = injury::answers(&verdicts, true, theme, upper, buffer);
-    let curves = view::below(upper, used + 1);
-    let risks = shown.answer.risks();
-    injury::curves((&risks, &verdicts), None, theme, curves, buffer);
-    // A scale, a line for each and a gap; what is left is the chart's.
-    let taken = match risks.len() as u16 {
-        0 => 0,
-        count => count + 3,
-    };
-    let top = (used + 1 + taken).min(upper.height);
+    let count = shown.answer.risks().len() as u16;
+    let said = Rect { y: area.y + 1, height: 2 + 2 * count.max(1) + SIGN_ROWS, ..area };
+    if count > 0 {
+        rows((model, &shown.answer), (None, 2), said, buffer);
+    } else {
+        let silence = wrapped(&first_line(&shown.answer), usize::from(area.width - 2));
+        put_lines(buffer, said, (1, 0), &silence, theme.strong());
+    }
+    draw_signs(theme, said, buffer);
+    let top = said.height + 2;
     let Some(traces) = &shown.answer.run.traces else {
         return;
     };
@@ -170,7 +164,7 @@ fn risks(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer)
     .draw(
         Rect {
             y: area.y + top,
-            height: area.height - top,
+            height: area.height.saturating_sub(top),
             width: area.width - 1,
             ..area
         },
@@ -186,7 +180,7 @@ fn waiting(model: &AppModel, area: Rect, buffer: &mut Buffer) {
         (None, Some(text)) => (text + "  (Esc cancels)", theme.text()),
         (None, None) => ("simulating".to_owned(), theme.text()),
     };
-    let lines = crate::tui::view::text::wrapped(&text, usize::from(area.width - 2));
+    let lines = wrapped(&text, usize::from(area.width - 2));
     put_lines(buffer, area, (1, 1), &lines, style);
 }
 
@@ -229,8 +223,8 @@ fn sparks(answer: &Answer) -> Vec<(Quantity, Peak)> {
     all.filter_map(|q| Some((q, answer.peak(q)?))).collect()
 }
 
-/// Below this many columns the time of a peak stands at its curve.
-const TIMED: u16 = 30;
+/// From so many columns on there may be room for the time of a peak beside it.
+const TIMED: u16 = 26;
 /// The fewest columns of the curves: a name, a figure and its error.
 const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.

@@ -18,8 +18,6 @@ use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
 use state::Map;
-#[cfg(test)]
-pub(crate) use view::is_void_there;
 
 pub(super) const ABOUT: About = About {
     title: "Map",

@@ -265,9 +265,9 @@ impl Map {
         (share(self.cursor.0), share(self.cursor.1))
     }
 
-    /// The result on show: the chosen one where the map has it, else a risk, else damage.
+    /// The result on show: the chosen one where the map has it, else rupture, else damage.
     pub fn quantity(&self, grid: &Grid) -> Quantity {
-        let mut own = [self.chosen, Some(Quantity::RuptureByStress)]
+        let mut own = [self.chosen, Some(Quantity::GlobeRupture)]
             .into_iter()
             .flatten();
         let there = own.find(|of| grid.largest(*of).is_some());

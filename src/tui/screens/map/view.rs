@@ -11,12 +11,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::derived::Derived;
-use crate::injury::{Caution, Measure};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
-use crate::report::verdict::VOID;
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
@@ -282,18 +279,6 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
-/// Whether a result is a risk by energy where the object under the cursor is larger than what such
-/// curves hold for.
-pub(crate) fn is_void_there(map: &Map, model: &AppModel, of: Quantity) -> bool {
-    let Some(Derived::Risk(_, Measure::NormalizedEnergy | Measure::KineticEnergy)) = of.derived()
-    else {
-        return false;
-    };
-    let there = map.adopted(&model.work.scenario);
-    let caution = there.and_then(|(_, scenario)| Caution::of(&scenario));
-    caution == Some(Caution::LargerThanOrbit)
-}
-
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
     let Some((a, b)) = map.values() else {
@@ -312,19 +297,16 @@ fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
             return "not allowed".to_owned();
         };
         let row = quantity.row();
+        // A map has no ranges: they take more runs than one.
+        let likely = if row.risk { "most likely " } else { "" };
         let about = if reading.exact { "" } else { "about " };
-        let void = if is_void_there(map, model, quantity) {
-            format!(", {VOID}")
-        } else {
-            String::new()
-        };
         let folded = if reading.folded {
             ", but the mesh folded"
         } else {
             ""
         };
         let value = with_unit(&within(value, Some(MAPPED)), row.unit);
-        format!("{} {about}{value}{folded}{void}", row.label)
+        format!("{} {likely}{about}{value}{folded}", row.label)
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
     format!("X {}, {}: {value}", part(x, a), part(y, b))
