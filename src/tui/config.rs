@@ -324,11 +324,6 @@ pub fn path() -> Option<PathBuf> {
     Some(library::home()?.join("config.ron"))
 }
 
-/// Whether there is such a file.
-pub fn is_there(path: &Path) -> bool {
-    path.symlink_metadata().is_ok_and(|m| m.len() > 0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -49,11 +49,20 @@ const KEYS: PaneKeys<Injuries> = PaneKeys::new("Injury", &[
 
 impl Screen for Injuries {
     fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        let area = Rect { width: area.width.min(WIDEST), ..area };
+        let area = Rect {
+            width: area.width.min(WIDEST),
+            ..area
+        };
         match &model.shown {
             Some(shown) => draw(self.row, model, shown, area, buffer),
             None => {
-                put(buffer, area, (1, 1), "no result yet", Theme::of(model.look).text());
+                put(
+                    buffer,
+                    area,
+                    (1, 1),
+                    "no result yet",
+                    Theme::of(model.look).text(),
+                );
             }
         }
     }
@@ -76,7 +85,11 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         return;
     };
     let count = risks.len() as u16;
-    let each = if area.height >= 2 + 2 * count + EXPLAINED { 2 } else { 1 };
+    let each = if area.height >= 2 + 2 * count + EXPLAINED {
+        2
+    } else {
+        1
+    };
     rows((model, &shown.answer), (Some(row), each), area, buffer);
     let foot = below(area, 1 + each * count);
     for x in 0..foot.width {
@@ -135,9 +148,13 @@ fn flags(answer: &Answer, room: usize) -> Vec<String> {
 /// As many whole sentences as so many rows hold, the first at least.
 fn explained(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
     let some = |count: usize| {
-        let said = sentences[..count].iter().map(|text| format!("{}.", capital(text)));
+        let said = sentences[..count]
+            .iter()
+            .map(|text| format!("{}.", capital(text)));
         wrapped(&said.collect::<Vec<_>>().join(" "), room)
     };
     let mut fitting = (1..=sentences.len()).rev().map(some);
-    fitting.find(|lines| lines.len() <= rows).unwrap_or_else(|| some(1))
+    fitting
+        .find(|lines| lines.len() <= rows)
+        .unwrap_or_else(|| some(1))
 }

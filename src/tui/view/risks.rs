@@ -27,15 +27,22 @@ pub const SIGN_ROWS: u16 = 2;
 pub fn signs(room: u16) -> Vec<String> {
     let [short, shortest] = SHORT_SIGNS;
     let texts = [SIGNS, short].map(|text| wrapped(text, room.into()));
-    let mut fitting = texts.into_iter().filter(|lines| lines.len() <= SIGN_ROWS.into());
-    fitting.next().unwrap_or_else(|| wrapped(shortest, room.into()))
+    let mut fitting = texts
+        .into_iter()
+        .filter(|lines| lines.len() <= SIGN_ROWS.into());
+    fitting
+        .next()
+        .unwrap_or_else(|| wrapped(shortest, room.into()))
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.
 pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
     let missing = uncounted(answer)?;
     let comes = model.idle && answer.inputs.is_none();
-    Some(format!("{} {missing}", if comes { "still counting:" } else { "without" }))
+    Some(format!(
+        "{} {missing}",
+        if comes { "still counting:" } else { "without" }
+    ))
 }
 
 /// An injury and what is said of it, in the longest words that there is room for.
@@ -58,7 +65,9 @@ pub fn longest(risk: &Risk, room: usize) -> String {
         format!("{word}: {percent}{others}"),
     ]);
     let last = fitted(&texts[texts.len() - 1], room);
-    let mut fitting = texts.into_iter().filter(|text| usize::from(width(text)) <= room);
+    let mut fitting = texts
+        .into_iter()
+        .filter(|text| usize::from(width(text)) <= room);
     fitting.next().unwrap_or(last)
 }
 
@@ -69,7 +78,11 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
     let half = significant(risk.injury.curve().half * row.factor);
     let texts = [
-        format!("{} {felt}, 50 % at {}; like {like}", row.label, with_unit(&half, row.unit)),
+        format!(
+            "{} {felt}, 50 % at {}; like {like}",
+            row.label,
+            with_unit(&half, row.unit)
+        ),
         format!("{} {felt}, 50 % at {half}; like {like}", row.label),
         format!("{felt}, 50 % at {half}; like {like}"),
     ];
@@ -77,10 +90,10 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     fitting.next().unwrap_or(&texts[2]).clone()
 }
 
-/// Columns of an injury's name and a word of it; where the range and the most likely risk end.
+/// Columns of an injury's name and a word of it; where the range and the risk end.
 const NAME: u16 = 21;
 const RANGE: u16 = 61;
-const LIKELY: u16 = 73;
+const ABOUT: u16 = 73;
 /// The fewest columns of a bar.
 const SHORTEST: u16 = 12;
 
@@ -94,15 +107,21 @@ pub fn rows(
     let theme = Theme::of(model.look);
     let missing = counting(model, answer);
     let missing = missing.map_or_else(String::new, |missing| format!(", {missing}"));
-    put(buffer, area, (1, 0), &format!("80 % ranges{missing}"), theme.heading());
-    let in_columns = area.width > LIKELY;
+    put(
+        buffer,
+        area,
+        (1, 0),
+        &format!("80 % ranges{missing}"),
+        theme.heading(),
+    );
+    let in_columns = area.width > ABOUT;
     let bar = Rect {
-        x: area.x + LIKELY + 2,
-        width: area.width.saturating_sub(LIKELY + 3),
+        x: area.x + ABOUT + 2,
+        width: area.width.saturating_sub(ABOUT + 3),
         ..area
     };
     if in_columns {
-        put_right(buffer, area, (LIKELY, 0), "most likely", theme.quiet());
+        put_right(buffer, area, (ABOUT, 0), "about", theme.quiet());
     }
     if bar.width >= SHORTEST {
         put(buffer, bar, (0, 0), "0", theme.quiet());
@@ -111,12 +130,16 @@ pub fn rows(
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
         let style = theme.risk(risk);
-        let here = if chosen == Some(i) { theme.focus() } else { theme.text() };
+        let here = if chosen == Some(i) {
+            theme.focus()
+        } else {
+            theme.text()
+        };
         if in_columns {
             put(buffer, area, (1, y), risk.injury.name(), here);
             put(buffer, area, (NAME, y), &risk.word(), style);
             put_right(buffer, area, (RANGE, y), &risk.percent(), style);
-            put_right(buffer, area, (LIKELY, y), &whole(risk.risk), theme.text());
+            put_right(buffer, area, (ABOUT, y), &whole(risk.risk), theme.text());
         } else {
             let said = longest(risk, usize::from(area.width - 2));
             let name = said.split(':').next().map_or(0, width);
@@ -124,7 +147,16 @@ pub fn rows(
             put(buffer, area, (1, y), &said[..name.into()], here);
         }
         if bar.width >= SHORTEST {
-            draw_bar(risk, theme, Rect { y: bar.y + y, height: 1, ..bar }, buffer);
+            draw_bar(
+                risk,
+                theme,
+                Rect {
+                    y: bar.y + y,
+                    height: 1,
+                    ..bar
+                },
+                buffer,
+            );
         }
         if chosen == Some(i) {
             put(buffer, area, (0, y), "▸", theme.strong());
@@ -136,7 +168,7 @@ pub fn rows(
     }
 }
 
-/// The range of a risk from 0 to 100 %, and the most likely.
+/// The range of a risk from 0 to 100 %, and the risk itself.
 fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let column = |share: f64| (share * f64::from(area.width - 1)).round() as u16;
     let (low, high) = (column(risk.range.0), column(risk.range.1));
@@ -164,7 +196,10 @@ mod tests {
 
     fn risk(injury: Injury, times: f64) -> Risk {
         let value = times * injury.curve().half;
-        let known = Known { value, ..Known::default() };
+        let known = Known {
+            value,
+            ..Known::default()
+        };
         injury.assess(&Blow::default(), known)
     }
 

@@ -64,7 +64,10 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         put_lines(buffer, area, (1, 2), lines, theme.text());
         return;
     };
-    let answered = model.shown.as_ref().filter(|s| s.scenario == model.work.scenario);
+    let answered = model
+        .shown
+        .as_ref()
+        .filter(|s| s.scenario == model.work.scenario);
     let answer = answered.map(|shown| shown.answer.as_ref());
     let results = listed(ensemble);
     let chosen = row.min(results.len().saturating_sub(1));
@@ -80,7 +83,14 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let first = (chosen + 1).saturating_sub(shown);
     for (row, of) in results.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        result((ensemble, answer), *of, first + row == chosen, theme, line, buffer);
+        result(
+            (ensemble, answer),
+            *of,
+            first + row == chosen,
+            theme,
+            line,
+            buffer,
+        );
     }
     let text = seen(first, shown, results.len());
     put(buffer, area, (1, 1), &text, theme.quiet());
@@ -188,9 +198,16 @@ fn result(
     let Some((band, _)) = shown_band(ensemble, answer, of) else {
         return;
     };
-    let (sign, style) = if chosen { ("▸", theme.strong()) } else { (" ", theme.text()) };
+    let (sign, style) = if chosen {
+        ("▸", theme.strong())
+    } else {
+        (" ", theme.text())
+    };
     put(buffer, area, (0, 0), sign, theme.strong());
-    let name = fitted(&format!("{} {}", of.label(), of.row().unit), usize::from(LABEL + 1));
+    let name = fitted(
+        &format!("{} {}", of.label(), of.row().unit),
+        usize::from(LABEL + 1),
+    );
     put(buffer, area, (1, 0), &name, style);
     for (i, value) in [band.low, band.median, band.high].into_iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
@@ -201,11 +218,21 @@ fn result(
         };
         // One column is kept free, so that numbers do not touch.
         let fits = width(&text) < NUMBER;
-        let text = if fits { text } else { numeral(value, NUMBER - 1) };
+        let text = if fits {
+            text
+        } else {
+            numeral(value, NUMBER - 1)
+        };
         put_right(buffer, area, (right, 0), &text, style);
     }
     let range = answer.and_then(|answer| range(answer, of));
-    put_right(buffer, area, (area.width - 1, 0), &range.unwrap_or_default(), theme.text());
+    put_right(
+        buffer,
+        area,
+        (area.width - 1, 0),
+        &range.unwrap_or_default(),
+        theme.text(),
+    );
     let left = LABEL + 4 + 3 * NUMBER;
     if left + OWN + 8 < area.width {
         let field = Rect::new(area.x + left, area.y, area.width - left - OWN - 1, 1);
