@@ -157,7 +157,7 @@ fn blows_side_by_side() {
         "--set",
         "window_ms=0.3",
     ];
-    let risk = ["--sort", "rupture_by_energy_percent"];
+    let risk = ["--sort", "globe_rupture_percent"];
     says("compare", &[&of[..], &risk].concat());
     says("compare_md", &[&of[..], &["--md"]].concat());
 }

@@ -3,7 +3,7 @@
 use contrecoup::answer::brief::{BriefAnswer, single};
 use contrecoup::answer::input_doubt::InputQuery;
 use contrecoup::answer::mesh_error::add_mesh_error;
-use contrecoup::answer::solve::solve;
+use contrecoup::answer::solve::{Answer, solve};
 use contrecoup::injury::Injury;
 use contrecoup::many::ensemble::{self, Ensemble};
 use contrecoup::run::kept::Keep;
@@ -159,7 +159,7 @@ fn one_run_for_each_input_tells_what_an_ensemble_draws() {
 }
 
 /// Speeds from a quarter to twice that of a preset.
-const SHARES: [f64; 7] = [0.25, 0.35, 0.5, 0.71, 1.0, 1.41, 2.0];
+const SHARES: [f64; 5] = [0.25, 0.5, 0.75, 1.1, 2.0];
 
 #[test]
 fn what_tissues_feel_rises_with_speed_within_its_stated_error() {
@@ -188,11 +188,16 @@ fn falls(name: &str, scenario: &Scenario) -> Vec<String> {
             (share, answer)
         })
         .collect();
-    let off = |share: f64, of: Quantity| {
-        let scenario = at(share);
-        let checked = scenario.check().unwrap();
-        let mut answer = solve(&checked, Keep::default(), &mut unwatched).unwrap();
-        add_mesh_error(&scenario, &mut answer, &mut unwatched).unwrap();
+    let mut answers: Vec<(f64, Answer)> = Vec::new();
+    let mut off = |share: f64, of: Quantity| {
+        if !answers.iter().any(|(known, _)| *known == share) {
+            let scenario = at(share);
+            let checked = scenario.check().unwrap();
+            let mut answer = solve(&checked, Keep::default(), &mut unwatched).unwrap();
+            add_mesh_error(&scenario, &mut answer, &mut unwatched).unwrap();
+            answers.push((share, answer));
+        }
+        let (_, answer) = answers.iter().find(|(known, _)| *known == share).unwrap();
         let known = answer.errors.mesh.unwrap()[of].is_some();
         if known {
             answer.errors.share(of)

@@ -1,4 +1,4 @@
-//! `--tolerance`, `--mesh-error` and `accuracy` as a shell sees them.
+//! `--tolerance`, `--quick` and `accuracy` as a shell sees them.
 
 #![cfg(feature = "app")]
 
@@ -10,10 +10,13 @@ use predicates::str::contains;
 use serde_json::Value;
 
 #[test]
-fn the_mesh_error_is_null_until_it_is_asked_for() {
-    let without = json(&["run", "paper-300n"]);
+fn a_quick_answer_has_no_mesh_error_and_says_what_its_ranges_leave_out() {
+    let without = json(&["run", "paper-300n", "--quick"]);
     assert!(without["error"]["mesh_percent"].is_null());
-    let with = json(&["run", "paper-300n", "--mesh-error"]);
+    let quick = json(&["run", "bb-56", "--quick"]);
+    let missing = quick["risks_without"].as_array().unwrap();
+    assert_eq!(missing, &["the mesh", "the inputs"]);
+    let with = json(&["run", "paper-300n"]);
     let damage = with["error"]["mesh_percent_by_result"]["damage_percent"]
         .as_f64()
         .unwrap();

@@ -65,11 +65,12 @@ impl Risk {
 
     /// The range in percent.
     pub fn percent(&self) -> String {
-        // What is over 99 % needs no other word for more.
-        if self.at_least && span(self.range) != whole(1.0) {
+        // Whole ranges and what is over 99 % need no other word for more.
+        let said = span(self.range);
+        if self.at_least && said != whole(1.0) && (100.0 * self.range.0).round() > 0.0 {
             format!("{AT_LEAST} {}", whole(self.range.0))
         } else {
-            span(self.range)
+            said
         }
     }
 
@@ -77,11 +78,12 @@ impl Risk {
     /// short.
     pub fn forms(&self) -> Vec<String> {
         let short = format!("{} ({})", self.word(), self.percent());
-        let about = whole(self.risk);
-        let middle = if about == self.percent() {
+        let risk = whole(self.risk);
+        let about = if risk.starts_with(|c: char| c.is_ascii_digit()) { "about " } else { "" };
+        let middle = if risk == self.percent() {
             short.clone()
         } else {
-            format!("{} (about {about}, {})", self.word(), self.percent())
+            format!("{} ({about}{risk}, {})", self.word(), self.percent())
         };
         let equivalent = format!("{middle}, like {}", self.equivalent);
         vec![equivalent, middle, short, self.percent()]

@@ -122,12 +122,11 @@ fn published(injury: Injury, blow: &Blow) -> Vec<String> {
             "; slope assumed"
         };
         format!(
-            "by energy alone {} ({:.1} of {:.1} kJ/m2): {}; {}{slope}",
+            "by energy alone {} ({:.1} of {:.1} kJ/m2): {}{slope}",
             whole(curve.risk(energy)),
             energy * 1e-3,
             curve.half * 1e-3,
             curve.source,
-            curve.data
         )
     };
     EnergyCurve::of(injury).map(said).collect()

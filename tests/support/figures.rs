@@ -69,7 +69,7 @@ pub static FIGURES: &[Figures] = &[
         name: "run",
         command: "contrecoup run presets/paper-300n.ron",
         form: Form::Of("contrecoup run presets/paper-300n.ron"),
-        excerpt: |text| before(text, "\nSolved"),
+        excerpt: |text| without(&before(text, "\nSolved"), "Pain, "),
     },
     Figures {
         name: "coverage",
@@ -195,6 +195,13 @@ pub fn printed(command: &str) -> String {
         .unwrap();
     assert!(output.status.success(), "{command}: {output:?}");
     String::from_utf8(output.stdout).unwrap()
+}
+
+/// A text without the paragraph's rest that begins with `first`: the README says it elsewhere.
+fn without(text: &str, first: &str) -> String {
+    let split = text.split_once(first);
+    let split = split.and_then(|(head, rest)| Some((head, rest.split_once("\n\n")?.1)));
+    split.map_or_else(|| text.to_owned(), |(head, rest)| format!("{head}\n{rest}"))
 }
 
 /// What stands before the first line that begins with `end`, which is led by a line break.
