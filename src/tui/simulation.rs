@@ -86,13 +86,18 @@ impl TaskQuestion for Complete {
         show: &mut dyn FnMut(Completion),
     ) -> Result<Completion, Refusal> {
         let mut first = |share: f64| watch(0.5 * share);
-        let mesh = self.mesh.map(|mesh| mesh.estimate(&self.scenario, &mut first));
+        let mesh = self
+            .mesh
+            .map(|mesh| mesh.estimate(&self.scenario, &mut first));
         let mesh = match mesh {
             Some(Err(Refusal::Cancelled)) => return Err(Refusal::Cancelled),
             mesh => mesh.and_then(Result::ok),
         };
         let inputs = None;
-        show(Completion { mesh: mesh.clone(), inputs });
+        show(Completion {
+            mesh: mesh.clone(),
+            inputs,
+        });
         let mut second = |share: f64| watch(0.5 + 0.5 * share);
         let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
             let told = |share| {
@@ -101,7 +106,10 @@ impl TaskQuestion for Complete {
             };
             idle::pool().install(|| self.inputs.estimate(&self.scenario, stop, told))
         })?;
-        Ok(Completion { mesh, inputs: Some(inputs) })
+        Ok(Completion {
+            mesh,
+            inputs: Some(inputs),
+        })
     }
 
     fn is_idle(&self) -> bool {
@@ -173,14 +181,19 @@ mod tests {
             let mut before = ranges(&answer);
             let question = Complete::of(&scenario, &answer);
             let mut parts = Vec::new();
-            let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part)).unwrap();
+            let whole = question
+                .fill_in(&mut unwatched, &mut |part| parts.push(part))
+                .unwrap();
             assert!(parts.len() == 1 && parts[0].inputs.is_none() && parts[0].mesh.is_some());
             parts.push(whole);
             for part in parts {
                 part.put(&mut answer);
                 let after = ranges(&answer);
                 for (before, after) in before.iter().zip(&after) {
-                    assert!(after.0 <= before.0 && before.1 <= after.1, "{before:?} {after:?}");
+                    assert!(
+                        after.0 <= before.0 && before.1 <= after.1,
+                        "{before:?} {after:?}"
+                    );
                 }
                 before = after;
             }

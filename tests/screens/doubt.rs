@@ -109,7 +109,9 @@ fn risks_lead_with_the_answer_beside_the_samples_and_the_wider_is_shown() {
             let text = picture(&app, size);
             assert!(text.contains("▸globe rupture"), "{text}");
             let words: Vec<&str> = text.split_whitespace().collect();
-            let said = words.join(" ").contains("Wider than the answer, so shown: rupture");
+            let said = words
+                .join(" ")
+                .contains("Wider than the answer, so shown: rupture");
             assert_eq!(said, wide, "{text}");
             let line = line_from(&text, "globe rupture %");
             let rupture = &known[0];

@@ -379,7 +379,10 @@ fn what_stands_behind_a_risk_ends_with_a_whole_sentence_however_small_the_termin
                 assert!(signs.contains("eye doctor"), "{text}");
                 let lines: Vec<&str> = text.lines().collect();
                 for injury in Injury::ALL {
-                    assert!(lines.iter().any(|line| line.contains(injury.name())), "{text}");
+                    assert!(
+                        lines.iter().any(|line| line.contains(injury.name())),
+                        "{text}"
+                    );
                 }
                 let words: Vec<&str> = said.split_whitespace().collect();
                 let matched = words.join(" ").to_lowercase().contains("matched to");
@@ -400,15 +403,23 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
         press(&mut app, keys);
         for size in [(80, 24), (120, 40), (160, 50)] {
             let text = picture(&app, size);
-            assert!(text.contains("still counting") || keys == "\x1b4 ", "{text}");
+            assert!(
+                text.contains("still counting") || keys == "\x1b4 ",
+                "{text}"
+            );
             for risk in &risks {
                 let (name, percent) = (risk.injury.name(), risk.percent());
-                let line = text.lines().find(|line| line.contains(name) && line.contains(&percent));
+                let line = text
+                    .lines()
+                    .find(|line| line.contains(name) && line.contains(&percent));
                 if keys == "\x1b4 " {
                     // One row says the gravest.
                     continue;
                 }
-                assert!(line.unwrap_or_else(|| panic!("{name} {percent}\n{text}")).contains(&risk.word()));
+                assert!(
+                    line.unwrap_or_else(|| panic!("{name} {percent}\n{text}"))
+                        .contains(&risk.word())
+                );
             }
         }
     }
@@ -418,7 +429,14 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
 fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
     for preset in ["squash-ball", "bb-62", "paintball", "soccer-ball"] {
         let text = picture(&app(&[preset], Depth::Mono), (80, 24));
-        for word in ["globe rupture: ", "retina", "edge", "lens", "hyphema", "abrasion"] {
+        for word in [
+            "globe rupture: ",
+            "retina",
+            "edge",
+            "lens",
+            "hyphema",
+            "abrasion",
+        ] {
             assert!(text.contains(word), "{word}\n{text}");
         }
         assert!(text.contains("eye doctor today"), "{text}");
@@ -479,10 +497,7 @@ fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
     press(&mut app, "\x1b8?");
     for size in SIZES {
         let text = picture(&app, size);
-        assert!(
-            text.contains("8 Injury: What is hurt?"),
-            "{text}"
-        );
+        assert!(text.contains("8 Injury: What is hurt?"), "{text}");
         assert!(
             text.contains("the injury above") && !text.contains('…'),
             "{text}"

@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use crate::run::refusal::Refusal;
+use crate::tui::ensemble::key;
 use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::ensemble::key;
 use crate::tui::simulation::{Complete, Simulate, is_alike};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.

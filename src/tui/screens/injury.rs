@@ -16,7 +16,9 @@ use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
 use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
-use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::text::{
+    fitted, flag_name, put, put_lines, put_right, whole_sentences, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
@@ -49,11 +51,20 @@ const KEYS: PaneKeys<Injuries> = PaneKeys::new("Injury", &[
 
 impl Screen for Injuries {
     fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        let area = Rect { width: area.width.min(WIDEST), ..area };
+        let area = Rect {
+            width: area.width.min(WIDEST),
+            ..area
+        };
         match &model.shown {
             Some(shown) => draw(self.row, model, shown, area, buffer),
             None => {
-                put(buffer, area, (1, 1), "no result yet", Theme::of(model.look).text());
+                put(
+                    buffer,
+                    area,
+                    (1, 1),
+                    "no result yet",
+                    Theme::of(model.look).text(),
+                );
             }
         }
     }
@@ -76,7 +87,11 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         return;
     };
     let count = risks.len() as u16;
-    let each = if area.height >= 2 + 2 * count + EXPLAINED { 2 } else { 1 };
+    let each = if area.height >= 2 + 2 * count + EXPLAINED {
+        2
+    } else {
+        1
+    };
     rows((model, &shown.answer), (Some(row), each), area, buffer);
     let foot = below(area, 1 + each * count);
     for x in 0..foot.width {
@@ -89,7 +104,8 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         basis[0] = format!("matched to {}", risk.injury.curve().matched);
     }
     sentences.append(&mut basis);
-    let said = explained(&sentences, room, foot.height.saturating_sub(1).into());
+    let sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
+    let said = whole_sentences(&sentences, room, foot.height.saturating_sub(1).into());
     put_lines(buffer, foot, (1, 1), &said, theme.text());
 }
 
@@ -130,14 +146,4 @@ fn flags(answer: &Answer, room: usize) -> Vec<String> {
         lines = vec![fitted(&lines.join(" "), room)];
     }
     lines
-}
-
-/// As many whole sentences as so many rows hold, the first at least.
-fn explained(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
-    let some = |count: usize| {
-        let said = sentences[..count].iter().map(|text| format!("{}.", capital(text)));
-        wrapped(&said.collect::<Vec<_>>().join(" "), room)
-    };
-    let mut fitting = (1..=sentences.len()).rev().map(some);
-    fitting.find(|lines| lines.len() <= rows).unwrap_or_else(|| some(1))
 }

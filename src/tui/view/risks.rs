@@ -27,15 +27,22 @@ pub const SIGN_ROWS: u16 = 2;
 pub fn signs(room: u16) -> Vec<String> {
     let [short, shortest] = SHORT_SIGNS;
     let texts = [SIGNS, short].map(|text| wrapped(text, room.into()));
-    let mut fitting = texts.into_iter().filter(|lines| lines.len() <= SIGN_ROWS.into());
-    fitting.next().unwrap_or_else(|| wrapped(shortest, room.into()))
+    let mut fitting = texts
+        .into_iter()
+        .filter(|lines| lines.len() <= SIGN_ROWS.into());
+    fitting
+        .next()
+        .unwrap_or_else(|| wrapped(shortest, room.into()))
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.
 pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
     let missing = uncounted(answer)?;
     let comes = model.idle && answer.inputs.is_none();
-    Some(format!("{} {missing}", if comes { "still counting:" } else { "without" }))
+    Some(format!(
+        "{} {missing}",
+        if comes { "still counting:" } else { "without" }
+    ))
 }
 
 /// An injury and what is said of it, in the longest words that there is room for.
@@ -58,7 +65,9 @@ pub fn longest(risk: &Risk, room: usize) -> String {
         format!("{word}: {percent}{others}"),
     ]);
     let last = fitted(&texts[texts.len() - 1], room);
-    let mut fitting = texts.into_iter().filter(|text| usize::from(width(text)) <= room);
+    let mut fitting = texts
+        .into_iter()
+        .filter(|text| usize::from(width(text)) <= room);
     fitting.next().unwrap_or(last)
 }
 
@@ -69,7 +78,11 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
     let half = significant(risk.injury.curve().half * row.factor);
     let texts = [
-        format!("{} {felt}, 50 % at {}; like {like}", row.label, with_unit(&half, row.unit)),
+        format!(
+            "{} {felt}, 50 % at {}; like {like}",
+            row.label,
+            with_unit(&half, row.unit)
+        ),
         format!("{} {felt}, 50 % at {half}; like {like}", row.label),
         format!("{felt}, 50 % at {half}; like {like}"),
     ];
@@ -94,7 +107,13 @@ pub fn rows(
     let theme = Theme::of(model.look);
     let missing = counting(model, answer);
     let missing = missing.map_or_else(String::new, |missing| format!(", {missing}"));
-    put(buffer, area, (1, 0), &format!("80 % ranges{missing}"), theme.heading());
+    put(
+        buffer,
+        area,
+        (1, 0),
+        &format!("80 % ranges{missing}"),
+        theme.heading(),
+    );
     let in_columns = area.width > LIKELY;
     let bar = Rect {
         x: area.x + LIKELY + 2,
@@ -111,7 +130,11 @@ pub fn rows(
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
         let style = theme.risk(risk);
-        let here = if chosen == Some(i) { theme.focus() } else { theme.text() };
+        let here = if chosen == Some(i) {
+            theme.focus()
+        } else {
+            theme.text()
+        };
         if in_columns {
             put(buffer, area, (1, y), risk.injury.name(), here);
             put(buffer, area, (NAME, y), &risk.word(), style);
@@ -124,7 +147,16 @@ pub fn rows(
             put(buffer, area, (1, y), &said[..name.into()], here);
         }
         if bar.width >= SHORTEST {
-            draw_bar(risk, theme, Rect { y: bar.y + y, height: 1, ..bar }, buffer);
+            draw_bar(
+                risk,
+                theme,
+                Rect {
+                    y: bar.y + y,
+                    height: 1,
+                    ..bar
+                },
+                buffer,
+            );
         }
         if chosen == Some(i) {
             put(buffer, area, (0, y), "▸", theme.strong());
@@ -164,7 +196,10 @@ mod tests {
 
     fn risk(injury: Injury, times: f64) -> Risk {
         let value = times * injury.curve().half;
-        let known = Known { value, ..Known::default() };
+        let known = Known {
+            value,
+            ..Known::default()
+        };
         injury.assess(&Blow::default(), known)
     }
 

@@ -94,6 +94,15 @@ pub fn wrapped(text: &str, room: usize) -> Vec<String> {
     lines.iter().map(|line| fitted(line, room)).collect()
 }
 
+/// As many whole sentences as so many rows hold, the first at least.
+pub fn whole_sentences(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
+    let some = |count: usize| wrapped(&sentences[..count].join(" "), room);
+    let mut fitting = (1..=sentences.len()).rev().map(some);
+    fitting
+        .find(|lines| lines.len() <= rows)
+        .unwrap_or_else(|| some(1))
+}
+
 /// Parts in as few lines as fit, none of them broken.
 pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();

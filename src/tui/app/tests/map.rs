@@ -67,11 +67,7 @@ fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it
         map.quantity(map.grid(&app.model.work.scenario).unwrap())
     };
     let first = shown(&app);
-    assert_eq!(
-        first,
-        Quantity::GlobeRupture,
-        "a risk, where there is one"
-    );
+    assert_eq!(first, Quantity::GlobeRupture, "a risk, where there is one");
     let all = Quantity::ALL
         .iter()
         .copied()

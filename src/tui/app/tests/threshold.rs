@@ -38,7 +38,11 @@ fn bb() -> App {
 fn drawn(app: &App) -> String {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
     draw(app, &mut buffer);
-    buffer.content.iter().map(ratatui::buffer::Cell::symbol).collect()
+    buffer
+        .content
+        .iter()
+        .map(ratatui::buffer::Cell::symbol)
+        .collect()
 }
 
 fn asking(app: &App) -> &Asking {
@@ -134,6 +138,9 @@ fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
         seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))],
         crossings: Vec::new(),
     };
-    update(&mut app, Message::News(Report::done::<FindThreshold>(ticket, Ok(never))));
+    update(
+        &mut app,
+        Message::News(Report::done::<FindThreshold>(ticket, Ok(never))),
+    );
     assert!(drawn(&app).contains("Never: "), "{}", drawn(&app));
 }

@@ -146,10 +146,13 @@ impl Screen for Comparison {
             self.task.ask(question, &mut model.out);
             return;
         }
-        let question = self.incomplete().next().map(|(entry, answer)| CompleteMarked {
-            name: entry.name.clone(),
-            rest: Complete::of(&entry.scenario, answer),
-        });
+        let question = self
+            .incomplete()
+            .next()
+            .map(|(entry, answer)| CompleteMarked {
+                name: entry.name.clone(),
+                rest: Complete::of(&entry.scenario, answer),
+            });
         if let Some(question) = question {
             self.rest.ask(question, &mut model.out);
         }

@@ -75,7 +75,11 @@ pub fn draw(model: &AppModel, shown: &ShownAnswer, beside: bool, area: Rect, buf
     }
     let whole = area.height > WITH_BELOW;
     let block = Rect {
-        height: if whole { BLOCK } else { area.height.saturating_sub(1).min(2) },
+        height: if whole {
+            BLOCK
+        } else {
+            area.height.saturating_sub(1).min(2)
+        },
         ..area
     };
     match unusable(&shown.answer) {
@@ -108,14 +112,22 @@ fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buff
             let shortest = short.replace("still counting: ", "");
             [text, short, format!("{shortest} to come")]
         }
-        (None, Some(_), _) => ["± step and mesh, > for less", "± step and mesh", "±"].map(String::from),
+        (None, Some(_), _) => {
+            ["± step and mesh, > for less", "± step and mesh", "±"].map(String::from)
+        }
         (None, None, true) => ["± step; mesh to come"; 3].map(String::from),
         (None, None, false) => ["± step; mesh off"; 3].map(String::from),
     };
     let fits = |text: &&String| end + width(text) + 2 < area.width;
     if let Some(text) = texts.iter().find(fits) {
         let style = theme.quiet();
-        put_right(buffer, area, (area.width - 1, 0), &format!(" {text} "), style);
+        put_right(
+            buffer,
+            area,
+            (area.width - 1, 0),
+            &format!(" {text} "),
+            style,
+        );
     }
 }
 
@@ -177,7 +189,10 @@ fn raw(shown: &ShownAnswer, why: &str, theme: Theme, area: Rect, buffer: &mut Bu
     }
     let index = Figure::of(&shown.answer, Quantity::Damage).map_or_else(String::new, |f| f.number);
     let [long, short] = brief(shown);
-    let texts = [format!("raw: index {index}, {long}"), format!("raw {index}: {short}")];
+    let texts = [
+        format!("raw: index {index}, {long}"),
+        format!("raw {index}: {short}"),
+    ];
     let fits = |text: &&String| width(text) <= area.width;
     let text = texts.iter().find(fits).unwrap_or(&texts[1]);
     put(buffer, area, (0, said.len() as u16), text, theme.quiet());

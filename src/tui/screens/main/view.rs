@@ -122,7 +122,11 @@ fn beside(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer
     let theme = Theme::of(model.look);
     put(buffer, area, (1, 0), "What to believe", theme.heading());
     let count = shown.answer.risks().len() as u16;
-    let said = Rect { y: area.y + 1, height: 2 + 2 * count.max(1) + SIGN_ROWS, ..area };
+    let said = Rect {
+        y: area.y + 1,
+        height: 2 + 2 * count.max(1) + SIGN_ROWS,
+        ..area
+    };
     if count > 0 {
         rows((model, &shown.answer), (None, 2), said, buffer);
     } else {
