@@ -51,7 +51,8 @@ impl InputQuery {
         let measure = |injury: Injury| answer.result(injury.measure());
         let known = Injury::ALL.iter().all(|injury| measure(*injury).is_some());
         Self {
-            measures: known.then(|| std::array::from_fn(|i| measure(Injury::ALL[i]).unwrap_or(0.0))),
+            measures: known
+                .then(|| std::array::from_fn(|i| measure(Injury::ALL[i]).unwrap_or(0.0))),
         }
     }
 
@@ -69,7 +70,10 @@ impl InputQuery {
         let Some(from) = self.measures else {
             return Ok(InputDoubt::default());
         };
-        let inputs: Vec<UncertainInput> = inputs(scenario).into_iter().filter(|i| i.is_run()).collect();
+        let inputs: Vec<UncertainInput> = inputs(scenario)
+            .into_iter()
+            .filter(|i| i.is_run())
+            .collect();
         let energy = Blow::of(scenario).energy;
         let run = |index: usize| {
             let input = &inputs[index];

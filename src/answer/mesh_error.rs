@@ -199,7 +199,12 @@ impl MeshQuery {
         });
         let (fine, coarse) = (fine?, coarse?);
         let model = &scenario.model;
-        Ok(MeshError::of(model, self.level, &self.own, [&coarse, &fine]))
+        Ok(MeshError::of(
+            model,
+            self.level,
+            &self.own,
+            [&coarse, &fine],
+        ))
     }
 }
 

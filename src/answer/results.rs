@@ -109,7 +109,7 @@ fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, Pressure, GlobeRupture};
+    use Quantity::{Apex, Contact, Damage, ForceRight, ForceTop, GlobeRupture, Pressure};
 
     fn with(known: &[(Quantity, f64)]) -> Results {
         Results::from_fn(|q| known.iter().find(|(of, _)| *of == q).map(|(_, v)| *v))

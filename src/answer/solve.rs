@@ -147,7 +147,10 @@ impl Answer {
     /// The risk of each injury, the gravest first; none where the model tells of no injuries or the
     /// object never touched the eye, see [`Self::silence`].
     pub fn risks(&self) -> Vec<Risk> {
-        Injury::ALL.iter().filter_map(|injury| self.risk(*injury)).collect()
+        Injury::ALL
+            .iter()
+            .filter_map(|injury| self.risk(*injury))
+            .collect()
     }
 
     /// The risk of one injury.
@@ -166,7 +169,11 @@ impl Answer {
         let measure = injury.measure();
         let value = self.run.readings.value(measure)?;
         let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
-        let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
+        let mesh_unknown = if unknown {
+            injury.curve().mesh_unknown
+        } else {
+            0.0
+        };
         let inputs = self.inputs.unwrap_or_default();
         Some(Known {
             value,
@@ -192,7 +199,9 @@ impl Answer {
         let mesh = (self.errors.mesh.is_none(), "the mesh");
         let inputs = (self.inputs.is_none(), "the inputs");
         let missing = [mesh, inputs].into_iter();
-        missing.filter_map(|(missing, what)| missing.then_some(what)).collect()
+        missing
+            .filter_map(|(missing, what)| missing.then_some(what))
+            .collect()
     }
 
     /// How a result is limited by a run that ended too early; none if it is final.
@@ -261,7 +270,9 @@ pub fn complete(
         })?;
     }
     let inputs = InputQuery::of(answer);
-    let inputs = inputs.estimate(scenario, stop, |share| progress(MESHES + (1.0 - MESHES) * share));
+    let inputs = inputs.estimate(scenario, stop, |share| {
+        progress(MESHES + (1.0 - MESHES) * share)
+    });
     answer.inputs = Some(inputs?);
     Ok(())
 }

@@ -217,7 +217,11 @@ impl UncertainInput {
     /// The value one standard deviation from what the scenario holds, to the side on which it
     /// matters more.
     pub fn one_off(&self) -> f64 {
-        let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
+        let sign = if LESS_IS_WORSE.contains(&self.field.path) {
+            -1.0
+        } else {
+            1.0
+        };
         let (min, max) = self.bounds;
         let off = match self.shape {
             Shape::Normal(_, sd) => self.nominal + sign * sd,
@@ -230,7 +234,10 @@ impl UncertainInput {
     /// nothing of what a person doubts, which is a difference of this eye from others.
     pub fn moves_curves(&self, value: f64) -> PerInjury<f64> {
         let own = |(path, _): &&(&str, [PerInjury<f64>; 2])| *path == self.field.path;
-        let found = WITH_CURVES.iter().find(own).filter(|_| self.source.is_some());
+        let found = WITH_CURVES
+            .iter()
+            .find(own)
+            .filter(|_| self.source.is_some());
         let Some((_, powers)) = found else {
             return PerInjury::default();
         };

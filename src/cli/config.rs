@@ -16,7 +16,10 @@ pub fn run(out: &mut dyn Write) -> Result<(), CliError> {
     // Kept in a file, this line must stay true: it says where the file belongs, not whether it is.
     let place = config::path().map(|path| {
         let path = path.display().to_string();
-        format!("// Read at every start, where it is there, from {}.\n", printable(&path))
+        format!(
+            "// Read at every start, where it is there, from {}.\n",
+            printable(&path)
+        )
     });
     write!(out, "{}{}", place.unwrap_or_default(), config.to_ron())?;
     Ok(())

@@ -15,11 +15,11 @@ use std::sync::atomic::Ordering;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
-use crate::run::ordered;
 use crate::many::sweep::{Sweep, SweepAxis};
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};
 use crate::report::sweep::SweepFormat;
+use crate::run::ordered;
 use crate::scenario::problem::Problem;
 
 /// No row is longer, in bytes.

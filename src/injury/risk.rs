@@ -143,7 +143,10 @@ impl Injury {
     fn notes(self, blow: &Blow) -> Vec<&'static str> {
         let rupture = self == Self::GlobeRupture;
         let all = [
-            (rupture && blow.goes_in, "so small, hard and fast an object may go in"),
+            (
+                rupture && blow.goes_in,
+                "so small, hard and fast an object may go in",
+            ),
             (
                 self == Self::Hyphema && blow.sucks,
                 "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
@@ -161,7 +164,9 @@ impl Injury {
                 "from the side this place is a ring around the blow, not the anatomical one",
             ),
         ];
-        all.into_iter().filter_map(|(holds, note)| holds.then_some(note)).collect()
+        all.into_iter()
+            .filter_map(|(holds, note)| holds.then_some(note))
+            .collect()
     }
 }
 
@@ -252,6 +257,9 @@ mod tests {
         assert!(rupture.risk(&Blow { tested: 0.0, ..bb }, 0.064) < 0.9);
         // The retina's published curve is too thin to count.
         let back = Injury::RetinaBack;
-        assert_eq!(back.risk(&bb, 0.02), back.risk(&Blow { tested: 0.0, ..bb }, 0.02));
+        assert_eq!(
+            back.risk(&bb, 0.02),
+            back.risk(&Blow { tested: 0.0, ..bb }, 0.02)
+        );
     }
 }

@@ -77,19 +77,28 @@ impl Risk {
     /// short.
     pub fn forms(&self) -> Vec<String> {
         let short = format!("{} ({})", self.word(), self.percent());
-        let median = format!("{}, most likely {}", self.percent(), whole(self.risk));
-        let middle = format!("{} ({median})", self.word());
+        let about = whole(self.risk);
+        let middle = if about == self.percent() {
+            short.clone()
+        } else {
+            format!("{} (about {about}, {})", self.word(), self.percent())
+        };
         let equivalent = format!("{middle}, like {}", self.equivalent);
         vec![equivalent, middle, short, self.percent()]
     }
 
     /// All that is said after the injury's name.
     pub fn words(&self) -> String {
+        self.words_but(&[])
+    }
+
+    /// All that is said after its name but for some notes, which are said of all injuries at once.
+    pub fn words_but(&self, said: &[&str]) -> String {
         let mut words = self.forms().swap_remove(0);
         if self.bursts() {
             words.extend(["; ", BURST]);
         }
-        for note in &self.notes {
+        for note in self.notes.iter().filter(|note| !said.contains(note)) {
             words.extend(["; ", note]);
         }
         words

@@ -8,8 +8,8 @@
 //! Left out: how sure the quantiles themselves are.
 
 use crate::answer::brief::BriefAnswer;
-use crate::many::ensemble::{Ensemble, PILOT, Sample};
 use crate::answer::uncertain::UncertainInput;
+use crate::many::ensemble::{Ensemble, PILOT, Sample};
 use crate::many::statistics::{quantile, rank_correlation};
 use crate::run::quantity::Quantity;
 

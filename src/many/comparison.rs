@@ -10,9 +10,9 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 use crate::answer::solve::{Answer, complete, solve};
+use crate::run::kept::Keep;
 use crate::run::ordered;
 use crate::run::ordered::until;
-use crate::run::kept::Keep;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};

@@ -17,10 +17,10 @@
 
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::injury::{Blow, Injury, PerInjury};
-use crate::run::ordered::{self, until};
 use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
+use crate::injury::{Blow, Injury, PerInjury};
 use crate::many::statistics::median;
+use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
@@ -172,7 +172,11 @@ impl Job<'_> {
         let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
         let outcome = outcome.map(|mut answer| {
             if let Some(place) = curves {
-                let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
+                let each = self
+                    .inputs
+                    .iter()
+                    .zip(&drawn)
+                    .map(|(input, v)| input.moves_curves(*v));
                 let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
                     std::array::from_fn(|i| sum[i] + one[i])
                 });
@@ -303,8 +307,8 @@ pub fn run(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::quantity::Quantity;
     use crate::answer::brief::Check;
+    use crate::run::quantity::Quantity;
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {

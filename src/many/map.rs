@@ -9,8 +9,8 @@
 
 use crate::answer::brief::single;
 use crate::answer::results::Results;
-use crate::run::ordered::{self, until};
 use crate::many::sweep::spaced;
+use crate::run::ordered::{self, until};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::fields::Field;

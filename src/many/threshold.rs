@@ -19,11 +19,11 @@ use crate::answer::brief::single;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, complete, solve};
 use crate::injury::{Blow, Injury, Risk};
-use crate::run::ordered::{self, until};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
 use crate::run::flags::Flag;
 use crate::run::kept::Keep;
+use crate::run::ordered::{self, until};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::fields::{Bounds, Field, Kind};
@@ -362,10 +362,11 @@ impl ThresholdSearch {
         });
         let value = answer.results()[self.quantity];
         let errors = &answer.errors;
-        let off = [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
-            let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
-            off.is_finite().then_some(off)
-        });
+        let off =
+            [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
+                let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
+                off.is_finite().then_some(off)
+            });
         [crossing.step, crossing.mesh] = off;
         Ok(crossing)
     }
@@ -583,7 +584,10 @@ mod tests {
         let anywhere = found(bb.clone(), "impact.speed_m_s", until);
         let between = found(bb, "impact.speed_m_s=50:75", until);
         let [one, other] = [&anywhere, &between].map(|found| &found.crossings[0]);
-        assert!((one.at / other.at - 1.0).abs() < 2.0 * WIDTH, "{one:?} {other:?}");
+        assert!(
+            (one.at / other.at - 1.0).abs() < 2.0 * WIDTH,
+            "{one:?} {other:?}"
+        );
         // At a BB the published energy counts: 35.8 kJ/m2.
         assert!((one.at / 57.4 - 1.0).abs() < 0.01, "{one:?}");
         let there = one.risk.as_ref().unwrap();

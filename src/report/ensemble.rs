@@ -1,8 +1,8 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
+use crate::answer::uncertain::{Shape, UncertainInput};
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
-use crate::answer::uncertain::{Shape, UncertainInput};
 use crate::plain_text::printable;
 use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
@@ -84,7 +84,11 @@ pub fn text(
         let Band { low, median, high } = band;
         if quantity.is_risk() && !risks {
             risks = true;
-            writeln!(out, "{:<22}{:>12}{:>12}{:>12}", "", "10 %", "median", "90 %")?;
+            writeln!(
+                out,
+                "{:<22}{:>12}{:>12}{:>12}",
+                "", "10 %", "median", "90 %"
+            )?;
         }
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();

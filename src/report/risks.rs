@@ -8,24 +8,40 @@ use crate::run::quantity::Quantity;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
-/// What to say of each injury, under its name; in one line why nothing is said where that is so.
+/// What to say of each injury, under its name, and last what holds for all of them; in one line why
+/// nothing is said where that is so.
 pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     if let Some(silence) = answer.silence() {
         return vec![("injuries", silence.to_owned())];
     }
-    let spoiled = answer.spoiled();
-    let spoiled = spoiled.map(|spoiled| format!("; {}: {}", spoiled.why, spoiled.next));
-    let line = |risk: &Risk| {
-        let why = spoiled.as_deref().unwrap_or_default();
-        (risk.injury.name(), format!("{}{why}", risk.words()))
-    };
-    answer.risks().iter().map(line).collect()
+    let risks = answer.risks();
+    let of_all = |note: &&&str| risks.iter().all(|risk| risk.notes.contains(*note));
+    let first = risks.iter().take(1).flat_map(|risk| &risk.notes);
+    let of_all: Vec<&str> = first.filter(of_all).copied().collect();
+    let line = |risk: &Risk| (risk.injury.name(), risk.words_but(&of_all));
+    let mut lines: Vec<(&'static str, String)> = risks.iter().map(line).collect();
+    let spoiled = answer
+        .spoiled()
+        .map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
+    let of_all: Vec<String> = spoiled
+        .into_iter()
+        .chain(of_all.into_iter().map(String::from))
+        .collect();
+    if !of_all.is_empty() {
+        lines.push(("all of them", of_all.join("; ")));
+    }
+    lines
 }
 
 /// The gravest of [`lines`] in one sentence.
 pub fn first_line(answer: &Answer) -> String {
-    let first = lines(answer).into_iter().next();
-    first.map_or_else(String::new, |(name, words)| format!("{name}: {words}"))
+    let said = lines(answer);
+    let one = |(name, words): &(&str, String)| format!("{name}: {words}");
+    let mut all: Vec<String> = said.iter().take(1).map(one).collect();
+    if answer.spoiled().is_some() && said.len() > 1 {
+        all.extend(said.last().map(|(_, words)| words.clone()));
+    }
+    all.join("; ")
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.
@@ -65,7 +81,10 @@ pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     if risks.is_empty() {
         return Ok(());
     }
-    writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
+    writeln!(
+        out,
+        "\nWhat the risks rest on, beside the index and not part of it:"
+    )?;
     for risk in &risks {
         for line in basis(answer, risk) {
             block(&line, "  ", "      ", out)?;
@@ -97,7 +116,11 @@ fn published(injury: Injury, blow: &Blow) -> Vec<String> {
         return Vec::new();
     };
     let said = |curve: &EnergyCurve| {
-        let slope = if curve.slope_known { "" } else { "; slope assumed" };
+        let slope = if curve.slope_known {
+            ""
+        } else {
+            "; slope assumed"
+        };
         format!(
             "by energy alone {} ({:.1} of {:.1} kJ/m2): {}; {}{slope}",
             whole(curve.risk(energy)),
@@ -168,7 +191,10 @@ mod tests {
         text(answer, &mut out).unwrap();
         evidence(answer, &mut out).unwrap();
         let page = String::from_utf8(out).unwrap();
-        assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+        assert!(
+            page.lines().all(|line| line.chars().count() <= 80),
+            "{page}"
+        );
         page
     }
 
@@ -179,7 +205,12 @@ mod tests {
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
         }
-        for words in ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"] {
+        for words in [
+            "without the mesh and the inputs",
+            "eye doctor",
+            "Duma 2005",
+            "slope assumed",
+        ] {
             assert!(page.contains(words), "{words} in\n{page}");
         }
         let cell = range(&bb, Quantity::GlobeRupture).unwrap();

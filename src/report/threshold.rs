@@ -34,7 +34,9 @@ pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
     if let (Some(there), None) = (&crossing.risk, crossing.jump) {
         let unit = |text: String| with_unit(search, &text);
         let range = range(there.range, &unit);
-        let range = range.map_or(", range not known".to_owned(), |range| format!(" ({range})"));
+        let range = range.map_or(", range not known".to_owned(), |range| {
+            format!(" ({range})")
+        });
         return format!("{at}{range}{way}");
     }
     let off = match (crossing.jump, crossing.step, crossing.mesh) {

@@ -43,7 +43,13 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
     )?;
     for fit in &fits.injuries {
         let row = fit.injury.measure().row();
-        writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;
+        writeln!(
+            out,
+            "\n{}, {} in {}",
+            fit.injury.name(),
+            row.label,
+            row.unit
+        )?;
         for kind in &fit.kinds {
             writeln!(
                 out,
@@ -94,8 +100,13 @@ pub fn json(fits: &TissueFits) -> Value {
     let powers = fits.with_inputs.iter().map(|input| {
         let of = |side: usize| -> Map<String, Value> {
             let each = Injury::ALL.iter();
-            each.map(|injury| (injury.key().to_owned(), json!(input.powers[side][*injury as usize])))
-                .collect()
+            each.map(|injury| {
+                (
+                    injury.key().to_owned(),
+                    json!(input.powers[side][*injury as usize]),
+                )
+            })
+            .collect()
         };
         json!({ "input": input.path, "below": of(0), "above": of(1) })
     });

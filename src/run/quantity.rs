@@ -350,19 +350,28 @@ impl Quantity {
             Self::EquatorStretch => Row {
                 leads: Leads::Watched,
                 factor: 1e2,
-                trace: Some(tissue("equator stretch", "equator_stretch_percent", 0, |t| &t.tissue[0])),
+                trace: Some(tissue(
+                    "equator stretch",
+                    "equator_stretch_percent",
+                    0,
+                    |t| &t.tissue[0],
+                )),
                 ..number("equator_stretch_percent", "equator stretch", "equator", "%")
             },
             Self::BackStretch => Row {
                 leads: Leads::Watched,
                 factor: 1e2,
-                trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| &t.tissue[1])),
+                trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| {
+                    &t.tissue[1]
+                })),
                 ..number("back_stretch_percent", "stretch at back", "back", "%")
             },
             Self::EdgeGrowth => Row {
                 leads: Leads::Watched,
                 factor: 1e2,
-                trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| &t.tissue[2])),
+                trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| {
+                    &t.tissue[2]
+                })),
                 ..number("edge_growth_percent", "retina edge growth", "edge", "%")
             },
             Self::LensPull => Row {
@@ -380,7 +389,12 @@ impl Quantity {
             Self::CornealEnergy => Row {
                 leads: Leads::Watched,
                 factor: 1e-3,
-                ..number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
+                ..number(
+                    "corneal_energy_kj_m2",
+                    "energy at cornea",
+                    "cornea",
+                    "kJ/m2",
+                )
             },
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
             Self::RetinaBack => risk("retina_back_percent", "retina at the back", "retina"),

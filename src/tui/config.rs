@@ -5,7 +5,7 @@
 //! reads.
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -322,11 +322,6 @@ mod word_or_auto {
 /// Where the file is looked for, if there is a home for it.
 pub fn path() -> Option<PathBuf> {
     Some(library::home()?.join("config.ron"))
-}
-
-/// Whether there is such a file.
-pub fn is_there(path: &Path) -> bool {
-    path.symlink_metadata().is_ok_and(|m| m.len() > 0)
 }
 
 #[cfg(test)]

@@ -180,7 +180,8 @@ fn ball(speed: f64) -> Scenario {
 fn rod_6() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
     let mut rod = projectile_at("9.25 mm rod", model, (3.5, 9.25, 6.2), 2.0);
-    rod.doubt.insert("impact.mass_g".to_owned(), ROD_MASS_DOUBT_G);
+    rod.doubt
+        .insert("impact.mass_g".to_owned(), ROD_MASS_DOUBT_G);
     flat(rod, 0.5)
 }
 

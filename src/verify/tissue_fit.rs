@@ -47,7 +47,14 @@ pub struct Kind {
 }
 
 const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> Kind {
-    Kind { name, mass_g, diameter_mm, rod, doubt_g: 0.0, foam: false }
+    Kind {
+        name,
+        mass_g,
+        diameter_mm,
+        rod,
+        doubt_g: 0.0,
+        foam: false,
+    }
 }
 
 /// The kinds behind the energy curves.
@@ -69,7 +76,10 @@ pub static KINDS: [Kind; 6] = [
 /// Edge of the rods, in mm.
 const EDGE_MM: f64 = 0.5;
 /// Foam: stress of collapse and modulus.
-const FOAM: Surface = Surface::Inflated { kpa: 500.0, modulus_mpa: 3.0 };
+const FOAM: Surface = Surface::Inflated {
+    kpa: 500.0,
+    modulus_mpa: 3.0,
+};
 /// Blunt metal that began to hurt the retina, and the energy at which it did, J.
 static BLUNT: [Kind; 3] = [
     kind("metal 2.6 g", 2.6, 6.35, true),
@@ -101,7 +111,11 @@ impl Kind {
         if self.foam {
             projectile.surface = FOAM;
         }
-        let model = Physiological { species, support, ..Physiological::default() };
+        let model = Physiological {
+            species,
+            support,
+            ..Physiological::default()
+        };
         Scenario {
             name: self.name.to_owned(),
             model: Model::Physiological(model),
@@ -147,12 +161,42 @@ const ASSUMED: f64 = 0.15;
 /// What each curve is matched to. Spreads are those of a normal curve of log10 of the energy
 /// through the two published risks, of several published curves their mean.
 const MATCHES: [Match; 6] = [
-    Match { injury: Injury::GlobeRupture, half: &[34.2e3, 35.8e3], spread: 0.267, pigs: false },
-    Match { injury: Injury::RetinaBack, half: &[30.351e3], spread: ASSUMED, pigs: true },
-    Match { injury: Injury::RetinaFront, half: &[30.351e3], spread: ASSUMED, pigs: true },
-    Match { injury: Injury::LensDislocation, half: &[19.194e3, 21.7e3], spread: 0.5 * (0.0615 + ASSUMED), pigs: true },
-    Match { injury: Injury::Hyphema, half: &[12.7e3, 20.188e3], spread: 0.5 * (0.1745 + ASSUMED), pigs: true },
-    Match { injury: Injury::CornealAbrasion, half: &[1.503e3], spread: ASSUMED, pigs: false },
+    Match {
+        injury: Injury::GlobeRupture,
+        half: &[34.2e3, 35.8e3],
+        spread: 0.267,
+        pigs: false,
+    },
+    Match {
+        injury: Injury::RetinaBack,
+        half: &[30.351e3],
+        spread: ASSUMED,
+        pigs: true,
+    },
+    Match {
+        injury: Injury::RetinaFront,
+        half: &[30.351e3],
+        spread: ASSUMED,
+        pigs: true,
+    },
+    Match {
+        injury: Injury::LensDislocation,
+        half: &[19.194e3, 21.7e3],
+        spread: 0.5 * (0.0615 + ASSUMED),
+        pigs: true,
+    },
+    Match {
+        injury: Injury::Hyphema,
+        half: &[12.7e3, 20.188e3],
+        spread: 0.5 * (0.1745 + ASSUMED),
+        pigs: true,
+    },
+    Match {
+        injury: Injury::CornealAbrasion,
+        half: &[1.503e3],
+        spread: ASSUMED,
+        pigs: false,
+    },
 ];
 
 /// One kind of object at the published energy.
@@ -219,15 +263,29 @@ struct Runs {
 }
 
 impl Runs {
-    fn done(jobs: Vec<Job>, stop: &AtomicBool, mut progress: impl FnMut(f64) + Send) -> Result<Self, Refusal> {
+    fn done(
+        jobs: Vec<Job>,
+        stop: &AtomicBool,
+        mut progress: impl FnMut(f64) + Send,
+    ) -> Result<Self, Refusal> {
         let mut felt = Vec::new();
         let job = |index: usize| {
-            let Job { kind, speed, species, support, change } = jobs[index];
+            let Job {
+                kind,
+                speed,
+                species,
+                support,
+                change,
+            } = jobs[index];
             let mut scenario = kind.at(speed, species, support);
             if let Some((field, value)) = change.and_then(|(path, v)| Some((find(path)?, v))) {
                 put_number(&mut scenario, field, value);
             }
-            match scenario.check().map_err(Refusal::Scenario).and_then(|checked| single(&checked, None, &mut until(stop))) {
+            match scenario
+                .check()
+                .map_err(Refusal::Scenario)
+                .and_then(|checked| single(&checked, None, &mut until(stop)))
+            {
                 Err(Refusal::Cancelled) => None,
                 Err(_) => Some(None),
                 Ok(answer) => {
@@ -330,7 +388,9 @@ impl Match {
             if let Some(heavier) = kind.heavier() {
                 let each = self.species().iter();
                 jobs.extend(each.flat_map(|species| {
-                    self.half.iter().map(move |half| at(&heavier, *half, *species))
+                    self.half
+                        .iter()
+                        .map(move |half| at(&heavier, *half, *species))
                 }));
             }
         }
@@ -368,9 +428,12 @@ impl Match {
             .collect();
         let logs: Vec<f64> = felt.iter().map(|(_, felt)| *felt).collect();
         let (slope, disagreement) = (mean(&slopes), deviation(&logs));
-        let published = self.half.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), half| {
-            (half.min(low), half.max(high))
-        });
+        let published = self
+            .half
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), half| {
+                (half.min(low), half.max(high))
+            });
         let apart = 0.5 * slope * libm::log10(published.1 / published.0);
         let eyes = self.spread * slope;
         // Masses that are assumed move the mean by their share of it.
@@ -385,13 +448,25 @@ impl Match {
         );
         if injury == Injury::RetinaFront {
             known = EDGE_KNOWN;
-            let onsets: Vec<f64> = BLUNT.iter().filter_map(|kind| runs.of(injury, onset(kind))).collect();
+            let onsets: Vec<f64> = BLUNT
+                .iter()
+                .filter_map(|kind| runs.of(injury, onset(kind)))
+                .collect();
             half = mean(&onsets) - normal::quantile(ONSET_RISK) * libm::hypot(eyes, known);
         }
         let kinds = felt.iter().enumerate().map(|(i, (kind, felt))| {
-            let others: Vec<f64> = logs.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, l)| *l).collect();
+            let others: Vec<f64> = logs
+                .iter()
+                .enumerate()
+                .filter(|(j, _)| *j != i)
+                .map(|(_, l)| *l)
+                .collect();
             let z = (felt - mean(&others)) / libm::hypot(eyes, known);
-            KindFelt { kind, felt: libm::pow(10.0, *felt), told_by_others: normal::below(z) }
+            KindFelt {
+                kind,
+                felt: libm::pow(10.0, *felt),
+                told_by_others: normal::below(z),
+            }
         });
         TissueFit {
             injury,
@@ -427,8 +502,13 @@ fn moved(of: &Match, kind: &Kind, change: (&'static str, f64)) -> Job {
 /// The values one standard deviation below and above the model's own, and that one.
 fn sides(path: &str) -> Option<([f64; 2], f64)> {
     let scenario = KINDS[0].at(1.0, Species::Human, Support::Gelatin);
-    let input = inputs(&scenario).into_iter().find(|input| input.field.path == path)?;
-    Some(([-1.0, 1.0].map(|side| input.value(normal::below(side))), input.nominal))
+    let input = inputs(&scenario)
+        .into_iter()
+        .find(|input| input.field.path == path)?;
+    Some((
+        [-1.0, 1.0].map(|side| input.value(normal::below(side))),
+        input.nominal,
+    ))
 }
 
 fn with_input(path: &'static str, runs: &Runs) -> Option<WithInput> {
@@ -460,7 +540,9 @@ pub fn fit_tissues(
     let paths = WITH_CURVES.iter().map(|(path, _)| *path);
     let with_inputs = paths.clone().flat_map(|path| {
         let values = sides(path).map_or([f64::NAN; 2], |(values, _)| values);
-        let of = MATCHES.iter().flat_map(|of| of.kinds().map(move |kind| (of, kind)));
+        let of = MATCHES
+            .iter()
+            .flat_map(|of| of.kinds().map(move |kind| (of, kind)));
         let jobs = of.flat_map(move |(of, kind)| values.map(|v| moved(of, kind, (path, v))));
         jobs.collect::<Vec<_>>()
     });
@@ -472,7 +554,8 @@ pub fn fit_tissues(
     }
     let runs = Runs::done(jobs, stop, progress)?;
     let felt = |injury: Injury, speed: f64| {
-        runs.of(injury, bb(speed)).map_or(f64::NAN, |log| libm::pow(10.0, log))
+        runs.of(injury, bb(speed))
+            .map_or(f64::NAN, |log| libm::pow(10.0, log))
     };
     Ok(TissueFits {
         injuries: MATCHES.iter().map(|of| of.fit(&runs)).collect(),

@@ -67,8 +67,8 @@ const WIRE: [&str; 5] = [
 pub static FIGURES: &[Figures] = &[
     Figures {
         name: "run",
-        command: "contrecoup run presets/paper-300n.ron --mesh-error",
-        form: Form::Of("contrecoup run presets/paper-300n.ron --mesh-error"),
+        command: "contrecoup run presets/paper-300n.ron",
+        form: Form::Of("contrecoup run presets/paper-300n.ron"),
         excerpt: |text| before(text, "\nSolved"),
     },
     Figures {
@@ -93,6 +93,12 @@ pub static FIGURES: &[Figures] = &[
         name: "object-coverage",
         command: "contrecoup verify objects",
         form: Form::Rows(|| vec!["result ", "damage index ", "rebound speed ", "scene "]),
+        excerpt: str::to_owned,
+    },
+    Figures {
+        name: "injury-fit",
+        command: "contrecoup verify fit",
+        form: Form::Rows(|| vec!["globe rupture ", "hyphema ", "  BB 4.5 mm ", "  foam 12.4 mm "]),
         excerpt: str::to_owned,
     },
     Figures {

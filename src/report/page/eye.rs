@@ -10,10 +10,10 @@ use maud::{Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
 use crate::answer::solve::Answer;
-use crate::report::risks::lines;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::content::{FRAMES, spacing};
+use crate::report::risks::lines;
 use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;

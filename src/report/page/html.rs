@@ -6,7 +6,6 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
 use crate::injury::SIGNS;
-use crate::report::risks::{first_line, lines};
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
@@ -16,6 +15,7 @@ use crate::report::limit;
 use crate::report::page::charts;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
+use crate::report::risks::{first_line, lines};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
 use crate::scenario::load::to_ron;

@@ -3,13 +3,13 @@
 use std::io::{self, Write};
 
 use crate::injury::SIGNS;
-use crate::report::risks::lines;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::{Table, escaped};
 use crate::report::figure::{SCALE, unusable};
 use crate::report::limit;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
+use crate::report::risks::lines;
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.

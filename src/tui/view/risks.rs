@@ -78,10 +78,10 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     longest_fitting(&texts, room).to_owned()
 }
 
-/// Columns of an injury's name and a word of it; where the range and the most likely risk end.
+/// Columns of an injury's name and a word of it; where the range and the risk end.
 const NAME: u16 = 21;
 const RANGE: u16 = 61;
-const LIKELY: u16 = 73;
+const ABOUT: u16 = 73;
 /// The fewest columns of a bar.
 const SHORTEST: u16 = 12;
 
@@ -98,14 +98,14 @@ pub fn rows(
         .chain(counting(model, answer));
     let heading = parts.collect::<Vec<_>>().join(", ");
     put(buffer, area, (1, 0), &heading, theme.heading());
-    let in_columns = area.width > LIKELY;
+    let in_columns = area.width > ABOUT;
     let bar = Rect {
-        x: area.x + LIKELY + 2,
-        width: area.width.saturating_sub(LIKELY + 3),
+        x: area.x + ABOUT + 2,
+        width: area.width.saturating_sub(ABOUT + 3),
         ..area
     };
     if in_columns {
-        put_right(buffer, area, (LIKELY, 0), "most likely", theme.quiet());
+        put_right(buffer, area, (ABOUT, 0), "about", theme.quiet());
     }
     if bar.width >= SHORTEST {
         put(buffer, bar, (0, 0), "0", theme.quiet());
@@ -123,7 +123,7 @@ pub fn rows(
             put(buffer, area, (1, y), risk.injury.name(), here);
             put(buffer, area, (NAME, y), &risk.word(), style);
             put_right(buffer, area, (RANGE, y), &risk.percent(), style);
-            put_right(buffer, area, (LIKELY, y), &whole(risk.risk), theme.text());
+            put_right(buffer, area, (ABOUT, y), &whole(risk.risk), theme.text());
         } else {
             let said = longest(risk, usize::from(area.width - 2));
             let name = said.split(':').next().map_or(0, width);
@@ -140,7 +140,7 @@ pub fn rows(
     }
 }
 
-/// The range of a risk from 0 to 100 %, and the most likely.
+/// The range of a risk from 0 to 100 %, and the risk itself.
 fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let column = |share: f64| (share * f64::from(area.width - 1)).round() as u16;
     let (low, high) = (column(risk.range.0), column(risk.range.1));

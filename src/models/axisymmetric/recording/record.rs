@@ -57,7 +57,8 @@ impl<C: Cells> Motion<'_, C> {
         if let Some((object, projectile)) = &self.object {
             let kept = projectile.kinetic(0.0) + projectile.stored() + self.energy.lost_in_object;
             let between = now.touch.map_or(0.0, |touch| touch.energy);
-            e.energy_given.offer(self.energy_before - kept - between, time);
+            e.energy_given
+                .offer(self.energy_before - kept - between, time);
             let touched = -self.eye.parameters.radius - object.reach();
             e.intrusion.offer(projectile.x[0] - touched, time);
         }

@@ -204,7 +204,10 @@ mod tests {
                 let (sin, cos) = angle.to_radians().sin_cos();
                 let held = distance((-radius * cos, radius * sin), LENS_EQUATOR);
                 // Between two nodes the shell is straight, not round.
-                assert!((pull / (0.05 * held) - 1.0).abs() < 0.02, "{level}: {grown:?}");
+                assert!(
+                    (pull / (0.05 * held) - 1.0).abs() < 0.02,
+                    "{level}: {grown:?}"
+                );
             }
         }
     }

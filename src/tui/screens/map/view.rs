@@ -298,15 +298,18 @@ fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
         };
         let row = quantity.row();
         // A map has no ranges: they take more runs than one.
-        let likely = if row.risk { "most likely " } else { "" };
-        let about = if reading.exact { "" } else { "about " };
+        let about = if reading.exact && !row.risk {
+            ""
+        } else {
+            "about "
+        };
         let folded = if reading.folded {
             ", but the mesh folded"
         } else {
             ""
         };
         let value = with_unit(&within(value, Some(MAPPED)), row.unit);
-        format!("{} {likely}{about}{value}{folded}", row.label)
+        format!("{} {about}{value}{folded}", row.label)
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
     format!("X {}, {}: {value}", part(x, a), part(y, b))
