@@ -85,31 +85,23 @@ impl TaskQuestion for Complete {
         watch: Watch,
         show: &mut dyn FnMut(Completion),
     ) -> Result<Completion, Refusal> {
-        let mut first = |share: f64| watch(0.5 * share);
-        let mesh = self
-            .mesh
-            .map(|mesh| mesh.estimate(&self.scenario, &mut first));
-        let mesh = match mesh {
+        let (scenario, mut first) = (&self.scenario, |share: f64| watch(0.5 * share));
+        let mesh = match self.mesh.map(|mesh| mesh.estimate(scenario, &mut first)) {
             Some(Err(Refusal::Cancelled)) => return Err(Refusal::Cancelled),
             mesh => mesh.and_then(Result::ok),
         };
-        let inputs = None;
-        show(Completion {
-            mesh: mesh.clone(),
-            inputs,
-        });
+        let mut parts = Completion { mesh, inputs: None };
+        show(parts.clone());
         let mut second = |share: f64| watch(0.5 + 0.5 * share);
         let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
             let told = |share| {
                 // `stop` tells it to end.
                 let _ = progress.report(share, || ());
             };
-            idle::pool().install(|| self.inputs.estimate(&self.scenario, stop, told))
-        })?;
-        Ok(Completion {
-            mesh,
-            inputs: Some(inputs),
-        })
+            idle::pool().install(|| self.inputs.estimate(scenario, stop, told))
+        });
+        parts.inputs = Some(inputs?);
+        Ok(parts)
     }
 
     fn is_idle(&self) -> bool {

@@ -197,6 +197,22 @@ fn a_projectile_has_a_force_of_contact_where_a_pulse_has_its_load() {
 }
 
 #[test]
+fn what_the_tissues_feel_is_seen_over_time() {
+    let mut app = app(&["bb-56"], Depth::Mono);
+    press(&mut app, "\x1b3");
+    let mut seen = String::new();
+    for _ in 0..20 {
+        press(&mut app, "v");
+        seen += &picture(&app, (120, 40));
+    }
+    for injury in Injury::ALL {
+        if let Some(trace) = injury.measure().row().trace {
+            assert!(seen.contains(&format!("{}, ", trace.label)), "{injury:?}");
+        }
+    }
+}
+
+#[test]
 fn curves_that_no_answer_has_are_not_offered() {
     let mut app = app(&["paper-300n", "wide-area"], Depth::Mono);
     press(&mut app, "\x1b4");

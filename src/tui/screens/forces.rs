@@ -129,7 +129,7 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
     bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "the cursor far to the right"),
     bind(&[c('i')], |s, _| s.zoom = s.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
     bind(&[c('o')], |s, _| s.zoom = s.zoom.farther(), "&", "twice of the time shown, up to the whole"),
-    bind(&[c('v')], |s, m| s.next_view(m), "view", "all four forces, one of them, growth, energies"),
+    bind(&[c('v')], |s, m| s.next_view(m), "view", "all four forces, one of them, growth, energies, tissues"),
 ]);
 
 impl Screen for Forces {
@@ -177,11 +177,9 @@ fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         text.extend(["  ", &peak]);
     }
     let end = put(buffer, area, (0, 0), &text, theme.strong());
-    let said = model.stale().unwrap_or(model.material());
-    let style = if model.stale().is_some() {
-        theme.warning()
-    } else {
-        theme.quiet()
+    let (said, style) = match model.stale() {
+        Some(why) => (why, theme.warning()),
+        None => (model.material(), theme.quiet()),
     };
     if end + (said.len() as u16) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, 0), said, style);

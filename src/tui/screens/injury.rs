@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::answer::solve::Answer;
 use crate::injury::Injury;
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::capital;
@@ -16,7 +15,9 @@ use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
 use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
-use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::text::{
+    flag_lines, put, put_lines, put_right, whole_sentences, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
@@ -102,7 +103,8 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         basis[0] = format!("matched to {}", risk.injury.curve().matched);
     }
     sentences.append(&mut basis);
-    let said = explained(&sentences, room, foot.height.saturating_sub(1).into());
+    let sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
+    let said = whole_sentences(&sentences, room, foot.height.saturating_sub(1).into());
     put_lines(buffer, foot, (1, 1), &said, theme.text());
 }
 
@@ -127,34 +129,7 @@ fn above(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer)
     if end + width(right) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, last), right, style);
     }
-    let flags = flags(&shown.answer, room);
+    let flags = flag_lines(&shown.answer.flags, room, 2);
     put_lines(buffer, area, (1, last + 1), &flags, theme.warning());
     last + 1 + flags.len() as u16
-}
-
-/// The names of the flags of the answer, which the risks rest on, in two lines at most.
-fn flags(answer: &Answer, room: usize) -> Vec<String> {
-    let names: Vec<String> = answer.flags.iter().map(|f| flag_name(f.kind)).collect();
-    if names.is_empty() {
-        return Vec::new();
-    }
-    let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
-    if lines.len() > 2 {
-        lines = vec![fitted(&lines.join(" "), room)];
-    }
-    lines
-}
-
-/// As many whole sentences as so many rows hold, the first at least.
-fn explained(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
-    let some = |count: usize| {
-        let said = sentences[..count]
-            .iter()
-            .map(|text| format!("{}.", capital(text)));
-        wrapped(&said.collect::<Vec<_>>().join(" "), room)
-    };
-    let mut fitting = (1..=sentences.len()).rev().map(some);
-    fitting
-        .find(|lines| lines.len() <= rows)
-        .unwrap_or_else(|| some(1))
 }

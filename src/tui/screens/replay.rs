@@ -26,7 +26,7 @@ use crate::tui::view::chart::{TimeCurve, value_at};
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{put, put_right, width, wrapped};
+use crate::tui::view::text::{longest_fitting, put, put_right, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room at the right for legend and readings.
@@ -203,14 +203,10 @@ fn legend(
     }
     if let Some(least) = steps.first() {
         // What is colder has the colour of its part.
-        let texts = [
-            format!("<{least}{unit}: by part"),
-            format!("<{least}{unit}"),
-        ];
-        let fits = |text: &&String| x + width(text) <= area.width;
-        if let Some(text) = texts.iter().find(fits) {
-            put(buffer, area, (x, *y), text, theme.quiet());
-        }
+        let short = format!("<{least}{unit}");
+        let texts = [format!("{short}: by part"), short, String::new()];
+        let text = longest_fitting(&texts, area.width.saturating_sub(x));
+        put(buffer, area, (x, *y), text, theme.quiet());
     }
     *y += 1;
     let parts = [

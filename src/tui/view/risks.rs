@@ -12,7 +12,8 @@ use crate::report::figure::{Figure, with_unit};
 use crate::report::format::significant;
 use crate::report::risks::uncounted;
 use crate::tui::model::AppModel;
-use crate::tui::view::text::{fitted, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::below;
+use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// What [`SIGNS`] comes to where room is short, and where it is shortest.
@@ -27,22 +28,17 @@ pub const SIGN_ROWS: u16 = 2;
 pub fn signs(room: u16) -> Vec<String> {
     let [short, shortest] = SHORT_SIGNS;
     let texts = [SIGNS, short].map(|text| wrapped(text, room.into()));
-    let mut fitting = texts
-        .into_iter()
-        .filter(|lines| lines.len() <= SIGN_ROWS.into());
-    fitting
-        .next()
-        .unwrap_or_else(|| wrapped(shortest, room.into()))
+    let fits = |lines: &Vec<String>| lines.len() <= SIGN_ROWS.into();
+    let long = texts.into_iter().find(fits);
+    long.unwrap_or_else(|| wrapped(shortest, room.into()))
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.
 pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
     let missing = uncounted(answer)?;
     let comes = model.idle && answer.inputs.is_none();
-    Some(format!(
-        "{} {missing}",
-        if comes { "still counting:" } else { "without" }
-    ))
+    let how = if comes { "still counting:" } else { "without" };
+    Some(format!("{how} {missing}"))
 }
 
 /// An injury and what is said of it, in the longest words that there is room for.
@@ -64,11 +60,7 @@ pub fn longest(risk: &Risk, room: usize) -> String {
         format!("{name}: {percent}{others}"),
         format!("{word}: {percent}{others}"),
     ]);
-    let last = fitted(&texts[texts.len() - 1], room);
-    let mut fitting = texts
-        .into_iter()
-        .filter(|text| usize::from(width(text)) <= room);
-    fitting.next().unwrap_or(last)
+    fitted(longest_fitting(&texts, room as u16), room)
 }
 
 /// What the tissue felt, where 50 % lies, and the BB that it would feel as much of.
@@ -77,17 +69,13 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
     let half = significant(risk.injury.curve().half * row.factor);
+    let whole = with_unit(&half, row.unit);
     let texts = [
-        format!(
-            "{} {felt}, 50 % at {}; like {like}",
-            row.label,
-            with_unit(&half, row.unit)
-        ),
+        format!("{} {felt}, 50 % at {whole}; like {like}", row.label),
         format!("{} {felt}, 50 % at {half}; like {like}", row.label),
         format!("{felt}, 50 % at {half}; like {like}"),
     ];
-    let mut fitting = texts.iter().filter(|text| width(text) <= room);
-    fitting.next().unwrap_or(&texts[2]).clone()
+    longest_fitting(&texts, room).to_owned()
 }
 
 /// Columns of an injury's name and a word of it; where the range and the risk end.
@@ -105,15 +93,11 @@ pub fn rows(
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
-    let missing = counting(model, answer);
-    let missing = missing.map_or_else(String::new, |missing| format!(", {missing}"));
-    put(
-        buffer,
-        area,
-        (1, 0),
-        &format!("80 % ranges{missing}"),
-        theme.heading(),
-    );
+    let parts = ["80 % ranges".to_owned()]
+        .into_iter()
+        .chain(counting(model, answer));
+    let heading = parts.collect::<Vec<_>>().join(", ");
+    put(buffer, area, (1, 0), &heading, theme.heading());
     let in_columns = area.width > ABOUT;
     let bar = Rect {
         x: area.x + ABOUT + 2,
@@ -130,11 +114,11 @@ pub fn rows(
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
         let style = theme.risk(risk);
-        let here = if chosen == Some(i) {
-            theme.focus()
-        } else {
-            theme.text()
+        let (sign, here) = match chosen {
+            Some(at) if at == i => ("▸", theme.focus()),
+            _ => (" ", theme.text()),
         };
+        put(buffer, area, (0, y), sign, theme.strong());
         if in_columns {
             put(buffer, area, (1, y), risk.injury.name(), here);
             put(buffer, area, (NAME, y), &risk.word(), style);
@@ -147,19 +131,7 @@ pub fn rows(
             put(buffer, area, (1, y), &said[..name.into()], here);
         }
         if bar.width >= SHORTEST {
-            draw_bar(
-                risk,
-                theme,
-                Rect {
-                    y: bar.y + y,
-                    height: 1,
-                    ..bar
-                },
-                buffer,
-            );
-        }
-        if chosen == Some(i) {
-            put(buffer, area, (0, y), "▸", theme.strong());
+            draw_bar(risk, theme, below(bar, y), buffer);
         }
         if each > 1 {
             let felt = felt(answer, risk, area.width - 4);

@@ -7,7 +7,7 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
 use crate::report::format::{self, digits};
-use crate::run::flags::FlagKind;
+use crate::run::flags::{Flag, FlagKind};
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {
@@ -53,16 +53,9 @@ pub fn put_right(
 /// Writes the first heading that there is room for at the left of the first row, or else the last
 /// one, and, cut to the room that is left, a text at its right.
 pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&[&str], Style), right: (&str, Style)) {
-    let fits = |text: &&&str| width(text) + width(right.0) + 4 <= area.width;
-    let (headings, style) = left;
-    let heading = headings.iter().find(fits).or(headings.last());
-    let end = put(
-        buffer,
-        area,
-        (1, 0),
-        heading.copied().unwrap_or_default(),
-        style,
-    );
+    let beside = area.width.saturating_sub(width(right.0) + 4);
+    let heading = longest_fitting(left.0, beside);
+    let end = put(buffer, area, (1, 0), heading, left.1);
     let room = usize::from(area.width.saturating_sub(end + 3));
     let text = fitted(right.0, room);
     put_right(buffer, area, (area.width - 1, 0), &text, right.1);
@@ -94,6 +87,22 @@ pub fn wrapped(text: &str, room: usize) -> Vec<String> {
     lines.iter().map(|line| fitted(line, room)).collect()
 }
 
+/// The first of some texts that fits, or else the last.
+pub fn longest_fitting<T: AsRef<str>>(texts: &[T], room: u16) -> &str {
+    let mut texts = texts.iter().map(AsRef::as_ref);
+    let fits = |text: &&str| width(text) <= room;
+    texts.clone().find(fits).or(texts.next_back()).unwrap_or("")
+}
+
+/// As many whole sentences as so many rows hold, the first at least.
+pub fn whole_sentences(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
+    let some = |count: usize| wrapped(&sentences[..count].join(" "), room);
+    let mut fitting = (1..=sentences.len()).rev().map(some);
+    fitting
+        .find(|lines| lines.len() <= rows)
+        .unwrap_or_else(|| some(1))
+}
+
 /// Parts in as few lines as fit, none of them broken.
 pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
@@ -120,6 +129,20 @@ pub fn numeral(value: f64, room: u16) -> String {
 /// A flag's name in words.
 pub fn flag_name(kind: FlagKind) -> String {
     kind.name().replace('_', " ")
+}
+
+/// The names of flags in so many rows at most; none where there are none.
+pub fn flag_lines(flags: &[Flag], room: usize, rows: usize) -> Vec<String> {
+    if flags.is_empty() {
+        return Vec::new();
+    }
+    let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
+    let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
+    if lines.len() > rows {
+        let rest = lines.split_off(rows.saturating_sub(1)).join(" ");
+        lines.push(fitted(&rest, room));
+    }
+    lines
 }
 
 /// Which of the rows of a list are seen, with a mark at each end that goes on; nothing if all are.

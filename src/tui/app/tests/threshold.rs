@@ -121,15 +121,8 @@ fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
 fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
     let mut app = bb();
     letter(&mut app, 't');
-    let mut asked_for = std::collections::HashSet::new();
-    for _ in 0..Quantity::ALL.len() {
-        asked_for.insert(asking(&app).quantity);
-        key(&mut app, KeyCode::Down);
-    }
     for injury in Injury::ALL {
-        assert!(asked_for.contains(&injury.result()), "{injury:?}");
-    }
-    while asking(&app).quantity != Quantity::GlobeRupture {
+        assert_eq!(asking(&app).quantity, injury.result());
         key(&mut app, KeyCode::Down);
     }
     let effects = key(&mut app, KeyCode::Enter);

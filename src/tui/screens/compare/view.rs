@@ -10,7 +10,9 @@ use crate::report::risks::first_line;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
 use crate::tui::view::risks::longest;
-use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::text::{
+    fitted, flag_name, longest_fitting, put, put_lines, put_right, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
@@ -83,11 +85,8 @@ pub(super) fn heading(
 ) {
     let theme = Theme::of(model.look);
     for (i, (x, name)) in headings().enumerate() {
-        let style = if i == compare.pane {
-            theme.focus()
-        } else {
-            theme.text()
-        };
+        let here = i == compare.pane;
+        let style = if here { theme.focus() } else { theme.text() };
         put(buffer, area, (x, 0), &name, style);
     }
     let said = progress(compare);
@@ -214,11 +213,8 @@ fn table(
             Some((by, false)) if by == column => "▴",
             _ => "",
         };
-        let style = if focused && column == compare.here() {
-            theme.focus()
-        } else {
-            theme.heading()
-        };
+        let here = focused && column == compare.here();
+        let style = if here { theme.focus() } else { theme.heading() };
         let text = format!("{sign}{name}");
         if column == ComparisonColumn::Name {
             put(buffer, area, (1, 0), &text, style);
@@ -285,19 +281,11 @@ fn row(
         put_right(buffer, area, (right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
-        let names: Vec<String> = answer
-            .flags
-            .iter()
-            .map(|flag| flag_name(flag.kind))
-            .collect();
-        let count = format!("{} flags", names.len());
-        let names = names.join(", ");
-        let text = if width(&names) as usize <= room {
-            names
-        } else {
-            count
-        };
-        put(buffer, area, (3, 1), &text, theme.warning());
+        let flags = answer.flags.iter().map(|flag| flag_name(flag.kind));
+        let names = flags.collect::<Vec<_>>().join(", ");
+        let texts = [names, format!("{} flags", answer.flags.len())];
+        let text = longest_fitting(&texts, room as u16);
+        put(buffer, area, (3, 1), text, theme.warning());
     }
     put(
         buffer,

@@ -19,9 +19,11 @@ use crate::report::risks::range;
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::AppModel;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::task::Job;
 use crate::tui::view::text::{
-    fitted, numeral, put, put_both, put_lines, put_right, seen, width, wrapped,
+    fitted, longest_fitting, numeral, put, put_both, put_lines, put_right, seen, whole_sentences,
+    wrapped,
 };
 use crate::tui::view::theme::Theme;
 
@@ -64,40 +66,32 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         put_lines(buffer, area, (1, 2), lines, theme.text());
         return;
     };
-    let answered = model
-        .shown
-        .as_ref()
-        .filter(|s| s.scenario == model.work.scenario);
-    let answer = answered.map(|shown| shown.answer.as_ref());
+    let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
+    let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
     let results = listed(ensemble);
     let chosen = row.min(results.len().saturating_sub(1));
     heading(area, theme, buffer);
-    let notes = Notes::of(ensemble, answer, usize::from(area.width - 2));
-    let least = notes
-        .brief
-        .len()
-        .min(usize::from(NOTES.max(area.height / 6)));
+    let room = usize::from(area.width - 2);
+    let notes = notes(ensemble, answer);
+    // The step error alone is said only where there is room.
+    let needed = &notes[..notes.len().max(2) - 1];
+    let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
     // The results scroll where the notes and what drives the chosen one would find no room.
     let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
     let shown = results.len().min(free);
     let first = (chosen + 1).saturating_sub(shown);
     for (row, of) in results.iter().skip(first).take(shown).enumerate() {
         let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
-        result(
-            (ensemble, answer),
-            *of,
-            first + row == chosen,
-            theme,
-            line,
-            buffer,
-        );
+        let of = (*of, first + row == chosen);
+        result((ensemble, answer), of, theme, line, buffer);
     }
     let text = seen(first, shown, results.len());
     put(buffer, area, (1, 1), &text, theme.quiet());
     let gap = u16::from(shown < free);
     let top = 2 + shown as u16 + gap;
     let below = area.height.saturating_sub(top);
-    let notes = notes.within(usize::from(below.saturating_sub(DRIVERS)).max(least));
+    let rows = usize::from(below.saturating_sub(DRIVERS)).max(least);
+    let notes = whole_sentences(&notes, room, rows);
     let kept = notes.len() as u16;
     if let Some(of) = results.get(chosen) {
         let height = below.saturating_sub(kept);
@@ -142,11 +136,8 @@ fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
                 doubt in the inputs: type 300 +- 20 into a field to add some.";
     let each = model.shown.as_ref().map(|shown| {
-        let seconds = shown.answer.solve_time.as_secs_f64();
-        format!(
-            " One sample takes about as long as the blow itself: {} s.",
-            digits(seconds, 1)
-        )
+        let seconds = digits(shown.answer.solve_time.as_secs_f64(), 1);
+        format!(" One sample takes about as long as the blow itself: {seconds} s.")
     });
     let share = FIRST as f64 / f64::from(job.question.count);
     let until = job.pace.and_then(|pace| pace.until(share));
@@ -180,17 +171,14 @@ fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
         put_right(buffer, area, (right, 1), word, theme.quiet());
     }
-    let texts = ["◆ as it stands   answer", "answer"];
-    let fits = |text: &&&str| LABEL + 3 + 3 * NUMBER + width(text) < area.width;
-    if let Some(text) = texts.iter().find(fits) {
-        put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
-    }
+    let room = area.width - LABEL - 4 - 3 * NUMBER;
+    let text = longest_fitting(&["◆ as it stands   answer", "answer"], room);
+    put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
 }
 
 fn result(
     (ensemble, answer): (&Ensemble, Option<&Answer>),
-    of: Quantity,
-    chosen: bool,
+    (of, chosen): (Quantity, bool),
     theme: Theme,
     area: Rect,
     buffer: &mut Buffer,
@@ -198,17 +186,17 @@ fn result(
     let Some((band, _)) = shown_band(ensemble, answer, of) else {
         return;
     };
-    let (sign, style) = if chosen {
-        ("▸", theme.strong())
-    } else {
-        (" ", theme.text())
-    };
+    let style = if chosen { theme.strong() } else { theme.text() };
+    let sign = if chosen { "▸" } else { " " };
     put(buffer, area, (0, 0), sign, theme.strong());
-    let name = fitted(
-        &format!("{} {}", of.label(), of.row().unit),
-        usize::from(LABEL + 1),
+    let name = format!("{} {}", of.label(), of.row().unit);
+    put(
+        buffer,
+        area,
+        (1, 0),
+        &fitted(&name, usize::from(LABEL + 1)),
+        style,
     );
-    put(buffer, area, (1, 0), &name, style);
     for (i, value) in [band.low, band.median, band.high].into_iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
         let text = if of.is_risk() {
@@ -217,22 +205,13 @@ fn result(
             allowing(value, Some(0.1 * (band.high - band.low)))
         };
         // One column is kept free, so that numbers do not touch.
-        let fits = width(&text) < NUMBER;
-        let text = if fits {
-            text
-        } else {
-            numeral(value, NUMBER - 1)
-        };
-        put_right(buffer, area, (right, 0), &text, style);
+        let texts = [text, numeral(value, NUMBER - 1)];
+        let text = longest_fitting(&texts, NUMBER - 1);
+        put_right(buffer, area, (right, 0), text, style);
     }
-    let range = answer.and_then(|answer| range(answer, of));
-    put_right(
-        buffer,
-        area,
-        (area.width - 1, 0),
-        &range.unwrap_or_default(),
-        theme.text(),
-    );
+    if let Some(range) = answer.and_then(|answer| range(answer, of)) {
+        put_right(buffer, area, (area.width - 1, 0), &range, theme.text());
+    }
     let left = LABEL + 4 + 3 * NUMBER;
     if left + OWN + 8 < area.width {
         let field = Rect::new(area.x + left, area.y, area.width - left - OWN - 1, 1);
@@ -277,10 +256,8 @@ fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buff
             format!("the strongest {rows} of {all}"),
             format!("{rows} of {all}"),
         ];
-        let fits = |text: &&String| end + 2 + width(text) < area.width;
-        if let Some(text) = texts.iter().find(fits) {
-            put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
-        }
+        let text = longest_fitting(&texts, area.width - end - 3);
+        put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
     }
     if ensemble.inputs.is_empty() {
         let text = "nothing was drawn: every input is held to be known";
@@ -293,11 +270,8 @@ fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buff
     let middle = LABEL + 9 + half;
     for (row, (input, correlation)) in (1..).zip(ensemble.drivers(result).into_iter().take(rows)) {
         let of = &ensemble.inputs[input];
-        let style = if of.source.is_none() {
-            theme.strong()
-        } else {
-            theme.text()
-        };
+        let own = of.source.is_none();
+        let style = if own { theme.strong() } else { theme.text() };
         put(
             buffer,
             area,
@@ -325,70 +299,41 @@ fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buff
     }
 }
 
-/// How samples were counted, and how exact they are.
-struct Notes {
-    /// What the bands hold, and the flags.
-    brief: Vec<String>,
-    /// The step error as well.
-    whole: Vec<String>,
-}
-
-impl Notes {
-    fn of(ensemble: &Ensemble, answer: Option<&Answer>, room: usize) -> Self {
-        let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
-        // The star is that of the band on the main screen.
-        let star = if is_whole(ensemble) { "" } else { "* " };
-        let asked = if ensemble.stopped() {
-            format!(" done ({} asked for)", ensemble.asked)
-        } else {
-            String::new()
-        };
-        let mut text = format!(
-            "{star}Bands of {valid} of {done} samples{asked}, {}",
-            ensemble.which()
-        );
-        let counts: Vec<String> = ensemble
-            .counts()
-            .into_iter()
-            .map(|(name, count)| format!("{count} {}", name.replace('_', " ")))
-            .collect();
-        if !counts.is_empty() {
-            text.extend([" Flags: ", &counts.join(", "), "."]);
-        }
-        let wider = |injury: &&Injury| {
-            let shown = shown_band(ensemble, answer, injury.result());
-            shown.is_some_and(|(_, wider)| wider)
-        };
-        let wider: Vec<&str> = Injury::ALL.iter().filter(wider).map(|i| i.word()).collect();
-        if !wider.is_empty() {
-            text.extend([" Wider than the answer, so shown: ", &wider.join(", "), "."]);
-        }
-        let brief = wrapped(&text, room);
-        let checks = ensemble.checks();
+/// What the bands hold, in sentences, and how exact they are; the most needed first.
+fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
+    let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
+    // The star is that of the band on the main screen.
+    let star = if is_whole(ensemble) { "" } else { "* " };
+    let asked = if ensemble.stopped() {
+        format!(" done ({} asked for)", ensemble.asked)
+    } else {
+        String::new()
+    };
+    let which = ensemble.which();
+    let mut said = vec![format!(
+        "{star}Bands of {valid} of {done} samples{asked}, {which}"
+    )];
+    let counts = ensemble.counts().into_iter();
+    let counts: Vec<String> = counts
+        .map(|(name, count)| format!("{count} {}", name.replace('_', " ")))
+        .collect();
+    if !counts.is_empty() {
+        said.push(format!("Flags: {}.", counts.join(", ")));
+    }
+    let wider = |injury: &&Injury| {
+        shown_band(ensemble, answer, injury.result()).is_some_and(|(_, wider)| wider)
+    };
+    let wider: Vec<&str> = Injury::ALL.iter().filter(wider).map(|i| i.word()).collect();
+    if !wider.is_empty() {
+        said.push(format!(
+            "Wider than the answer, so shown: {}.",
+            wider.join(", ")
+        ));
+    }
+    let checks = ensemble.checks();
+    if checks.count > 0 {
         let (error, count) = (percent(checks.last), checks.count);
-        let compared = match count {
-            0 => String::new(),
-            _ => format!(" Step error up to {error} in {count} compared."),
-        };
-        let text = text + &compared;
-        Self {
-            brief,
-            whole: wrapped(&text, room),
-        }
+        said.push(format!("Step error up to {error} in {count} compared."));
     }
-
-    /// As much as so many rows hold, with a mark where something is left out.
-    fn within(self, rows: usize) -> Vec<String> {
-        if self.whole.len() <= rows {
-            return self.whole;
-        }
-        let mut lines = self.brief;
-        if lines.len() > rows {
-            lines.truncate(rows);
-            if let Some(line) = lines.last_mut() {
-                line.push('…');
-            }
-        }
-        lines
-    }
+    said
 }

@@ -14,8 +14,11 @@ use crate::run::flags::Flag;
 use crate::run::quantity::Quantity;
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
+use crate::tui::view::below as rest;
 use crate::tui::view::risks::{SIGN_ROWS, counting, longest, signs};
-use crate::tui::view::text::{fitted, flag_name, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::text::{
+    fitted, flag_lines, flag_name, longest_fitting, put, put_lines, put_right, width, wrapped,
+};
 use crate::tui::view::theme::Theme;
 
 /// What the screen answers.
@@ -65,33 +68,31 @@ const WITH_BELOW: u16 = BLOCK + 1;
 pub fn draw(model: &AppModel, shown: &ShownAnswer, beside: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     heading(model, shown, theme, area, buffer);
-    let mut area = crate::tui::view::below(area, 1);
+    let mut area = rest(area, 1);
     if !beside {
         let said = answers(shown, theme, area.width);
         for (y, (text, style)) in (0..).zip(&said) {
             put(buffer, area, (0, y), text, *style);
         }
-        area = crate::tui::view::below(area, said.len() as u16);
+        area = rest(area, said.len() as u16);
     }
     let whole = area.height > WITH_BELOW;
-    let block = Rect {
-        height: if whole {
-            BLOCK
-        } else {
-            area.height.saturating_sub(1).min(2)
-        },
-        ..area
+    let height = if whole {
+        BLOCK
+    } else {
+        area.height.saturating_sub(1).min(2)
     };
+    let block = Rect { height, ..area };
     match unusable(&shown.answer) {
         Some(why) => raw(shown, &why, theme, block, buffer),
         None => index(shown, theme, block, buffer),
     }
-    let mut rest = crate::tui::view::below(area, block.height);
+    area = rest(area, height);
     if whole {
-        below(model, shown, theme, rest, buffer);
-        rest = crate::tui::view::below(rest, 1);
+        below(model, shown, theme, area, buffer);
+        area = rest(area, 1);
     }
-    flags(shown, theme, rest, buffer);
+    flags(shown, theme, area, buffer);
 }
 
 /// The line above: whether the score is out of date, and what its errors come from, or what the
@@ -106,29 +107,26 @@ fn heading(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buff
     };
     let end = put(buffer, area, (1, 0), &format!(" {text} "), style);
     let answer = &shown.answer;
-    let texts = match (counting(model, answer), &answer.errors.mesh, model.idle) {
-        (Some(text), ..) => {
-            let short = text.replace("the ", "").replace(" and", ",");
-            let shortest = short.replace("still counting: ", "");
-            [text, short, format!("{shortest} to come")]
-        }
-        (None, Some(_), _) => {
-            ["± step and mesh, > for less", "± step and mesh", "±"].map(String::from)
-        }
-        (None, None, true) => ["± step; mesh to come"; 3].map(String::from),
-        (None, None, false) => ["± step; mesh off"; 3].map(String::from),
+    let mut texts = match (&answer.errors.mesh, model.idle) {
+        (Some(_), _) => vec![" ± step and mesh, > for less ", " ± step and mesh ", ""],
+        (None, true) => vec![" ± step; mesh to come ", ""],
+        (None, false) => vec![" ± step; mesh off ", ""],
     };
-    let fits = |text: &&String| end + width(text) + 2 < area.width;
-    if let Some(text) = texts.iter().find(fits) {
-        let style = theme.quiet();
-        put_right(
-            buffer,
-            area,
-            (area.width - 1, 0),
-            &format!(" {text} "),
-            style,
-        );
+    let counting = counting(model, answer).map(|text| {
+        let short = text.replace("the ", "").replace(" and", ",");
+        let shortest = short.replace("still counting: ", "");
+        [
+            format!(" {text} "),
+            format!(" {short} "),
+            format!(" {shortest} to come "),
+            String::new(),
+        ]
+    });
+    if let Some(counting) = &counting {
+        texts = counting.iter().map(String::as_str).collect();
     }
+    let text = longest_fitting(&texts, area.width.saturating_sub(end + 1));
+    put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
 }
 
 /// The index with its gauge, and its parts.
@@ -140,9 +138,7 @@ fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, (0, 0), "Index", theme.heading());
         let end = put(buffer, area, (6, 0), &figure.to_string(), theme.strong());
         let texts = [format!(" ({SCALE})"), " (100 = worst)".to_owned()];
-        let room = area.width.saturating_sub(end);
-        let text = texts.iter().find(|text| width(text) + SHORTEST < room);
-        let text = text.unwrap_or(&texts[1]);
+        let text = longest_fitting(&texts, area.width.saturating_sub(end + SHORTEST + 1));
         let end = put(buffer, area, (end, 0), text, theme.quiet()) + 1;
         let gauge = Rect::new(area.x + end, area.y, area.width.saturating_sub(end), 1);
         let share = damage / 100.0;
@@ -193,8 +189,7 @@ fn raw(shown: &ShownAnswer, why: &str, theme: Theme, area: Rect, buffer: &mut Bu
         format!("raw: index {index}, {long}"),
         format!("raw {index}: {short}"),
     ];
-    let fits = |text: &&String| width(text) <= area.width;
-    let text = texts.iter().find(fits).unwrap_or(&texts[1]);
+    let text = longest_fitting(&texts, area.width);
     put(buffer, area, (0, said.len() as u16), text, theme.quiet());
 }
 
@@ -224,8 +219,7 @@ fn below(model: &AppModel, shown: &ShownAnswer, theme: Theme, area: Rect, buffer
     let bands = bands(model, shown);
     let apex = Figure::of(&shown.answer, Quantity::Apex);
     let apex = apex.map_or_else(String::new, |apex| format!("apex {apex}"));
-    let text = bands.iter().find(|text| width(text) <= area.width);
-    let text = text.or(bands.last()).map_or("", String::as_str);
+    let text = longest_fitting(&bands, area.width);
     let end = put(buffer, area, (0, 0), text, theme.text());
     if end + width(&apex) + 2 <= area.width {
         put_right(buffer, area, (area.width, 0), &apex, theme.text());
@@ -288,13 +282,8 @@ fn part(
     else {
         return;
     };
-    let label = of
-        .row()
-        .label
-        .split(' ')
-        .take(2)
-        .collect::<Vec<_>>()
-        .join(" ");
+    let words = of.row().label.split(' ').take(2);
+    let label = words.collect::<Vec<_>>().join(" ");
     put(buffer, area, (0, 0), &label, theme.text());
     if area.width < ROOMY {
         let texts = [
@@ -302,8 +291,7 @@ fn part(
             format!("{times} x limit {}", figure.off),
         ];
         let room = area.width.saturating_sub(width(&label) + 1);
-        let text = texts.iter().find(|text| width(text) <= room);
-        let text = text.unwrap_or(&texts[1]).trim_end();
+        let text = longest_fitting(&texts, room).trim_end();
         put_right(buffer, area, (area.width, 0), text, theme.strong());
         return;
     }
@@ -340,11 +328,10 @@ fn tends(shown: &ShownAnswer, free: u16, theme: Theme, area: Rect, buffer: &mut 
     let texts = [
         format!("index on ever finer meshes: {limit}"),
         format!("on finer meshes: {limit}"),
+        String::new(),
     ];
-    let fits = |text: &&String| free + 2 + width(text) <= area.width;
-    if let Some(text) = texts.iter().find(fits) {
-        put_right(buffer, area, (area.width, 0), text, theme.text());
-    }
+    let text = longest_fitting(&texts, area.width.saturating_sub(free + 2));
+    put_right(buffer, area, (area.width, 0), text, theme.text());
 }
 
 /// A flag's name and its sentence, the name once.
@@ -372,13 +359,7 @@ fn flags(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let lines = if broken.len() <= rows {
         broken
     } else {
-        let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
-        let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
-        if lines.len() > rows {
-            let rest = lines.split_off(rows.saturating_sub(1)).join(" ");
-            lines.push(fitted(&rest, room));
-        }
-        lines
+        flag_lines(flags, room, rows)
     };
     let lines = lines.iter().take(rows);
     put_lines(buffer, area, (0, 0), lines, theme.warning());

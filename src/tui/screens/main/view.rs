@@ -211,11 +211,7 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
     };
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
-    let style = if aiming {
-        theme.focus()
-    } else {
-        theme.heading()
-    };
+    let style = [theme.heading(), theme.focus()][usize::from(aiming)];
     let above = Rect::new(picture.x, picture.y - 1, picture.width, 1);
     put(buffer, above, (0, 0), &caption, style);
 }
@@ -308,7 +304,8 @@ fn sparklines(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Bu
         let left = area.width - width(&time);
         put(buffer, row, (left, 0), &time, theme.quiet());
         let right = if time.is_empty() { left } else { left - 1 };
-        let style = if shown.answer.spoiled().is_some() {
+        let spoiled = shown.answer.spoiled().is_some();
+        let style = if spoiled {
             theme.quiet()
         } else {
             theme.strong()
