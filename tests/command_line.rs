@@ -107,9 +107,7 @@ fn the_settings_are_printed_and_a_file_that_is_refused_ends_with_2() {
     let printed = printed.get_output().stdout.clone();
     let file = config.path().join("contrecoup/config.ron");
     fs::write(&file, &printed).unwrap();
-    settings()
-        .success()
-        .stdout(contains("Read at every start"));
+    settings().success().stdout(contains("Read at every start"));
     // What is sent into the file that it reads finds it empty.
     fs::write(&file, "").unwrap();
     settings().success().stdout(printed);

@@ -72,7 +72,7 @@ impl InputQuery {
         };
         let inputs: Vec<UncertainInput> = inputs(scenario)
             .into_iter()
-            .filter(|i| i.is_run())
+            .filter(UncertainInput::is_run)
             .collect();
         let energy = Blow::of(scenario).energy;
         let run = |index: usize| {

@@ -159,7 +159,7 @@ impl Answer {
         let mut risk = injury.assess(&self.case.blow, known);
         if self.spoiled().is_some() {
             // What was computed may be anything.
-            (risk.range, risk.at_least) = ((0.0, 1.0), false);
+            (risk.usable, risk.range, risk.at_least) = (false, (0.0, 1.0), false);
         }
         Some(risk)
     }
@@ -271,7 +271,7 @@ pub fn complete(
     }
     let inputs = InputQuery::of(answer);
     let inputs = inputs.estimate(scenario, stop, |share| {
-        progress(MESHES + (1.0 - MESHES) * share)
+        progress(MESHES + (1.0 - MESHES) * share);
     });
     answer.inputs = Some(inputs?);
     Ok(())

@@ -41,7 +41,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if !args.quick {
         let stop = AtomicBool::new(false);
         complete(&scenario, &mut answer, &stop, |share| {
-            progress.show("meshes and inputs", share)
+            progress.show("meshes and inputs", share);
         })?;
     }
     if args.json {

@@ -54,6 +54,8 @@ pub struct Risk {
     pub risk: f64,
     /// Eight in ten of what it may be lie in it, 0 to 1; it holds `risk`.
     pub range: (f64, f64),
+    /// Whether the run can be believed at all: else the range is from 0 to 1.
+    pub usable: bool,
     /// Whether only its lower end is known: beyond the data, or cut off by the end of the run.
     pub at_least: bool,
     /// The BB that the tissue would feel the same of.
@@ -134,6 +136,7 @@ impl Injury {
             known,
             risk,
             range: (end(-1.0).min(risk), high),
+            usable: true,
             at_least,
             equivalent: equivalent(self, known.value),
             notes: self.notes(blow),

@@ -49,7 +49,9 @@ impl Risk {
     /// The whole range in a word or two.
     pub fn word(&self) -> String {
         let (low, high) = (gravity(self.range.0), gravity(self.range.1));
-        if self.is_unclear() {
+        if !self.usable {
+            "not known".to_owned()
+        } else if self.is_unclear() {
             "unclear".to_owned()
         } else if low == high {
             SCALE[low].1.to_owned()
@@ -78,8 +80,15 @@ impl Risk {
     /// short.
     pub fn forms(&self) -> Vec<String> {
         let short = format!("{} ({})", self.word(), self.percent());
+        if !self.usable {
+            return vec![short.clone(), short.clone(), short, self.percent()];
+        }
         let risk = whole(self.risk);
-        let about = if risk.starts_with(|c: char| c.is_ascii_digit()) { "about " } else { "" };
+        let about = if risk.starts_with(|c: char| c.is_ascii_digit()) {
+            "about "
+        } else {
+            ""
+        };
         let middle = if risk == self.percent() {
             short.clone()
         } else {
@@ -108,6 +117,6 @@ impl Risk {
 
     /// Whether the globe bursts as likely as not, which comes before all else.
     pub fn bursts(&self) -> bool {
-        self.injury == Injury::GlobeRupture && self.risk >= 0.5
+        self.usable && self.injury == Injury::GlobeRupture && self.risk >= 0.5
     }
 }

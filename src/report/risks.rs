@@ -146,12 +146,12 @@ pub fn json(answer: &Answer) -> Value {
             })
         });
         let value = json!({
-            "percent": 100.0 * risk.risk,
+            "percent": risk.usable.then_some(100.0 * risk.risk),
             "low_percent": 100.0 * risk.range.0,
             "high_percent": 100.0 * risk.range.1,
             "at_least": risk.at_least,
             "word": risk.word(),
-            "equivalent_bb_m_s": risk.equivalent.speed(),
+            "equivalent_bb_m_s": risk.usable.then(|| risk.equivalent.speed()),
             "equivalent_bb_is": match risk.equivalent {
                 Equivalent::Under(_) => "under",
                 Equivalent::At(_) => "at",

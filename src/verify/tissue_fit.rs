@@ -131,7 +131,7 @@ impl Kind {
 
     /// This object with a mass one standard deviation larger, where that is assumed.
     fn heavier(&self) -> Option<Self> {
-        (self.doubt_g > 0.0).then(|| Self {
+        (self.doubt_g > 0.0).then_some(Self {
             mass_g: self.mass_g + self.doubt_g,
             doubt_g: 0.0,
             ..*self

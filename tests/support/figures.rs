@@ -98,7 +98,14 @@ pub static FIGURES: &[Figures] = &[
     Figures {
         name: "injury-fit",
         command: "contrecoup verify fit",
-        form: Form::Rows(|| vec!["globe rupture ", "hyphema ", "  BB 4.5 mm ", "  foam 12.4 mm "]),
+        form: Form::Rows(|| {
+            vec![
+                "globe rupture ",
+                "hyphema ",
+                "  BB 4.5 mm ",
+                "  foam 12.4 mm ",
+            ]
+        }),
         excerpt: str::to_owned,
     },
     Figures {

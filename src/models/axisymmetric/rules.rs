@@ -62,7 +62,6 @@ const AUTOMATIC: Automatic = Automatic {
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         Quantity::ShellGrowth => MeshScatter::within(0.09, 0.3),
-        Quantity::ScleralStress => MeshScatter::within(0.08, 0.3),
         // Accelerations over 20 us follow each wave, and each mesh has its own.
         Quantity::ForceCentre
         | Quantity::ForceFront
@@ -80,7 +79,9 @@ fn scatter(of: Quantity) -> MeshScatter {
             least: 0.2,
             ..MeshScatter::within(0.35, 0.5)
         },
-        Quantity::EdgeGrowth | Quantity::CornealEnergy => MeshScatter::within(0.08, 0.3),
+        Quantity::ScleralStress | Quantity::EdgeGrowth | Quantity::CornealEnergy => {
+            MeshScatter::within(0.08, 0.3)
+        }
         _ => MeshScatter::within(0.04, 0.3),
     }
 }

@@ -123,7 +123,9 @@ pub fn rows(
             put(buffer, area, (1, y), risk.injury.name(), here);
             put(buffer, area, (NAME, y), &risk.word(), style);
             put_right(buffer, area, (RANGE, y), &risk.percent(), style);
-            put_right(buffer, area, (ABOUT, y), &whole(risk.risk), theme.text());
+            if risk.usable {
+                put_right(buffer, area, (ABOUT, y), &whole(risk.risk), theme.text());
+            }
         } else {
             let said = longest(risk, usize::from(area.width - 2));
             let name = said.split(':').next().map_or(0, width);
@@ -146,7 +148,7 @@ fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let (low, high) = (column(risk.range.0), column(risk.range.1));
     for x in 0..area.width {
         let (mark, style) = match x {
-            x if x == column(risk.risk) => ("◆", theme.risk(risk)),
+            x if risk.usable && x == column(risk.risk) => ("◆", theme.risk(risk)),
             x if (low..=high).contains(&x) => ("═", theme.risk(risk)),
             _ => ("·", theme.quiet()),
         };
