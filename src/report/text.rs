@@ -227,5 +227,5 @@ fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
     for flag in flags {
         paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
     }
-    writeln!(out, "\nResearch and education, not diagnosis.")
+    Ok(())
 }
