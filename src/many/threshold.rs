@@ -5,8 +5,8 @@
 //! to [`WIDTH`] of itself (see [`crate::many::root`]). With e the error of the result there, as
 //! answers state it, and s its slope over [`STEP_ASIDE`] to both sides, the crossing may be off by
 //! e / s: one figure for the step, one for the mesh. A risk carries what is said of it there, and
-//! the range of the field over which its range, with all that is not known, holds the value: near
-//! the crossing the measure and the energy are taken to go with powers of the field.
+//! the range of the field over which its range, with all that is not known at the crossing, holds
+//! the value.
 //!
 //! Left out: two crossings between neighbours of the grid, which leave no change of sign to be
 //! seen, and of results that are no risks what the inputs that are not varied may be off by (see
@@ -18,7 +18,7 @@ use std::sync::atomic::AtomicBool;
 use crate::answer::brief::single;
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, complete, solve};
-use crate::injury::{Blow, Injury, Risk};
+use crate::injury::{Blow, Injury, Known, Risk};
 use crate::many::root::{Bracket, narrowed};
 use crate::many::sweep::spaced;
 use crate::run::flags::Flag;
@@ -107,10 +107,11 @@ pub struct RiskThere {
     pub range: (Option<f64>, Option<f64>),
 }
 
-/// An end of such a range is looked for up to this ratio away from the crossing.
-const FARTHEST: f64 = 100.0;
-/// Halvings of the logarithm of that ratio in the search for an end.
-const HALVINGS: usize = 40;
+/// An end of such a range is looked for in steps of this ratio, so many of them at most.
+const ASIDE: f64 = 1.2;
+const FARTHEST: usize = 15;
+/// Halvings of the step in which the end is found.
+const HALVINGS: usize = 3;
 
 impl ThresholdSearch {
     /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see
@@ -317,7 +318,7 @@ impl ThresholdSearch {
             progress(1.0 - left);
         };
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
-            let result = self.answer_at(value, stop)?.results()[self.quantity];
+            let result = self.results_at(value, stop)?[self.quantity];
             one_more_run();
             Ok(result.ok_or_else(|| self.absent())? - self.target)
         })?;
@@ -341,20 +342,17 @@ impl ThresholdSearch {
         if jump.is_some() {
             return Ok(crossing);
         }
+        if let Some(injury) = Injury::of(self.quantity) {
+            let range = self.risk_range(injury, (at, rising), &answer, stop)?;
+            crossing.risk = answer.risk(injury).map(|risk| RiskThere { risk, range });
+            return Ok(crossing);
+        }
         let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
             Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
             // Beyond there is nothing: the slope is not known.
             solved => Ok(solved.ok()),
         });
         let ends = low?.zip(high?);
-        if let Some(injury) = Injury::of(self.quantity) {
-            let range = ends.and_then(|ends| self.risk_range(injury, at, &answer, &ends));
-            crossing.risk = answer.risk(injury).map(|risk| RiskThere {
-                risk,
-                range: range.unwrap_or_default(),
-            });
-            return Ok(crossing);
-        }
         let [from, to] = self.aside(at);
         let slope = ends.map_or(f64::NAN, |(low, high)| {
             let value = |answer: &Answer| answer.results()[self.quantity].unwrap_or(f64::NAN);
@@ -377,63 +375,67 @@ impl ThresholdSearch {
         [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
     }
 
-    /// From which to which value of the field the range of a risk holds the target, with `answer`
-    /// at the crossing and the answers aside from it; none where no powers of the field are seen.
+    /// From which to which value of the field the range of a risk holds the target: by runs at
+    /// other values, with what is not known at the crossing `at`.
     fn risk_range(
         &self,
         injury: Injury,
-        at: f64,
+        (at, rising): (f64, bool),
         answer: &Answer,
-        (low, high): &(Answer, Answer),
-    ) -> Option<(Option<f64>, Option<f64>)> {
-        let [from, to] = self.aside(at);
-        let power = |low: f64, high: f64| {
-            let power = libm::log(high / low) / libm::log(to / from);
-            power.is_finite().then_some(power)
-        };
-        let measure = |answer: &Answer| answer.run.readings.value(injury.measure());
-        let by_measure = power(measure(low)?, measure(high)?)?;
-        let by_energy = match (low.case.blow.energy, high.case.blow.energy) {
-            (Some(low), Some(high)) => power(low, high)?,
-            _ => 0.0,
-        };
-        let there = answer.risk(injury)?;
-        let range = |ratio: f64| {
-            let energy = |energy: f64| energy * libm::pow(ratio, by_energy);
-            let blow = Blow {
-                energy: answer.case.blow.energy.map(energy),
-                ..answer.case.blow
-            };
-            let mut known = there.known;
-            known.value *= libm::pow(ratio, by_measure);
-            injury.assess(&blow, known).range
+        stop: &AtomicBool,
+    ) -> Result<(Option<f64>, Option<f64>), Refusal> {
+        let Some(there) = answer.risk(injury) else {
+            return Ok((None, None));
         };
         let target = self.target / self.quantity.row().factor;
-        // The ratio at which an end of the range, which rises with the measure, has the target.
-        let ratio = |end: fn((f64, f64)) -> f64| {
-            let above = |log: f64| end(range(libm::exp(log))) >= target;
-            let (mut low, mut high) = (-libm::log(FARTHEST), libm::log(FARTHEST));
-            let rises = above(high);
-            if above(low) == rises {
-                return None;
-            }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if above(middle) == rises {
-                    high = middle;
-                } else {
-                    low = middle;
+        // Whether the upper end of the range, or the lower one, has the target at a value; none
+        // where nothing can be computed.
+        let reached = |value: f64, upper: bool| {
+            let scenario = self.at(value)?;
+            let checked = scenario.check()?;
+            let run = match single(&checked, None, &mut until(stop)) {
+                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                other => other.ok(),
+            };
+            let measure = injury.measure();
+            let value = run.and_then(|run| run.values[measure]);
+            Ok(value.map(|value| {
+                let value = value / measure.row().factor;
+                let known = Known {
+                    value,
+                    ..there.known
+                };
+                let range = injury.assess(&Blow::of(&scenario), known).range;
+                (if upper { range.1 } else { range.0 }) >= target
+            }))
+        };
+        let end = |upper: bool| {
+            // The upper end has the target where the risk itself has not yet, the lower one later.
+            let away = if upper == rising { 1.0 / ASIDE } else { ASIDE };
+            let (mut near, mut far) = (at, at);
+            for step in 0.. {
+                far = (near * away).clamp(self.bounds.min, self.bounds.max);
+                match reached(far, upper) {
+                    Ok(Some(has)) if has != upper => break,
+                    Ok(Some(_)) if far != near && step < FARTHEST => near = far,
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    _ => return Ok(None),
                 }
             }
-            Some(at * libm::exp(0.5 * (low + high)))
+            for _ in 0..HALVINGS {
+                let middle = (near * far).sqrt();
+                match reached(middle, upper)? {
+                    Some(has) if has == upper => near = middle,
+                    _ => far = middle,
+                }
+            }
+            Ok(Some((near * far).sqrt()))
         };
-        let [first, last] = [ratio(|range| range.1), ratio(|range| range.0)];
-        // What falls as the field grows is reached from above.
-        Some(if (by_measure < 0.0) == (at < 0.0) {
-            (first, last)
-        } else {
-            (last, first)
-        })
+        if at <= 0.0 {
+            return Ok((None, None));
+        }
+        let ends = (end(true)?, end(false)?);
+        Ok(if rising { ends } else { (ends.1, ends.0) })
     }
 }
 
