@@ -27,7 +27,7 @@ fn the_readmes_command_prints_every_result() {
                 .and(contains("S shell growth"))
                 .and(contains("M meridian growth"))
                 .and(contains("E energy imparted"))
-                .and(contains("2.157 mm"))
+                .and(contains("2.2 mm"))
                 .and(
                     contains("centre")
                         .and(contains("front"))

@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
+use crate::injury::SIGNS;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{CUT, Figure};
@@ -142,7 +143,8 @@ impl Table {
         for remark in self.notes.iter().chain(&self.remarks) {
             paragraph(&printable(remark), out)?;
         }
-        writeln!(out, "\nResearch and education, not diagnosis.")
+        writeln!(out)?;
+        paragraph(SIGNS, out)
     }
 
     /// Prints it as Markdown.
@@ -167,7 +169,7 @@ impl Table {
         for remark in self.notes.iter().chain(&self.remarks) {
             writeln!(out, "- {}", escaped(&printable(remark)))?;
         }
-        writeln!(out, "\nResearch and education, not diagnosis.")
+        writeln!(out, "\n{SIGNS}")
     }
 }
 

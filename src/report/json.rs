@@ -7,6 +7,7 @@
 use crate::answer::mesh_error::{Limit, Limits};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Cut, Errors};
+use crate::injury::SIGNS;
 use crate::models::kernel_name;
 use crate::run::flags::Flag;
 use crate::run::fold::Fold;
@@ -128,6 +129,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
         "risks": crate::report::risks::json(answer),
         "risks_without": answer.uncounted(),
+        "signs": SIGNS,
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
     for detail in &answer.run.details {

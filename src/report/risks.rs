@@ -66,8 +66,10 @@ pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     for (name, words) in lines(answer) {
         paragraph(&format!("{name}: {words}"), out)?;
     }
-    if let Some(missing) = uncounted(answer) {
-        paragraph(&format!("(80 % ranges without {missing})"), out)?;
+    if answer.silence().is_none() {
+        let missing = uncounted(answer);
+        let missing = missing.map_or_else(String::new, |missing| format!(", without {missing}"));
+        paragraph(&format!("(ranges of 80 %{missing})"), out)?;
     }
     paragraph(SIGNS, out)
 }
@@ -228,7 +230,7 @@ mod tests {
     fn a_pulse_on_the_section_says_in_one_line_why_there_are_no_injuries() {
         let paper = answer("paper-300n", &[]);
         assert_eq!(lines(&paper).len(), 1);
-        assert!(printed(&paper).starts_with("injuries: none: "));
+        assert!(printed(&paper).starts_with("injuries: not told: "));
         assert_eq!(json(&paper), json!({}));
     }
 }

@@ -113,7 +113,10 @@ pub fn text(
         }
     }
     match threshold.crossings.len() {
-        0 => writeln!(out, "{what}: never")?,
+        0 => {
+            let (from, to) = (significant(search.range.0), significant(search.range.1));
+            writeln!(out, "{what}: not from {from} to {}", with_unit(to))?;
+        }
         1 => writeln!(out)?,
         count => writeln!(out, "\n{count} crossings: it does not only rise or fall")?,
     }

@@ -309,7 +309,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
         &[
             "Paper's index",
             "(100 = the paper's worst)",
-            "none: the section",
+            "not told: the section",
         ],
     );
     said(

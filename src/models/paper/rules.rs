@@ -64,7 +64,7 @@ pub(crate) static RULES: Rules = Rules {
         _ => None,
     },
     // A pulse brings no energy of an object, and springs hold no pressure.
-    silence: "none: the section of the Paper model has no tissues to read; take the model \
+    silence: "not told: the section of the Paper model has no tissues to read; take the model \
               Physiological",
 };
 
