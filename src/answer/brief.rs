@@ -62,11 +62,6 @@ impl BriefAnswer {
     pub fn folded(&self) -> bool {
         self.flags.contains(&FlagKind::MeshFolded)
     }
-
-    /// Whether nothing that was computed may be used for a risk.
-    pub fn is_spoiled(&self) -> bool {
-        self.folded() || self.flags.contains(&FlagKind::EnergyImbalance)
-    }
 }
 
 fn brief(case: &Compiled, run: &Run) -> BriefAnswer {

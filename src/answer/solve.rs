@@ -22,7 +22,6 @@ use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -378,15 +377,7 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
     let (first, second, time) = thread::scope(|scope| {
-        let other = scope.spawn(|| {
-            case.run(&second, Keep::default(), &mut |_| {
-                if abandoned.load(Ordering::Relaxed) {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            })
-        });
+        let other = scope.spawn(|| case.run(&second, Keep::default(), &mut until(&abandoned)));
         let first = case.run(plan, keep, watch);
         let time = started.elapsed();
         if first.is_err() {

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::answer::compiled::Compiled;
 use crate::answer::solve::{Answer, solve};
@@ -12,6 +12,7 @@ use crate::cli::{CliError, ExportArgs, interrupt};
 use crate::plain_text::printable;
 use crate::run::export::FrameWriter;
 use crate::run::kept::{Keep, Spacing};
+use crate::run::ordered::until;
 use crate::run::refusal::Refusal;
 use crate::run::trace::write_traces;
 use crate::scenario::CheckedScenario;
@@ -48,7 +49,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let progress = Progress::new();
     let answer = solve(&scenario, keep, &mut |share| {
         let _ = progress.simulated(share);
-        unless(&stop)
+        until(&stop)(share)
     });
     let answer = answer.map_err(interrupted)?;
     if let Some(path) = &args.frames {
@@ -68,14 +69,6 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         writeln!(out, "FLAG {}: {}", flag.kind.name(), flag.whole())?;
     }
     Ok(())
-}
-
-fn unless(stop: &AtomicBool) -> ControlFlow<()> {
-    if stop.load(Ordering::Relaxed) {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
-    }
 }
 
 fn interrupted(refusal: Refusal) -> CliError {
@@ -98,9 +91,10 @@ fn write_frames(
     let mut written = Ok(0);
     let mut take = |frame| {
         written = writer.write(&regions, &frame).map_err(csv_to_io);
-        progress.show("writing frames", frame.time / answer.window());
+        let share = frame.time / answer.window();
+        progress.show("writing frames", share);
         if written.is_ok() {
-            unless(stop)
+            until(stop)(share)
         } else {
             ControlFlow::Break(())
         }

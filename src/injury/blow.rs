@@ -44,7 +44,7 @@ fn ramp(value: f64, (from, to): (f64, f64)) -> f64 {
 }
 
 /// Kinetic energy of an object over its area, J/m2.
-pub fn energy_over_area(projectile: &Projectile) -> f64 {
+fn energy_over_area(projectile: &Projectile) -> f64 {
     let (diameter, speed) = (projectile.diameter_m(), projectile.speed_m_s);
     0.5 * projectile.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter)
 }

@@ -12,11 +12,11 @@ mod risk;
 mod tissue;
 mod words;
 
-pub use crate::injury::blow::{Blow, energy_over_area};
+pub use crate::injury::blow::Blow;
 pub use crate::injury::energy::{CURVES, EnergyCurve};
 pub use crate::injury::equivalent::{Equivalent, MEASURES, SPEEDS, equivalent};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
-pub use crate::injury::risk::{Known, ONE_IN_TEN, Risk};
+pub use crate::injury::risk::{Known, Risk};
 pub use crate::injury::tissue::TissueCurve;
 pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, gravity, span, whole};

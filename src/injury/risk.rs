@@ -21,7 +21,7 @@ use crate::normal;
 use libm::{exp, hypot, log, log10, pow};
 
 /// One in ten lies farther out than so many standard deviations, to each side.
-pub const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
+const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
 /// Added to how far a curve is known for objects wider than those tested, and for places that are
 /// not anatomical.
 const UNTESTED: f64 = 0.10;
