@@ -59,6 +59,10 @@ pub enum FlagKind {
     BoneShields,
     /// All that gives way of a projectile's surface was used up.
     SurfaceCrushed,
+    /// The eye was shortened by more than in any test.
+    BeyondTests,
+    /// The eye was pressed flat, which ends a run.
+    EyeFlat,
     /// The orbit's rim met the projectile.
     RimStops,
     /// The projectile never touched the eye.
@@ -86,6 +90,8 @@ impl FlagKind {
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
             Self::SurfaceCrushed => "surface_crushed",
+            Self::BeyondTests => "beyond_tests",
+            Self::EyeFlat => "eye_flat",
             Self::RimStops => "rim_stops",
             Self::EyeMissed => "eye_missed",
             Self::AngleBeyondTrust => "angle_beyond_trust",

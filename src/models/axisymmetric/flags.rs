@@ -10,6 +10,10 @@ use crate::run::readings::Readings;
 use crate::scenario::TRUSTED_ANGLE_DEG;
 use crate::scenario::problem::plain;
 
+/// The share by which the hardest shot of the experiments, a steel ball at 66.5 m/s, shortens the
+/// eye of this model.
+const MOST_TESTED: f64 = 0.5;
+
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
     case: &AxisymmetricCase,
@@ -55,7 +59,30 @@ pub(crate) fn raise(
             ),
         );
     }
-    window(case, extremes, (readings, simulated), &mut raised);
+    let shorter = extremes.shortening;
+    if shorter.value > MOST_TESTED {
+        raised.raise_at(
+            shorter.time,
+            FlagKind::BeyondTests,
+            format!(
+                "the eye was shortened by {:.0} %, in no test that it is compared with by more than {:.0} %",
+                100.0 * shorter.value,
+                100.0 * MOST_TESTED
+            ),
+        );
+    }
+    if let Some(time) = extremes.flat_at {
+        let at = time * 1e3;
+        raised.raise_at(
+            time,
+            FlagKind::EyeFlat,
+            format!(
+                "the eye was pressed flat at {at:.3} ms: the model ends there, every result is at least so large"
+            ),
+        );
+    } else {
+        window(case, extremes, (readings, simulated), &mut raised);
+    }
     raised.flags()
 }
 
