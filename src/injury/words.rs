@@ -89,7 +89,8 @@ impl Risk {
         } else {
             ""
         };
-        let middle = if risk == self.percent() {
+        // A middle that is sure says nothing of a range that is not.
+        let middle = if risk == self.percent() || self.is_unclear() {
             short.clone()
         } else {
             format!("{} ({about}{risk}, {})", self.word(), self.percent())
