@@ -92,7 +92,7 @@ pub(crate) fn within_by(
     let mut reasons = Vec::new();
     let mut best = f64::INFINITY;
     for level in 1..=FINEST_TRIED {
-        let levels = witnesses(&scenario.model, level);
+        let levels = witnesses(scenario, level);
         let own = ladder.at(scenario, level, watch)?;
         if let Some(time) = own.folded {
             return Err(Refusal::ToleranceNotMet {
@@ -105,7 +105,7 @@ pub(crate) fn within_by(
         }
         let coarser = ladder.at(scenario, levels[0], watch)?;
         let finer = ladder.at(scenario, levels[1], watch)?;
-        let mesh = MeshError::of(&scenario.model, level, &own, [&coarser, &finer]);
+        let mesh = MeshError::of(scenario, level, &own, [&coarser, &finer]);
         let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
             reasons.push(format!("level {level}: finer meshes show no limit"));
             continue;

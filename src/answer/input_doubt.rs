@@ -13,7 +13,8 @@ use crate::answer::uncertain::{UncertainInput, inputs};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
-use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, Geometry, Impact, Scenario};
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
@@ -43,6 +44,28 @@ pub struct InputQuery {
 fn way(from: f64, to: f64) -> f64 {
     let way = libm::log10(to / from);
     if way.is_finite() { way } else { 0.0 }
+}
+
+/// Where neither brow nor nose shields an eye, in rad about its axis: below and the temple.
+const BARE_SIDE: f64 = 1.25 * PI;
+
+/// The scenario with one input moved by a standard deviation.
+fn moved(scenario: &Scenario, input: &UncertainInput) -> Scenario {
+    let mut moved = scenario.clone();
+    moved.doubt.clear();
+    input.put(&mut moved, input.one_off());
+    if let Impact::Projectile(was) = &scenario.impact
+        && let Impact::Projectile(now) = &mut moved.impact
+    {
+        let from = scenario.eye_side().hour(BARE_SIDE);
+        if was.angle_deg == 0.0 {
+            now.angle_clock = from;
+        }
+        if was.offset_mm == 0.0 {
+            now.offset_clock = from;
+        }
+    }
+    moved
 }
 
 impl InputQuery {
@@ -75,21 +98,37 @@ impl InputQuery {
             .filter(UncertainInput::is_run)
             .collect();
         let energy = Blow::of(scenario).energy;
+        // What another eye computes is compared with what that eye says of the scene as it is.
+        let other = |geometry: &Geometry| {
+            let needed = |input| moved(scenario, input).geometry() == Some(*geometry);
+            Some(*geometry) != scenario.geometry() && inputs.iter().any(needed)
+        };
+        let geometries = [Geometry::Half, Geometry::Full].into_iter().filter(other);
+        let as_it_is = |geometry: Geometry| {
+            let mut same = scenario.clone();
+            same.doubt.clear();
+            same.numerics.geometry = geometry;
+            same.check().map_err(Refusal::Scenario)
+        };
+        let measures = |checked: Result<CheckedScenario, Refusal>| {
+            let brief = checked.and_then(|c| single(&c, None, &mut until(stop)))?;
+            let value = |injury: &Injury| brief.values[injury.measure()].unwrap_or(0.0);
+            Ok(std::array::from_fn(|i| value(&Injury::ALL[i])))
+        };
+        let bases: Vec<(Geometry, PerInjury<f64>)> = geometries
+            .filter_map(|g| Some((g, measures(as_it_is(g)).ok()?)))
+            .collect();
         let run = |index: usize| {
             let input = &inputs[index];
-            let mut moved = scenario.clone();
-            moved.doubt.clear();
+            let there = moved(scenario, input);
             let curves = input.moves_curves(input.one_off());
-            input.put(&mut moved, input.one_off());
-            let run = moved.check().map_err(Refusal::Scenario);
-            match run.and_then(|moved| single(&moved, None, &mut until(stop))) {
-                Ok(brief) => Some(Some(Moved {
-                    measures: std::array::from_fn(|i| {
-                        let value = brief.values[Injury::ALL[i].measure()];
-                        way(from[i], value.unwrap_or(0.0)) - curves[i]
-                    }),
+            let other = bases.iter().find(|(g, _)| Some(*g) == there.geometry());
+            let from = other.map_or(from, |(_, base)| *base);
+            match measures(there.check().map_err(Refusal::Scenario)) {
+                Ok(to) => Some(Some(Moved {
+                    measures: std::array::from_fn(|i| way(from[i], to[i]) - curves[i]),
                     energy: energy.map_or(0.0, |energy| {
-                        way(energy, Blow::of(&moved).energy.unwrap_or(0.0))
+                        way(energy, Blow::of(&there).energy.unwrap_or(0.0))
                     }),
                 })),
                 Err(Refusal::Cancelled) => None,

@@ -30,7 +30,7 @@ use crate::run::quantity::Family;
 use crate::run::readings::PerQuantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::{Model, NumericsInput, Scenario};
+use crate::scenario::{NumericsInput, Scenario};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
@@ -68,9 +68,12 @@ pub struct OnMesh {
 pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
     let mut other = scenario.clone();
     // The mesh error is far larger than the step error of the automatic step.
-    other.numerics = NumericsInput::default();
+    other.numerics = NumericsInput {
+        geometry: other.numerics.geometry,
+        ..NumericsInput::default()
+    };
     // A witness may be finer than what anyone may ask for.
-    other.eye.level = level.min(rules(&scenario.model).mesh.finest);
+    other.eye.level = level.min(rules(scenario).mesh.finest);
     let case = Compiled::new(&other.check()?).at_level(level);
     let plan = case.plan_alone(&other)?;
     let run = case.run(&plan, Keep::default(), watch)?;
@@ -82,13 +85,13 @@ pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<
 }
 
 /// The two levels that tell the error of `level`, the finer last.
-pub fn witnesses(model: &Model, level: u32) -> [u32; 2] {
-    (rules(model).mesh.witnesses)(level)
+pub fn witnesses(scenario: &Scenario, level: u32) -> [u32; 2] {
+    (rules(scenario).mesh.witnesses)(level)
 }
 
 /// The limit that two levels show, the finer last, which is `finest`.
-fn limit(model: &Model, levels: [&Results; 2], finest: u32) -> Limits {
-    let mesh = &rules(model).mesh;
+fn limit(scenario: &Scenario, levels: [&Results; 2], finest: u32) -> Limits {
+    let mesh = &rules(scenario).mesh;
     let fineness = (mesh.fineness)(finest) / (mesh.fineness)(SCATTER_LEVEL);
     Limits::from_fn(|quantity| {
         let scatter = (mesh.scatter)(quantity);
@@ -137,14 +140,14 @@ pub struct MeshError {
 
 impl MeshError {
     /// Of `own`, on the mesh of `level`, by the results of its [`witnesses`].
-    pub(crate) fn of(model: &Model, level: u32, own: &OnMesh, witness: [&OnMesh; 2]) -> Self {
-        let levels = witnesses(model, level);
+    pub(crate) fn of(scenario: &Scenario, level: u32, own: &OnMesh, witness: [&OnMesh; 2]) -> Self {
+        let levels = witnesses(scenario, level);
         let mut folds = levels.into_iter().zip(witness);
         let first = folds.find_map(|(at, on)| Some((at, on.folded?)));
         let limits = if first.is_some() || own.folded.is_some() {
             Limits::from_fn(|_| None)
         } else {
-            limit(model, witness.map(|on| &on.results), levels[1])
+            limit(scenario, witness.map(|on| &on.results), levels[1])
         };
         let flag = first.filter(|_| own.folded.is_none());
         Self {
@@ -181,7 +184,7 @@ impl MeshQuery {
     /// # Errors
     /// As for any run.
     pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
-        let levels = witnesses(&scenario.model, self.level);
+        let levels = witnesses(scenario, self.level);
         let on = |level: u32, watch: Watch| {
             if level == self.level {
                 Ok(self.own)
@@ -198,9 +201,8 @@ impl MeshQuery {
             (coarse.join().unwrap_or(Err(Refusal::Cancelled)), fine)
         });
         let (fine, coarse) = (fine?, coarse?);
-        let model = &scenario.model;
         Ok(MeshError::of(
-            model,
+            scenario,
             self.level,
             &self.own,
             [&coarse, &fine],
@@ -250,7 +252,7 @@ mod tests {
     #[test]
     fn agreement_by_chance_is_no_convergence() {
         let mesh = MeshError::of(
-            &Model::Paper,
+            &Scenario::default(),
             1,
             &on(20.0, 50.0),
             [&on(20.0, 50.0), &on(20.0, 90.0)],
@@ -266,7 +268,7 @@ mod tests {
     #[test]
     fn the_error_is_the_way_to_the_limit_and_what_that_is_known_to() {
         let mesh = MeshError::of(
-            &Model::Paper,
+            &Scenario::default(),
             2,
             &on(25.0, 50.0),
             [&on(20.5, 50.0), &on(20.0, 50.0)],
@@ -285,14 +287,14 @@ mod tests {
             ..on(20.0, 50.0)
         };
         let mesh = MeshError::of(
-            &Model::Paper,
+            &Scenario::default(),
             1,
             &on(20.0, 50.0),
             [&on(20.0, 50.0), &folded],
         );
         assert!(mesh.errors.present().next().is_none());
         assert!(mesh.flag.unwrap().message.contains("level 3"));
-        let mesh = MeshError::of(&Model::Paper, 1, &folded, [&folded, &folded]);
+        let mesh = MeshError::of(&Scenario::default(), 1, &folded, [&folded, &folded]);
         assert!(mesh.errors.present().next().is_none() && mesh.flag.is_none());
     }
 

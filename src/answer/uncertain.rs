@@ -16,9 +16,14 @@
 
 use crate::injury::PerInjury;
 use crate::normal;
+use crate::scenario::direction::HOURS;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{Model, Scenario, fields, set};
+use crate::scenario::{
+    Geometry, Impact, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields,
+    set,
+};
+use std::f64::consts::PI;
 
 /// A distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -245,9 +250,11 @@ impl UncertainInput {
         powers.map(|power| power * libm::log10(value / self.nominal))
     }
 
-    /// Whether a run is needed to see what it does: the curves of risk are no input of one.
+    /// Whether one run of an input by itself is worth it: the curves of risk are no input of one,
+    /// and an hour says nothing of a blow that is straight on.
     pub(crate) fn is_run(&self) -> bool {
-        self.field.path != CURVES.path
+        let unknown = is_clock(self.field) && matches!(self.shape, Shape::Uniform(..));
+        self.field.path != CURVES.path && !unknown
     }
 
     /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
@@ -258,8 +265,122 @@ impl UncertainInput {
 
     /// Puts a value into a scenario.
     pub fn put(&self, scenario: &mut Scenario, value: f64) {
+        let value = if is_clock(self.field) {
+            value.rem_euclid(HOURS)
+        } else {
+            value
+        };
         set::put_number(scenario, self.field, value);
     }
+}
+
+/// Standard deviations of the angle that an object comes from, in degrees, and of where it hits, in
+/// mm: nobody measured them.
+const AIM: (f64, f64) = (10.0, 2.0);
+const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured how eyes are hit";
+
+/// Where an object comes from and what it aims at, as far as a person does not doubt it otherwise.
+fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
+    let Some(Impact::Projectile(projectile)) =
+        (scenario.model != Model::Paper).then_some(&scenario.impact)
+    else {
+        return Vec::new();
+    };
+    // Off the axis an hour is known as well as the distance is.
+    let hours = |hour: f64, off: f64, sd: f64| {
+        let sd = sd / off * 0.5 * HOURS / PI;
+        if sd < 0.25 * HOURS {
+            Shape::Normal(hour, sd)
+        } else {
+            Shape::Uniform(hour - 0.5 * HOURS, hour + 0.5 * HOURS)
+        }
+    };
+    let (angle, offset) = (projectile.angle_deg, projectile.offset_mm);
+    let (angle_sd, offset_sd) = AIM;
+    let lengths = [
+        ("impact.angle_deg", angle, Shape::Normal(angle, angle_sd)),
+        ("impact.offset_mm", offset, Shape::Normal(offset, offset_sd)),
+    ];
+    let clocks = [
+        (
+            "impact.angle_clock",
+            projectile.angle_clock,
+            hours(projectile.angle_clock, angle, angle_sd),
+        ),
+        (
+            "impact.offset_clock",
+            projectile.offset_clock,
+            hours(projectile.offset_clock, offset, offset_sd),
+        ),
+    ];
+    let all = lengths.into_iter().chain(clocks);
+    all.filter(|(path, ..)| !scenario.doubt.contains_key(*path))
+        .filter_map(|(path, nominal, shape)| {
+            let field = fields::find(path)?;
+            let (_, bounds) = number(field, scenario)?;
+            Some(UncertainInput {
+                field,
+                nominal,
+                shape,
+                bounds: drawn_within(field, nominal, bounds, scenario),
+                source: Some(AIM_SOURCE),
+            })
+        })
+        .collect()
+}
+
+const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Surg 2011;13:51)";
+
+/// The rim of an orbit, where the eye is computed in it and nobody gave it lengths of their own.
+fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
+    let (Model::Physiological(model), Some(Geometry::Full)) =
+        (&scenario.model, scenario.geometry())
+    else {
+        return Vec::new();
+    };
+    if model.support != Support::Orbit || !model.rim.is_measured() {
+        return Vec::new();
+    }
+    let own = |field: &&'static Field| {
+        field.path.starts_with("model.rim.") && !scenario.doubt.contains_key(field.path)
+    };
+    let spread = Scenario {
+        model: Model::Physiological(Physiological {
+            rim: Rim::SPREAD,
+            ..*model
+        }),
+        ..Scenario::default()
+    };
+    let fields = FIELDS.iter().filter(own);
+    fields
+        .filter_map(|field| {
+            let (nominal, bounds) = number(field, scenario)?;
+            let (sd, _) = number(field, &spread)?;
+            Some(UncertainInput {
+                field,
+                nominal,
+                shape: Shape::Normal(nominal, sd),
+                bounds: (bounds.min, bounds.max),
+                source: Some(RIM_SOURCE),
+            })
+        })
+        .collect()
+}
+
+/// What an input is drawn within: an hour goes once round, an object comes from no angle below 0.
+fn drawn_within(field: &Field, nominal: f64, bounds: Bounds, scenario: &Scenario) -> (f64, f64) {
+    if is_clock(field) {
+        (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
+    } else if field.path == "impact.angle_deg" && matches!(scenario.impact, Impact::Projectile(_)) {
+        (0.0, STEEPEST_OBJECT_DEG)
+    } else {
+        (bounds.min, bounds.max)
+    }
+}
+
+/// Whether a field holds an hour of the clock.
+fn is_clock(field: &Field) -> bool {
+    field.path.ends_with("_clock")
 }
 
 /// Everything that an ensemble of `scenario` draws: first what the person doubts, then what is
@@ -272,7 +393,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
             field,
             nominal: value,
             shape: Shape::Normal(value, sd),
-            bounds: (bounds.min, bounds.max),
+            bounds: drawn_within(field, value, bounds, scenario),
             source: None,
         })
     });
@@ -288,6 +409,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
             source: Some(spread.source),
         })
     });
+    let aimed = aim(scenario).into_iter().chain(rim(scenario));
     let curves = (scenario.model != Model::Paper).then_some(UncertainInput {
         field: &CURVES,
         nominal: 0.0,
@@ -295,7 +417,11 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
         bounds: (-4.0, 4.0),
         source: Some("how far kinds of object and published figures disagree"),
     });
-    doubted.chain(published).chain(curves).collect()
+    doubted
+        .chain(published)
+        .chain(aimed)
+        .chain(curves)
+        .collect()
 }
 
 #[cfg(test)]

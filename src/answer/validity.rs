@@ -33,10 +33,13 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
 mod tests {
     use super::*;
     use crate::models::rules;
-    use crate::scenario::{Model, Physiological};
+    use crate::scenario::{Model, Physiological, Scenario};
 
     fn of_cells() -> &'static Rules {
-        rules(&Model::Physiological(Physiological::default()))
+        rules(&Scenario {
+            model: Model::Physiological(Physiological::default()),
+            ..Scenario::default()
+        })
     }
 
     fn flag(kind: FlagKind) -> Flag {
@@ -55,7 +58,7 @@ mod tests {
         assert_eq!(folded.next, "try a smaller blow");
         let of_paper = spoiled(
             &[flag(FlagKind::WindowShort), flag(FlagKind::MeshFolded)],
-            rules(&Model::Paper),
+            rules(&Scenario::default()),
         );
         assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
         for bounds in [FlagKind::ContactCut, FlagKind::WindowShort] {

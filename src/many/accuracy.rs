@@ -21,14 +21,14 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::rules::Element;
 use crate::run::watch::Watch;
-use crate::scenario::{CheckedScenario, Integrator, Model, NumericsInput, Scenario};
+use crate::scenario::{CheckedScenario, Integrator, NumericsInput, Scenario};
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// The finest level that is tried for a scenario.
 pub fn finest_tried(scenario: &Scenario) -> u32 {
-    let mesh = &rules(&scenario.model).mesh;
+    let mesh = &rules(scenario).mesh;
     mesh.finest
         .min(mesh.finest_in_study.max(scenario.eye.level))
 }
@@ -102,8 +102,8 @@ pub fn cheapest(totals: &[Total], percent: f64) -> Option<usize> {
 /// All that is known of a scenario, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Accuracy {
-    /// The model that was measured.
-    pub model: Model,
+    /// The scene that was measured.
+    pub scenario: Scenario,
     /// What the work is counted in.
     pub element: Element,
     /// Levels 1, 2, 3, ... by the automatic step of a run alone.
@@ -122,8 +122,8 @@ impl Accuracy {
     /// The mesh error of a level, in % of each result, once the two finer ones are known.
     pub fn mesh(&self, level: u32) -> Option<Results> {
         let on = |level: u32| self.levels.get(level as usize - 1);
-        let [coarser, finer] = witnesses(&self.model, level).map(on);
-        Some(MeshError::of(&self.model, level, on(level)?, [coarser?, finer?]).errors)
+        let [coarser, finer] = witnesses(&self.scenario, level).map(on);
+        Some(MeshError::of(&self.scenario, level, on(level)?, [coarser?, finer?]).errors)
     }
 
     /// The trials whose error in a result is known, from the fastest to the slowest.
@@ -185,7 +185,7 @@ enum Job {
 }
 
 /// All jobs with their cost in springs or cells, from coarse to fine; then the further rounds.
-fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
+fn jobs(scenario: &Scenario, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
     let most = cases.len() as u32;
     let case = |level: u32| &cases[level.min(most) as usize - 1];
     // Above the finest level that is tried work is taken to grow with the cube.
@@ -201,7 +201,7 @@ fn jobs(model: &Model, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> 
     let places = || trials.iter().enumerate();
     let (mut jobs, mut levels) = (Vec::new(), 0);
     for level in 1..=most {
-        let finest = witnesses(model, level)[1];
+        let finest = witnesses(scenario, level)[1];
         for next in levels + 1..=finest {
             jobs.push((Job::Level(next), cost(next, &answer(case(next)))));
         }
@@ -306,7 +306,7 @@ pub fn measure(
     };
     let cases: Vec<Compiled> = (1..=finest).map(case).collect::<Result<_, _>>()?;
     let mut accuracy = known.unwrap_or_else(|| Accuracy {
-        model: scenario.model,
+        scenario: Scenario::clone(scenario),
         element: cases[0].rules().element,
         levels: Vec::new(),
         references: Vec::new(),
@@ -314,7 +314,7 @@ pub fn measure(
         done: 0,
         all: 0,
     });
-    let jobs = jobs(&scenario.model, &cases, &accuracy.trials);
+    let jobs = jobs(scenario, &cases, &accuracy.trials);
     accuracy.all = jobs.len();
     let whole: f64 = jobs.iter().map(|(_, cost)| cost).sum();
     let mut done: f64 = jobs[..accuracy.done].iter().map(|(_, cost)| cost).sum();

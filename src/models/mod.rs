@@ -10,16 +10,16 @@ pub mod pulse;
 
 use crate::run::model::EyeModel;
 use crate::run::rules::Rules;
-use crate::scenario::{CheckedScenario, Model};
+use crate::scenario::{CheckedScenario, Model, Scenario};
 use std::sync::Arc;
 
 /// The vectors that this machine computes by, in words; `portable` says what rounds alike
 /// everywhere.
 pub use paper::forces::kernel::name as kernel_name;
 
-/// Integrators, error estimates and mesh rules of a model.
-pub fn rules(model: &Model) -> &'static Rules {
-    match model {
+/// Integrators, error estimates and mesh rules of the model that a scenario needs.
+pub fn rules(scenario: &Scenario) -> &'static Rules {
+    match &scenario.model {
         Model::Paper => &paper::rules::RULES,
         Model::Physiological(_) => &axisymmetric::rules::RULES,
     }

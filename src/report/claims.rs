@@ -42,7 +42,7 @@ fn heading(found: &Findings) -> String {
     let of = |count: usize| format!("{count} {} of seed {seed}", scenes(*study));
     let promising = of(found.scenes.len() - folded);
     let passed_over = |level: u32| {
-        let [coarser, finer] = witnesses(&study.scenes().scene(0, *seed).model, level);
+        let [coarser, finer] = witnesses(&study.scenes().scene(0, *seed), level);
         format!("{level}, {coarser}, {finer} or {REFERENCE_LEVEL}, {why}: {folded}")
     };
     match study {

@@ -12,8 +12,7 @@ use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
 use crate::scenario::{
-    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, Impact, MOST_ENERGY_J, Model, Outline, Projectile,
-    Scenario, doubt,
+    FASTEST_M_S, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, doubt,
 };
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
@@ -189,20 +188,29 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
         problems.push(Problem::refused(path, value, complaint, allowed.to_owned()));
     };
     let angle = angle_of(scenario);
-    if angle.abs() > STEEPEST_DEG {
-        let allowed = format!("-{STEEPEST_DEG} to {STEEPEST_DEG} deg");
-        let complaint = "is out of range for model Physiological";
+    let allowed = match scenario.impact {
+        Impact::ForcePulse(_) => -STEEPEST_DEG..=STEEPEST_DEG,
+        Impact::Projectile(_) => 0.0..=STEEPEST_OBJECT_DEG,
+    };
+    if !allowed.contains(&angle) {
+        let allowed = format!(
+            "{} to {} deg",
+            plain(*allowed.start()),
+            plain(*allowed.end())
+        );
+        let complaint = match scenario.impact {
+            Impact::Projectile(_) if angle < 0.0 => {
+                "is below 0: impact.angle_clock says from where, 6 is below"
+            }
+            _ => "is out of range for model Physiological",
+        };
         refuse("impact.angle_deg", &plain(angle), complaint, &allowed);
     }
+    if let Some((complaint, allowed)) = scenario.geometry_unfit() {
+        let asked = format!("{:?}", scenario.numerics.geometry);
+        refuse("numerics.geometry", &asked, complaint, allowed);
+    }
     if let Impact::Projectile(projectile) = &scenario.impact {
-        if projectile.offset_mm != 0.0 {
-            refuse(
-                "impact.offset_mm",
-                &plain(projectile.offset_mm),
-                "is no blow along the axis of the eye",
-                "0 mm",
-            );
-        }
         if projectile.speed_m_s <= FASTEST_M_S && projectile.energy_j() > MOST_ENERGY_J {
             let complaint = "brings more energy than model Physiological takes";
             let most = projectile.mass_g * MOST_ENERGY_J / projectile.energy_j();
@@ -230,17 +238,19 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
             );
         }
     }
-    let level = scenario.eye.level;
-    if level > FINEST_PHYSIOLOGICAL_LEVEL {
-        let allowed = format!("whole numbers 1 to {FINEST_PHYSIOLOGICAL_LEVEL}");
-        let complaint = "is out of range for model Physiological";
+    let (level, finest) = (scenario.eye.level, scenario.finest_level());
+    if level > finest {
+        let allowed = format!("whole numbers 1 to {finest}");
+        let complaint = "is out of range for this eye";
         refuse("eye.level", &level.to_string(), complaint, &allowed);
     }
     problems
 }
 
-/// A blow at a greater angle would come from behind the equator.
+/// A force at a greater angle would come from behind the equator.
 const STEEPEST_DEG: f64 = 90.0;
+/// An object at a greater angle, in degrees, would fly along the face.
+pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {

@@ -9,11 +9,13 @@
 use std::mem::discriminant;
 
 use crate::scenario::auto::AUTO;
+use crate::scenario::direction::{Directions, HOURS};
 use crate::scenario::problem::plain;
+use crate::scenario::rim::Rims;
 use crate::scenario::{
-    FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, ForcePulse, Impact, Integrator, Lens, Model, Outline,
-    Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support,
-    Surface, integrator,
+    FASTEST_M_S, ForcePulse, Geometry, Impact, Integrator, Lens, Model, Outline, Physiological,
+    Projectile, ProjectileStiffness, PulseShape, Scenario, Side, Species, Support, Surface,
+    integrator,
 };
 
 /// Characters that a name may have.
@@ -94,6 +96,13 @@ const MODELS: Variants<Model> = &[
     }),
 ];
 const SPECIES: Variants<Species> = &[("Human", || Species::Human), ("Pig", || Species::Pig)];
+const SIDES: Variants<Side> = &[("Right", || Side::Right), ("Left", || Side::Left)];
+const GEOMETRIES: Variants<Geometry> = &[
+    ("Auto", || Geometry::Auto),
+    ("Axisymmetric", || Geometry::Axisymmetric),
+    ("Half", || Geometry::Half),
+    ("Full", || Geometry::Full),
+];
 const SUPPORTS: Variants<Support> = &[
     ("Orbit", || Support::Orbit),
     ("Gelatin", || Support::Gelatin),
@@ -220,6 +229,19 @@ macro_rules! within {
     };
 }
 
+/// Both accessors of a length of the orbit's rim.
+macro_rules! rim {
+    ($length:ident, $direction:ident) => {
+        Number(
+            b(0.0, 40.0, 0.5, 2.0),
+            Place {
+                get: |s| Some(&orbit(s)?.rim.$length.$direction),
+                get_mut: |s| Some(&mut orbit_mut(s)?.rim.$length.$direction),
+            },
+        )
+    };
+}
+
 /// Both accessors of a field that only the Paper model has.
 macro_rules! of_section {
     ($part:ident) => {
@@ -308,6 +330,17 @@ fn lossy(scenario: &Scenario) -> Option<&Projectile> {
 
 fn lossy_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
     projectile_mut(scenario).filter(|projectile| gives_way(projectile))
+}
+
+/// The numerics of a model that chooses how much of the eye it computes.
+fn choosing(scenario: &Scenario) -> Option<&Geometry> {
+    physiological(scenario)?;
+    Some(&scenario.numerics.geometry)
+}
+
+fn choosing_mut(scenario: &mut Scenario) -> Option<&mut Geometry> {
+    physiological_mut(scenario)?;
+    Some(&mut scenario.numerics.geometry)
 }
 
 /// Both impacts have an angle.
@@ -418,6 +451,7 @@ pub static FIELDS: &[Field] = &[
     field("name", "Name", "", "What lists and pages call this blow", Text(LONGEST_NAME, at!(name))),
     field("model", "Model", "", "The paper's springs in a flat section, or a round eye of tissues", Choice(&OneOf(MODELS, at!(model)))),
     field("model.species", "Species", "", "Whose eye: it sets the thickness of the walls", Choice(&OneOf(SPECIES, within!(physiological, physiological_mut, species)))),
+    field("model.eye_side", "Which eye", "", "The nose lies at 3 o'clock of the right eye, at 9 of the left", Choice(&OneOf(SIDES, within!(physiological, physiological_mut, eye_side)))),
     field("model.support", "Held by", "", "What holds the globe: fat and bone, gelatin in a cup, or nothing", Choice(&OneOf(SUPPORTS, within!(physiological, physiological_mut, support)))),
     field("model.globe_bulk_mpa", "Globe bulk modulus", "MPa", "How hard vitreous and lens are to compress", Number(b(10.0, 2200.0, 10.0, 100.0), within!(physiological, physiological_mut, globe_bulk_mpa))),
     field("model.vitreous_shear_pa", "Vitreous shear", "Pa", "How stiff the vitreous is against shear", Number(b(0.0, 1e5, 1.0, 10.0), within!(physiological, physiological_mut, vitreous_shear_pa))),
@@ -430,6 +464,15 @@ pub static FIELDS: &[Field] = &[
     field("model.fat_bulk_mpa", "Fat bulk modulus", "MPa", "How hard the fat around the globe is to compress", Number(b(0.05, 2200.0, 0.1, 1.0), within!(orbit, orbit_mut, fat_bulk_mpa))),
     field("model.fat_shear_kpa", "Fat shear", "kPa", "How stiff the fat around the globe is against shear", Number(b(0.0, 1e4, 1.0, 10.0), within!(orbit, orbit_mut, fat_shear_kpa))),
     field("model.orbit_opening_deg", "Orbit opening", "deg", "Angle from the front at which fat and bone begin", Number(b(40.0, 120.0, 1.0, 10.0), within!(orbit, orbit_mut, orbit_opening_deg))),
+    field("model.rim", "Orbit's rim", "", "Whose bone: it sets the eight lengths of the rim below", Choice(&Rims)),
+    field("model.rim.depth_mm.above", "Rim depth, brow", "mm", "How far behind the cornea's apex the rim lies above", rim!(depth_mm, above)),
+    field("model.rim.depth_mm.nose", "Rim depth, nose", "mm", "How far behind the cornea's apex the rim lies at the nose", rim!(depth_mm, nose)),
+    field("model.rim.depth_mm.below", "Rim depth, cheek", "mm", "How far behind the cornea's apex the rim lies below", rim!(depth_mm, below)),
+    field("model.rim.depth_mm.temple", "Rim depth, temple", "mm", "How far behind the cornea's apex the rim lies at the temple", rim!(depth_mm, temple)),
+    field("model.rim.gap_mm.above", "Rim gap, brow", "mm", "Between the globe and the rim above", rim!(gap_mm, above)),
+    field("model.rim.gap_mm.nose", "Rim gap, nose", "mm", "Between the globe and the rim at the nose", rim!(gap_mm, nose)),
+    field("model.rim.gap_mm.below", "Rim gap, cheek", "mm", "Between the globe and the rim below", rim!(gap_mm, below)),
+    field("model.rim.gap_mm.temple", "Rim gap, temple", "mm", "Between the globe and the rim at the temple", rim!(gap_mm, temple)),
     field("model.gelatin_bulk_mpa", "Gelatin bulk mod.", "MPa", "How hard the gelatin is to compress", Number(b(0.05, 2200.0, 10.0, 100.0), within!(gelatin, gelatin_mut, gelatin_bulk_mpa))),
     field("model.gelatin_shear_kpa", "Gelatin shear", "kPa", "How stiff the gelatin is against shear", Number(b(0.0, 1e4, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_shear_kpa))),
     field("model.gelatin_opening_deg", "Gelatin opening", "deg", "Angle from the front at which gelatin and cup begin", Number(b(20.0, 120.0, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_opening_deg))),
@@ -439,7 +482,11 @@ pub static FIELDS: &[Field] = &[
     field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(projectile, projectile_mut, mass_g))),
     field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(projectile, projectile_mut, diameter_mm))),
     field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, FASTEST_M_S, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
-    field("impact.angle_deg", "Angle", "deg", "0 from the front, above 0 from above; an object is trusted to 40", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field("impact.from", "Comes from", "", "The side that it comes from; its angle and hour follow", Choice(&Directions)),
+    field("impact.angle_deg", "Angle", "deg", "0 is straight on; of a force, above 0 from above, below 0 from below", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field("impact.angle_clock", "Comes from hour", "h", "12 above, 6 below; 3 the nose of a right eye, the temple of a left", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, angle_clock))),
+    field("impact.offset_mm", "Beside the centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, 10.0, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
+    field("impact.offset_clock", "Beside, towards", "h", "The hour towards which it aims beside the middle", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, offset_clock))),
     field("impact.stiffness", "Its stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(projectile, projectile_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Its spring", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
     field("impact.outline", "Its shape", "", "A ball, or a rod with a flat end", Choice(&OneOf(OUTLINES, within!(projectile, projectile_mut, outline)))),
@@ -467,6 +514,7 @@ pub static FIELDS: &[Field] = &[
     field("eye.fat_drag_ns_m", "Fat drag", "N s/m", "What slows each node of the fat", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(fat_drag_ns_m))),
     field("numerics.integrator", "Integrator", "", "How the motion is computed; Auto chooses for you", Choice(&AnIntegrator(at!(numerics.integrator)))),
     field("numerics.step_us", "Time step", "µs", "Time between two states; auto takes a stable one", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
+    field("numerics.geometry", "Eye computed", "", "Auto: no more of the eye than the blow needs", Choice(&OneOf(GEOMETRIES, Place { get: choosing, get_mut: choosing_mut }))),
 ];
 
 /// The field at a dotted path.
@@ -491,14 +539,14 @@ impl Field {
         }
     }
 
-    /// What the field accepts in a scenario, in words: a mesh of the Physiological model has fewer
-    /// levels.
+    /// What the field accepts in a scenario, in words: each eye has levels of its own.
     pub fn allowed_in(&self, scenario: &Scenario) -> String {
-        match (&self.kind, &scenario.model) {
-            (Integer(min, max, _), Model::Physiological(_))
-                if *max > FINEST_PHYSIOLOGICAL_LEVEL =>
-            {
-                format!("whole numbers {min} to {FINEST_PHYSIOLOGICAL_LEVEL}")
+        match &self.kind {
+            Integer(min, max, _) => {
+                format!(
+                    "whole numbers {min} to {}",
+                    scenario.finest_level().min(*max)
+                )
             }
             _ => self.allowed(),
         }

@@ -10,8 +10,10 @@ mod auto;
 mod check;
 mod curve;
 mod curve_file;
+pub mod direction;
 pub(crate) mod doubt;
 pub mod fields;
+mod geometry;
 mod integrator;
 pub mod library;
 pub mod load;
@@ -19,21 +21,26 @@ pub(crate) mod locate;
 mod physiological;
 pub(crate) mod problem;
 mod projectile;
+mod rim;
 pub(crate) mod ron_text;
 pub mod set;
 mod text_file;
 
 use std::collections::BTreeMap;
 
-pub use crate::scenario::check::CheckedScenario;
+pub use crate::scenario::check::{CheckedScenario, STEEPEST_OBJECT_DEG};
 pub use crate::scenario::curve::{Curve, CurveError};
+pub use crate::scenario::direction::Side;
+pub use crate::scenario::geometry::Geometry;
 pub use crate::scenario::integrator::Integrator;
 pub use crate::scenario::physiological::{
     FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, MOST_ENERGY_J, Physiological, Species, Support,
     TRUSTED_ANGLE_DEG,
 };
+use crate::scenario::problem::plain;
 pub use crate::scenario::problem::{Problem, ScenarioError};
 pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, Surface};
+pub use crate::scenario::rim::{Around, Rim};
 use curve_file::CurveFile;
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -88,7 +95,10 @@ fn named<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Model>, D:
 }
 
 impl From<WrittenScenario> for Scenario {
-    fn from(written: WrittenScenario) -> Self {
+    fn from(mut written: WrittenScenario) -> Self {
+        if let Impact::Projectile(projectile) = &mut written.impact {
+            projectile.by_the_clock();
+        }
         Self {
             name: written.name,
             model: written
@@ -430,4 +440,6 @@ pub struct NumericsInput {
     /// The step, in us; none lets the program take one from the stability bound.
     #[serde(deserialize_with = "auto::deserialize")]
     pub step_us: Option<f64>,
+    /// How much of the eye is computed.
+    pub geometry: Geometry,
 }

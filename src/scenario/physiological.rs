@@ -3,6 +3,7 @@
 //! Each default has its source in the model itself. This holds what a person may change of it. Of
 //! [`crate::scenario::EyeInput`] it takes the level alone: the rest there is of the section.
 
+use crate::scenario::{Rim, Side};
 use serde::{Deserialize, Serialize};
 
 /// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of
@@ -22,6 +23,8 @@ pub const FINEST_PHYSIOLOGICAL_LEVEL: u32 = 5;
 pub struct Physiological {
     /// Whose eye: it sets the thickness of the shell.
     pub species: Species,
+    /// Right or left.
+    pub eye_side: Side,
     /// What holds the globe.
     pub support: Support,
     /// Bulk modulus of vitreous and lens.
@@ -46,6 +49,9 @@ pub struct Physiological {
     pub fat_shear_kpa: f64,
     /// Front angle at which orbital fat and bone begin.
     pub orbit_opening_deg: f64,
+    /// Where the rim of the bone lies, where the eye is computed in three dimensions.
+    #[serde(skip_serializing_if = "Rim::is_default")]
+    pub rim: Rim,
     /// Bulk modulus of the gelatin.
     pub gelatin_bulk_mpa: f64,
     /// Shear modulus of the gelatin.
@@ -79,6 +85,7 @@ impl Default for Physiological {
     fn default() -> Self {
         Self {
             species: Species::Human,
+            eye_side: Side::Right,
             support: Support::Orbit,
             globe_bulk_mpa: 100.0,
             vitreous_shear_pa: 10.0,
@@ -91,6 +98,7 @@ impl Default for Physiological {
             fat_bulk_mpa: 0.4,
             fat_shear_kpa: 15.7,
             orbit_opening_deg: 72.0,
+            rim: Rim::CAUCASIAN,
             gelatin_bulk_mpa: 100.0,
             gelatin_shear_kpa: 30.0,
             gelatin_opening_deg: 40.0,

@@ -15,12 +15,24 @@ pub struct Projectile {
     pub diameter_mm: f64,
     /// Speed at first contact, in m/s.
     pub speed_m_s: f64,
-    /// Front angle that it aims at, in degrees: 0 at the corneal apex, positive above.
+    /// Angle between its path and the eye's axis, in degrees.
     #[serde(default)]
     pub angle_deg: f64,
-    /// Sideways shift of its path, in mm. Older files hold it; nothing but 0 is accepted.
+    /// The hour that it comes from.
+    #[serde(
+        default = "Projectile::from_above",
+        skip_serializing_if = "Projectile::is_from_above"
+    )]
+    pub angle_clock: f64,
+    /// How far beside the middle of the cornea it aims, in mm.
     #[serde(default, skip_serializing_if = "Projectile::is_zero")]
     pub offset_mm: f64,
+    /// The hour towards which that is.
+    #[serde(
+        default = "Projectile::from_above",
+        skip_serializing_if = "Projectile::is_from_above"
+    )]
+    pub offset_clock: f64,
     /// How it gives way as a whole.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
@@ -45,11 +57,12 @@ pub struct Projectile {
 
 impl Projectile {
     /// The fields that [`Self::unverified`] may name.
-    pub const FIELDS: [&'static str; 8] = [
+    pub const FIELDS: [&'static str; 9] = [
         "mass_g",
         "diameter_mm",
         "speed_m_s",
         "angle_deg",
+        "offset_mm",
         "stiffness",
         "outline",
         "surface",
@@ -69,6 +82,18 @@ impl Projectile {
     /// Energy that it brings, in J.
     pub fn energy_j(&self) -> f64 {
         0.5e-3 * self.mass_g * self.speed_m_s * self.speed_m_s
+    }
+
+    fn from_above() -> f64 {
+        crate::scenario::direction::HOURS
+    }
+
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde asks for a reference"
+    )]
+    fn is_from_above(hour: &f64) -> bool {
+        *hour == Self::from_above()
     }
 
     fn lossless() -> f64 {
@@ -100,7 +125,9 @@ impl Default for Projectile {
             diameter_mm: 6.35,
             speed_m_s: 20.0,
             angle_deg: 0.0,
+            angle_clock: Self::from_above(),
             offset_mm: 0.0,
+            offset_clock: Self::from_above(),
             stiffness: ProjectileStiffness::default(),
             outline: Outline::default(),
             surface: Surface::default(),

@@ -233,7 +233,7 @@ fn step_errors(scene: &Scenario, fineness: f64) -> Result<Option<Vec<Claim>>, Re
 }
 
 fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refusal> {
-    let [coarser, finer] = witnesses(&scene.model, level);
+    let [coarser, finer] = witnesses(scene, level);
     let mut found: Vec<OnMesh> = Vec::with_capacity(4);
     // The cheap ones first: where one folds the finest mesh need not be moved.
     for level in [level, coarser, finer, REFERENCE_LEVEL] {
@@ -243,7 +243,7 @@ fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refus
         }
         found.push(on);
     }
-    let mesh = MeshError::of(&scene.model, level, &found[0], [&found[1], &found[2]]);
+    let mesh = MeshError::of(scene, level, &found[0], [&found[1], &found[2]]);
     // In % of the answer, as claims are.
     let truth = found[3].results.difference_percent(&found[0].results);
     Ok(Some(about_results(&mesh.errors, &truth)))
@@ -252,7 +252,7 @@ fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refus
 /// A claim for each tolerance. No answer rests on the reference level.
 fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
     let mut ladder = Ladder::default();
-    let [_, finer] = witnesses(&scene.model, 1);
+    let [_, finer] = witnesses(scene, 1);
     for level in 1..=finer {
         if ladder.at(scene, level, &mut unwatched)?.folded.is_some() {
             return Ok(None);

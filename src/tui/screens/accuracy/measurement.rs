@@ -240,12 +240,13 @@ pub fn adopted(scenario: &Scenario, total: &Total) -> Scenario {
         numerics: NumericsInput {
             integrator: Some(total.plan.integrator),
             step_us: Some((step * power).floor() / power),
+            ..scenario.numerics.clone()
         },
         ..scenario.clone()
     };
     if total.is_answer {
         // What the program would take by itself stays free to be refined.
-        adopted.numerics = NumericsInput::default();
+        (adopted.numerics.integrator, adopted.numerics.step_us) = (None, None);
     }
     adopted.eye.level = total.level;
     adopted

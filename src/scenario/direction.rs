@@ -1,0 +1,228 @@
+//! Where a blow comes from and what it aims at, by the clock as an examiner who faces the patient
+//! sees it: the nose lies at 3 o'clock of a right eye and at 9 of a left one.
+
+use crate::scenario::fields::Choices;
+use crate::scenario::{Impact, Model, Projectile, Scenario};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
+
+/// Hours of a clock.
+pub const HOURS: f64 = 12.0;
+/// The angle that a word alone stands for, in degrees.
+const USUAL_DEG: f64 = 30.0;
+
+/// Which eye of a person.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Side {
+    /// Its nose lies at 3 o'clock.
+    #[default]
+    Right,
+    /// Its nose lies at 9 o'clock.
+    Left,
+}
+
+impl Side {
+    /// The azimuth about the eye's axis of an hour, in rad: 0 above, pi/2 at the nose.
+    pub fn azimuth(self, hour: f64) -> f64 {
+        let turn = hour * TAU / HOURS;
+        match self {
+            Self::Right => turn,
+            Self::Left => -turn,
+        }
+    }
+
+    /// The hour of an azimuth, from 0.5 to below 12.5 in halves.
+    pub fn hour(self, azimuth: f64) -> f64 {
+        let turn = match self {
+            Self::Right => azimuth,
+            Self::Left => -azimuth,
+        };
+        let halves = (2.0 * HOURS * turn / TAU).round().rem_euclid(2.0 * HOURS);
+        if halves < 1.0 { HOURS } else { 0.5 * halves }
+    }
+}
+
+/// A direction about the eye's axis in words, as in `below and the temple`.
+pub fn place(azimuth: f64) -> &'static str {
+    const PLACES: [&str; 8] = [
+        "above",
+        "above and the nose",
+        "the nose",
+        "below and the nose",
+        "below",
+        "below and the temple",
+        "the temple",
+        "above and the temple",
+    ];
+    PLACES[(azimuth / FRAC_PI_4).round().rem_euclid(8.0) as usize]
+}
+
+/// An hour as people read it, as in `7:30`.
+pub fn o_clock(hour: f64) -> String {
+    let minutes = (60.0 * hour).round();
+    let (whole, rest) = ((minutes / 60.0).floor(), minutes % 60.0);
+    let whole = if whole < 1.0 { HOURS } else { whole };
+    if rest == 0.0 {
+        format!("{whole} o'clock")
+    } else {
+        format!("{whole}:{rest:02}")
+    }
+}
+
+impl Scenario {
+    /// Which eye it is.
+    pub fn eye_side(&self) -> Side {
+        match &self.model {
+            Model::Physiological(model) => model.eye_side,
+            Model::Paper => Side::Right,
+        }
+    }
+}
+
+impl Projectile {
+    /// Turns an angle or offset below 0, as older files have them, to the other side of the clock.
+    pub(super) fn by_the_clock(&mut self) {
+        let turned = |value: &mut f64, hour: &mut f64| {
+            if *value < 0.0 {
+                *value = -*value;
+                *hour = (*hour + 0.5 * HOURS) % HOURS;
+            }
+        };
+        turned(&mut self.angle_deg, &mut self.angle_clock);
+        turned(&mut self.offset_mm, &mut self.offset_clock);
+    }
+
+    /// Whether it flies along the eye's own axis.
+    pub fn is_straight_on(&self) -> bool {
+        self.angle_deg == 0.0 && self.offset_mm == 0.0
+    }
+
+    /// Where it comes from and what it aims at, in words; none if straight on.
+    pub fn direction(&self, side: Side) -> Option<String> {
+        let mut parts = Vec::new();
+        if self.angle_deg != 0.0 {
+            let from = place(side.azimuth(self.angle_clock));
+            let angle = crate::scenario::plain(self.angle_deg);
+            parts.push(format!("from {from} at {angle} deg"));
+        }
+        if self.offset_mm != 0.0 {
+            let towards = place(side.azimuth(self.offset_clock));
+            let offset = crate::scenario::plain(self.offset_mm);
+            parts.push(format!("{offset} mm towards {towards}"));
+        }
+        (!parts.is_empty()).then(|| parts.join(", "))
+    }
+}
+
+/// Where an object comes from, in a word: it stands for an angle and an hour.
+pub(super) struct Directions;
+
+const STRAIGHT_ON: &str = "StraightOn";
+/// Each word and its azimuth.
+const WORDS: [(&str, f64); 4] = [
+    ("Above", 0.0),
+    ("Nose", 0.5 * PI),
+    ("Below", PI),
+    ("Temple", 1.5 * PI),
+];
+
+impl Choices for Directions {
+    fn names(&self) -> Vec<&'static str> {
+        let words = WORDS.iter().map(|(word, _)| *word);
+        std::iter::once(STRAIGHT_ON).chain(words).collect()
+    }
+
+    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
+        let Impact::Projectile(projectile) = &scenario.impact else {
+            return None;
+        };
+        if projectile.angle_deg == 0.0 {
+            return Some(STRAIGHT_ON);
+        }
+        let azimuth = scenario.eye_side().azimuth(projectile.angle_clock);
+        let quarter = (azimuth / (0.5 * PI)).round().rem_euclid(4.0) as usize;
+        Some(WORDS[quarter].0)
+    }
+
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
+        let side = scenario.eye_side();
+        let same = self.get(scenario) == Some(name);
+        let Impact::Projectile(projectile) = &mut scenario.impact else {
+            return false;
+        };
+        if same {
+            return true;
+        }
+        if name == STRAIGHT_ON {
+            projectile.angle_deg = 0.0;
+            return true;
+        }
+        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else {
+            return false;
+        };
+        projectile.angle_clock = side.hour(*azimuth);
+        if projectile.angle_deg == 0.0 {
+            projectile.angle_deg = USUAL_DEG;
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::set::set;
+
+    #[test]
+    fn the_nose_lies_at_3_of_a_right_eye_and_at_9_of_a_left_one() {
+        for (side, hour) in [(Side::Right, 3.0), (Side::Left, 9.0)] {
+            assert_eq!(place(side.azimuth(hour)), "the nose");
+            assert_eq!(side.hour(0.5 * PI), hour);
+            for half in 1..=24 {
+                let hour = 0.5 * f64::from(half);
+                assert_eq!(side.hour(side.azimuth(hour)), hour.max(0.5));
+            }
+        }
+        assert_eq!(
+            (o_clock(12.0), o_clock(7.5)),
+            ("12 o'clock".into(), "7:30".into())
+        );
+        assert_eq!(o_clock(0.5), "12:30");
+    }
+
+    #[test]
+    fn an_angle_below_0_of_an_older_file_comes_from_below() {
+        let text = "(name: \"x\", impact: Projectile((mass_g: 1.0, diameter_mm: 6.0, \
+                    speed_m_s: 9.0, angle_deg: -30.0, offset_mm: -2.0)))";
+        let read: Scenario = ron::from_str(text).unwrap();
+        let Impact::Projectile(read) = read.impact else {
+            panic!()
+        };
+        assert_eq!((read.angle_deg, read.angle_clock), (30.0, 6.0));
+        assert_eq!((read.offset_mm, read.offset_clock), (2.0, 6.0));
+        let words = "from below at 30 deg, 2 mm towards below";
+        assert_eq!(read.direction(Side::Right).unwrap(), words);
+    }
+
+    #[test]
+    fn a_word_sets_the_hour_of_its_side_and_keeps_an_angle_that_is_there() {
+        let mut scenario = Scenario {
+            impact: Impact::Projectile(Projectile::default()),
+            model: Model::Physiological(Default::default()),
+            ..Scenario::default()
+        };
+        set(&mut scenario, "model.eye_side", "Left").unwrap();
+        set(&mut scenario, "impact.from", "Temple").unwrap();
+        let of = |scenario: &Scenario| match &scenario.impact {
+            Impact::Projectile(p) => (p.angle_deg, p.angle_clock),
+            Impact::ForcePulse(_) => panic!(),
+        };
+        assert_eq!(of(&scenario), (30.0, 3.0));
+        set(&mut scenario, "impact.angle_deg", "12").unwrap();
+        set(&mut scenario, "impact.from", "Below").unwrap();
+        assert_eq!(of(&scenario), (12.0, 6.0));
+        assert_eq!(Directions.get(&scenario), Some("Below"));
+        set(&mut scenario, "impact.from", "StraightOn").unwrap();
+        assert_eq!(of(&scenario).0, 0.0);
+    }
+}

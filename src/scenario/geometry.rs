@@ -1,0 +1,158 @@
+//! How much of the eye a scene needs, and so which eye computes it.
+//!
+//! Straight on, beside nothing that breaks the symmetry, a half section turned about its axis is
+//! the whole. A blow from the side on a round support has one mirror plane, so half of the eye in
+//! three dimensions is the whole. A measured orbit has none.
+
+use crate::scenario::{
+    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Physiological, Projectile, Scenario,
+    Support,
+};
+use serde::{Deserialize, Serialize};
+
+/// How much of the eye is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Geometry {
+    /// As much as the scene needs.
+    #[default]
+    Auto,
+    /// A half section about the line of the blow.
+    Axisymmetric,
+    /// The half of the eye beside the plane of the blow, in three dimensions.
+    Half,
+    /// All of it, in three dimensions.
+    Full,
+}
+
+impl Geometry {
+    /// Whether it is one in three dimensions.
+    pub fn is_spatial(self) -> bool {
+        matches!(self, Self::Half | Self::Full)
+    }
+}
+
+/// The finest level of the eye in three dimensions.
+pub const FINEST_SPATIAL_LEVEL: u32 = 3;
+/// Radius of the globe, in mm.
+const GLOBE_MM: f64 = 12.0;
+
+impl Projectile {
+    /// Whether its path and the line through the middle of the cornea that it aims beside lie in
+    /// one plane with the eye's axis.
+    fn has_mirror_plane(&self) -> bool {
+        let apart = (self.angle_clock - self.offset_clock).rem_euclid(6.0);
+        self.angle_deg == 0.0 || self.offset_mm == 0.0 || apart == 0.0
+    }
+}
+
+impl Physiological {
+    /// Whether an object that comes straight on can meet the rim of the orbit.
+    fn rim_catches(&self, projectile: &Projectile) -> bool {
+        let gaps = self.rim.gap_mm;
+        let least = [gaps.above, gaps.nose, gaps.below, gaps.temple]
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        self.support == Support::Orbit && 0.5 * projectile.diameter_mm > GLOBE_MM + least
+    }
+}
+
+impl Scenario {
+    /// How much of the eye the scene needs, or is told to compute; none of the Paper model.
+    pub fn geometry(&self) -> Option<Geometry> {
+        let Model::Physiological(model) = &self.model else {
+            return None;
+        };
+        if self.numerics.geometry != Geometry::Auto {
+            return Some(self.numerics.geometry);
+        }
+        let Impact::Projectile(projectile) = &self.impact else {
+            return Some(Geometry::Axisymmetric);
+        };
+        let straight = projectile.is_straight_on();
+        Some(if straight && !model.rim_catches(projectile) {
+            Geometry::Axisymmetric
+        } else if model.support != Support::Orbit && projectile.has_mirror_plane() {
+            Geometry::Half
+        } else {
+            Geometry::Full
+        })
+    }
+
+    /// The finest level of the mesh that it may be computed with.
+    pub fn finest_level(&self) -> u32 {
+        match self.geometry() {
+            None => FINEST_LEVEL,
+            Some(Geometry::Half | Geometry::Full) => FINEST_SPATIAL_LEVEL,
+            Some(_) => FINEST_PHYSIOLOGICAL_LEVEL,
+        }
+    }
+
+    /// Why the geometry that is asked for cannot be had, and what could.
+    pub(super) fn geometry_unfit(&self) -> Option<(&'static str, &'static str)> {
+        let (Model::Physiological(model), Impact::Projectile(projectile)) =
+            (&self.model, &self.impact)
+        else {
+            let spatial = self.numerics.geometry.is_spatial();
+            return spatial.then_some(("takes objects only", "Auto, Axisymmetric"));
+        };
+        match self.numerics.geometry {
+            Geometry::Half if model.support == Support::Orbit => {
+                Some(("has a mirror plane, which an orbit has not", "Auto, Full"))
+            }
+            Geometry::Half if !projectile.has_mirror_plane() => Some((
+                "has a mirror plane, which angle_clock and offset_clock here have not",
+                "Auto, Full",
+            )),
+            Geometry::Axisymmetric if projectile.offset_mm != 0.0 => {
+                Some(("takes no blow beside the centre", "Auto, Half, Full"))
+            }
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::library::find;
+    use crate::scenario::set::set;
+
+    fn of(preset: &str, changes: &[(&str, &str)]) -> Option<Geometry> {
+        let mut scenario = find(preset).unwrap().scenario().unwrap();
+        for (path, value) in changes {
+            set(&mut scenario, path, value).unwrap();
+        }
+        scenario.geometry()
+    }
+
+    #[test]
+    fn a_scene_gets_as_much_of_the_eye_as_it_needs() {
+        let angle = ("impact.angle_deg", "30");
+        let gelatin = ("model.support", "Gelatin");
+        let aside = [("impact.offset_mm", "4"), ("impact.offset_clock", "3")];
+        assert_eq!(of("paper-300n", &[]), None);
+        assert_eq!(of("bb-62", &[]), Some(Geometry::Axisymmetric));
+        assert_eq!(of("bb-62", &[angle]), Some(Geometry::Full));
+        assert_eq!(of("bb-62", &[angle, gelatin]), Some(Geometry::Half));
+        let both = [angle, gelatin, aside[0], aside[1]];
+        assert_eq!(of("bb-62", &both), Some(Geometry::Full));
+        assert_eq!(of("bb-62", &both[1..]), Some(Geometry::Half));
+        assert_eq!(of("squash-ball", &[]), Some(Geometry::Full));
+        assert_eq!(of("squash-ball", &[gelatin]), Some(Geometry::Axisymmetric));
+        let forced = ("numerics.geometry", "Axisymmetric");
+        assert_eq!(of("squash-ball", &[forced]), Some(Geometry::Axisymmetric));
+    }
+
+    #[test]
+    fn what_has_no_mirror_plane_is_not_halved() {
+        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
+        set(&mut scenario, "numerics.geometry", "Half").unwrap();
+        let told = scenario.check().unwrap_err().to_string();
+        assert!(
+            told.contains("numerics.geometry") && told.contains("Full"),
+            "{told}"
+        );
+        set(&mut scenario, "model.support", "Free").unwrap();
+        assert!(scenario.check().is_ok());
+    }
+}

@@ -1,0 +1,111 @@
+//! The rim of the bony orbit, in four directions.
+//!
+//! Measured on computed tomographs of 15 caucasian and 12 east asian orbits (Arch Facial Plast Surg
+//! 2011;13:51); 141 Koreans agree within 2.7 mm (Shin 2017, Anat Cell Biol 50:41).
+
+use crate::scenario::fields::Choices;
+use crate::scenario::{Model, Scenario, Support};
+use serde::{Deserialize, Serialize};
+
+/// A length in four directions, in mm.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Around {
+    /// At the brow.
+    pub above: f64,
+    /// At the nose.
+    pub nose: f64,
+    /// At the cheek.
+    pub below: f64,
+    /// At the temple.
+    pub temple: f64,
+}
+
+/// Where the rim lies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rim {
+    /// Behind the plane through the apex of the cornea.
+    pub depth_mm: Around,
+    /// Between globe and rim, radially.
+    pub gap_mm: Around,
+}
+
+const fn around(above: f64, nose: f64, below: f64, temple: f64) -> Around {
+    Around {
+        above,
+        nose,
+        below,
+        temple,
+    }
+}
+
+impl Rim {
+    /// Of 15 caucasian orbits.
+    pub const CAUCASIAN: Self = Self {
+        depth_mm: around(4.6, 5.9, 12.6, 20.6),
+        gap_mm: around(3.7, 7.6, 6.6, 4.6),
+    };
+    /// Of 12 east asian orbits.
+    pub const EAST_ASIAN: Self = Self {
+        depth_mm: around(5.0, 6.8, 11.1, 17.5),
+        gap_mm: around(2.1, 8.2, 6.5, 4.5),
+    };
+    /// Standard deviations between persons, of the caucasian orbits.
+    pub const SPREAD: Self = Self {
+        depth_mm: around(4.2, 3.0, 3.7, 2.6),
+        gap_mm: around(2.1, 1.8, 2.2, 2.3),
+    };
+
+    /// Whether it is one of the measured ones.
+    pub fn is_measured(&self) -> bool {
+        NAMED.iter().any(|(_, rim)| rim == self)
+    }
+
+    pub(super) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl Default for Rim {
+    fn default() -> Self {
+        Self::CAUCASIAN
+    }
+}
+
+/// Whose rim: it stands for the eight lengths.
+pub(super) struct Rims;
+
+const NAMED: [(&str, Rim); 2] = [
+    ("Caucasian", Rim::CAUCASIAN),
+    ("EastAsian", Rim::EAST_ASIAN),
+];
+const OWN: &str = "Own";
+
+impl Choices for Rims {
+    fn names(&self) -> Vec<&'static str> {
+        NAMED.iter().map(|(name, _)| *name).collect()
+    }
+
+    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
+        let Model::Physiological(model) = &scenario.model else {
+            return None;
+        };
+        let known = NAMED.iter().find(|(_, rim)| *rim == model.rim);
+        (model.support == Support::Orbit).then_some(known.map_or(OWN, |(name, _)| *name))
+    }
+
+    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
+        if self.get(scenario) == Some(name) {
+            return true;
+        }
+        let found = NAMED.iter().find(|(known, _)| *known == name);
+        match (found, &mut scenario.model) {
+            (Some((_, rim)), Model::Physiological(model)) if model.support == Support::Orbit => {
+                model.rim = *rim;
+                true
+            }
+            _ => false,
+        }
+    }
+}
