@@ -554,7 +554,7 @@ mod tests {
             assert_eq!(meant(name), Some(Quantity::GlobeRupture), "{name}");
         }
         for quantity in Quantity::ALL {
-            assert_eq!(meant(quantity.label()), Some(quantity));
+            assert_eq!(meant(quantity.label()), Some(*quantity));
         }
         assert_eq!(meant("globe"), None);
         let told = wanted("globe ruptur = 50").unwrap_err().to_string();
