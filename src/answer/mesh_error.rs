@@ -30,7 +30,7 @@ use crate::run::quantity::Family;
 use crate::run::readings::PerQuantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::{NumericsInput, Scenario};
+use crate::scenario::Scenario;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
@@ -68,10 +68,7 @@ pub struct OnMesh {
 pub(crate) fn at_level(scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
     let mut other = scenario.clone();
     // The mesh error is far larger than the step error of the automatic step.
-    other.numerics = NumericsInput {
-        geometry: other.numerics.geometry,
-        ..NumericsInput::default()
-    };
+    other.numerics = other.numerics.automatic();
     // A witness may be finer than what anyone may ask for.
     other.eye.level = level.min(rules(scenario).mesh.finest);
     let case = Compiled::new(&other.check()?).at_level(level);
@@ -301,7 +298,7 @@ mod tests {
     #[test]
     fn the_finest_levels_are_their_own_witnesses() {
         assert_eq!(
-            [1, 6, 7, 8].map(|level| witnesses(&Model::Paper, level)),
+            [1, 6, 7, 8].map(|level| witnesses(&Scenario::default(), level)),
             [[2, 3], [7, 8], [7, 8], [7, 8]]
         );
     }

@@ -367,12 +367,12 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
         .collect()
 }
 
-/// What an input is drawn within: an hour goes once round, an object comes from no angle below 0.
+/// What an input is drawn within: an hour goes once round.
 fn drawn_within(field: &Field, nominal: f64, bounds: Bounds, scenario: &Scenario) -> (f64, f64) {
     if is_clock(field) {
         (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
     } else if field.path == "impact.angle_deg" && matches!(scenario.impact, Impact::Projectile(_)) {
-        (0.0, STEEPEST_OBJECT_DEG)
+        (-STEEPEST_OBJECT_DEG, STEEPEST_OBJECT_DEG)
     } else {
         (bounds.min, bounds.max)
     }

@@ -21,7 +21,7 @@ use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::rules::Element;
 use crate::run::watch::Watch;
-use crate::scenario::{CheckedScenario, Integrator, NumericsInput, Scenario};
+use crate::scenario::{CheckedScenario, Integrator, Scenario};
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -301,7 +301,7 @@ pub fn measure(
     let case = |level| -> Result<Compiled, Refusal> {
         let mut other = Scenario::from(scenario.clone());
         other.eye.level = level;
-        other.numerics = NumericsInput::default();
+        other.numerics = other.numerics.automatic();
         Ok(Compiled::new(&other.check()?))
     };
     let cases: Vec<Compiled> = (1..=finest).map(case).collect::<Result<_, _>>()?;

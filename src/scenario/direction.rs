@@ -69,6 +69,23 @@ pub fn o_clock(hour: f64) -> String {
     }
 }
 
+impl Impact {
+    /// Turns an angle or offset below 0 to the other side of the clock.
+    pub(super) fn by_the_clock(&mut self) {
+        let Self::Projectile(projectile) = self else {
+            return;
+        };
+        let turned = |value: &mut f64, hour: &mut f64| {
+            if *value < 0.0 {
+                *value = -*value;
+                *hour = (*hour + 0.5 * HOURS) % HOURS;
+            }
+        };
+        turned(&mut projectile.angle_deg, &mut projectile.angle_clock);
+        turned(&mut projectile.offset_mm, &mut projectile.offset_clock);
+    }
+}
+
 impl Scenario {
     /// Which eye it is.
     pub fn eye_side(&self) -> Side {
@@ -80,18 +97,6 @@ impl Scenario {
 }
 
 impl Projectile {
-    /// Turns an angle or offset below 0, as older files have them, to the other side of the clock.
-    pub(super) fn by_the_clock(&mut self) {
-        let turned = |value: &mut f64, hour: &mut f64| {
-            if *value < 0.0 {
-                *value = -*value;
-                *hour = (*hour + 0.5 * HOURS) % HOURS;
-            }
-        };
-        turned(&mut self.angle_deg, &mut self.angle_clock);
-        turned(&mut self.offset_mm, &mut self.offset_clock);
-    }
-
     /// Whether it flies along the eye's own axis.
     pub fn is_straight_on(&self) -> bool {
         self.angle_deg == 0.0 && self.offset_mm == 0.0

@@ -96,9 +96,7 @@ fn named<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Model>, D:
 
 impl From<WrittenScenario> for Scenario {
     fn from(mut written: WrittenScenario) -> Self {
-        if let Impact::Projectile(projectile) = &mut written.impact {
-            projectile.by_the_clock();
-        }
+        written.impact.by_the_clock();
         Self {
             name: written.name,
             model: written
@@ -442,4 +440,14 @@ pub struct NumericsInput {
     pub step_us: Option<f64>,
     /// How much of the eye is computed.
     pub geometry: Geometry,
+}
+
+impl NumericsInput {
+    /// The same eye, solved as the program chooses.
+    pub fn automatic(&self) -> Self {
+        Self {
+            geometry: self.geometry,
+            ..Self::default()
+        }
+    }
 }

@@ -179,6 +179,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     doubt::tidy(&mut changed, path);
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
+    changed.impact.by_the_clock();
     confirm(&mut changed, path);
     *scenario = changed;
     Ok(())
@@ -202,6 +203,7 @@ pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
         Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), Some(Some(value))),
         _ => return,
     };
+    scenario.impact.by_the_clock();
     confirm(scenario, field.path);
 }
 

@@ -74,6 +74,18 @@ fn is_basic(field: &Field) -> bool {
         .any(|path| field.path == *path || field.path.starts_with("impact."))
 }
 
+/// Whether a field says nothing: the hour of a blow that comes straight on, or at the centre.
+fn is_idle(field: &Field, scenario: &Scenario) -> bool {
+    let Impact::Projectile(projectile) = &scenario.impact else {
+        return false;
+    };
+    match field.path {
+        "impact.angle_clock" => projectile.angle_deg == 0.0,
+        "impact.offset_clock" => projectile.offset_mm == 0.0,
+        _ => false,
+    }
+}
+
 /// Whether there is nothing to choose.
 fn is_settled(field: &Field) -> bool {
     field.path == "impact"
@@ -82,7 +94,9 @@ fn is_settled(field: &Field) -> bool {
 
 /// The rows, from the top.
 pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<FormRow> {
-    let there = |field: &&Field| field.text(scenario).is_some() && !is_settled(field);
+    let there = |field: &&Field| {
+        field.text(scenario).is_some() && !is_settled(field) && !is_idle(field, scenario)
+    };
     let mut rows = vec![FormRow::Preset];
     rows.extend(
         FIELDS

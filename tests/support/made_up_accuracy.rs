@@ -9,7 +9,7 @@ use contrecoup::run::plan::Plan;
 use contrecoup::run::quantity::Quantity;
 use contrecoup::run::rules::Element;
 use contrecoup::scenario::Integrator;
-use contrecoup::scenario::Model;
+use contrecoup::scenario::Scenario;
 
 /// Method, step in us, time in ms, step error in %; all on level 1, finer ones take longer.
 type Row = (Integrator, f64, f64, f64);
@@ -68,7 +68,7 @@ pub fn made_up() -> Accuracy {
     };
     let places = |level| (0..ROWS.len()).map(move |place| run(level, place));
     Accuracy {
-        model: Model::Paper,
+        scenario: Scenario::default(),
         element: Element::Spring,
         levels: LEVELS.iter().map(level).collect(),
         references: LEVELS.map(all)[..RUN as usize].to_vec(),

@@ -62,7 +62,7 @@ fn key(scenario: &Scenario) -> Scenario {
     let mut key = Scenario {
         // No name would be refused.
         name: "any".to_owned(),
-        numerics: NumericsInput::default(),
+        numerics: scenario.numerics.automatic(),
         ..scenario.clone()
     };
     key.eye.level = finest_tried(scenario);
