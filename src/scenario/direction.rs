@@ -213,7 +213,7 @@ mod tests {
     fn a_word_sets_the_hour_of_its_side_and_keeps_an_angle_that_is_there() {
         let mut scenario = Scenario {
             impact: Impact::Projectile(Projectile::default()),
-            model: Model::Physiological(Default::default()),
+            model: Model::Physiological(crate::scenario::Physiological::default()),
             ..Scenario::default()
         };
         set(&mut scenario, "model.eye_side", "Left").unwrap();

@@ -444,6 +444,7 @@ pub struct NumericsInput {
 
 impl NumericsInput {
     /// The same eye, solved as the program chooses.
+    #[must_use]
     pub fn automatic(&self) -> Self {
         Self {
             geometry: self.geometry,
