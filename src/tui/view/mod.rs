@@ -5,6 +5,7 @@ pub mod chart;
 pub mod eye;
 mod fill;
 pub mod footer;
+pub mod fundus;
 pub mod heat;
 pub mod overlay;
 pub mod palette;
