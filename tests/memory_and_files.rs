@@ -148,6 +148,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
             "paper-300n",
             "--level=6",
             "--every-us=1",
+            "--set=window_ms=30",
             "--frames",
         ];
         command.args(arguments).arg(&target).stderr(Stdio::piped());

@@ -13,6 +13,8 @@ use std::f64::consts::FRAC_PI_4;
 const WIDTH_MM: (f64, f64) = (11.2, 16.0);
 /// The same of the angle from straight on, in degrees.
 const ANGLE_DEG: (f64, f64) = (10.0, 20.0);
+/// Radius of the globe, in mm.
+const GLOBE_MM: f64 = 12.0;
 /// Decimal logarithms of the surface's modulus in `MPa`, from as hard as those tested to unlike.
 const HARDNESS: (f64, f64) = (2.0, 1.0);
 /// Energy over area from which small hard objects were seen to go in, J/m2 (Marshall 2011: pigs'
@@ -57,10 +59,19 @@ fn softness(surface: Surface) -> f64 {
     }
 }
 
+/// How far from straight on a blow is, in degrees: its angle, and where on the globe it lands.
+fn off_axis_deg(impact: &Impact) -> f64 {
+    let beside = match impact {
+        Impact::Projectile(object) => libm::asin((object.offset_mm / GLOBE_MM).min(1.0)),
+        Impact::ForcePulse(_) => 0.0,
+    };
+    impact.angle_deg().abs() + beside.to_degrees()
+}
+
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        let aslant = ramp(scenario.impact.angle_deg().abs(), ANGLE_DEG);
+        let aslant = ramp(off_axis_deg(&scenario.impact), ANGLE_DEG);
         let Impact::Projectile(object) = &scenario.impact else {
             // Nobody has pushed an eye with a given force.
             return Self {

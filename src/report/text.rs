@@ -21,16 +21,18 @@ use std::io::{self, Write};
 /// # Errors
 /// Whatever `out` reports.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let (model, eye) = (scenario.model.description(), &answer.case.eye);
+    let eye = &answer.case.eye;
     writeln!(out, "{}", printable(&scenario.name))?;
-    writeln!(
-        out,
-        "{model}; mesh level {}: {} nodes, {} {}\n",
+    let model = format!(
+        "{}; mesh level {}: {} nodes, {} {}",
+        scenario.description(),
         eye.level(),
         eye.regions().len(),
         eye.elements(),
         eye.rules().element.plural()
-    )?;
+    );
+    paragraph(&model, out)?;
+    writeln!(out)?;
     crate::report::risks::text(answer, out)?;
     writeln!(out)?;
     damage(answer, out)?;

@@ -5,8 +5,8 @@
 //! three dimensions is the whole. A measured orbit has none.
 
 use crate::scenario::{
-    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Physiological, Projectile, Scenario,
-    Support,
+    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Physiological, Projectile,
+    STEEPEST_OBJECT_DEG, Scenario, Support, TRUSTED_ANGLE_DEG,
 };
 use serde::{Deserialize, Serialize};
 
@@ -76,6 +76,36 @@ impl Scenario {
         } else {
             Geometry::Full
         })
+    }
+
+    /// The angle of a blow up to which the eye that is computed can be trusted, in degrees, if it
+    /// has one.
+    pub fn trusted_angle_deg(&self) -> Option<f64> {
+        let turned = self.numerics.geometry == Geometry::Axisymmetric
+            || matches!(self.impact, Impact::ForcePulse(_));
+        self.geometry().map(|_| {
+            if turned {
+                TRUSTED_ANGLE_DEG
+            } else {
+                STEEPEST_OBJECT_DEG
+            }
+        })
+    }
+
+    /// The eye in words, where the blow comes from, and how much of it is computed.
+    pub fn description(&self) -> String {
+        let mut words = self.model.description();
+        if let Impact::Projectile(object) = &self.impact
+            && let Some(direction) = object.direction(self.eye_side())
+        {
+            words += &format!("; {direction}");
+        }
+        words += match self.geometry() {
+            Some(Geometry::Half) => "; half of it, in three dimensions",
+            Some(Geometry::Full) => "; all of it, in three dimensions",
+            _ => "",
+        };
+        words
     }
 
     /// The finest level of the mesh that it may be computed with.

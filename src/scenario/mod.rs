@@ -168,14 +168,6 @@ impl Model {
         }
     }
 
-    /// The angle of a blow up to which it can be trusted, in degrees, if it has one.
-    pub fn trusted_angle_deg(&self) -> Option<f64> {
-        match self {
-            Self::Paper => None,
-            Self::Physiological(_) => Some(TRUSTED_ANGLE_DEG),
-        }
-    }
-
     /// It in words, with what was chosen of it.
     pub fn description(&self) -> String {
         match self {

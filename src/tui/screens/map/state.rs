@@ -109,10 +109,7 @@ pub fn rounded(value: f64) -> f64 {
 fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> {
     let (value, bounds) = number(field, scenario)?;
     // No farther than the model is trusted, unless the scenario itself goes nearly there.
-    let trusted = scenario
-        .model
-        .trusted_angle_deg()
-        .filter(|_| field.path == ANGLE);
+    let trusted = scenario.trusted_angle_deg().filter(|_| field.path == ANGLE);
     let share = trusted.map(|trusted| trusted / value.abs());
     let reach = match share.filter(|share| *share >= LEAST_SHARE) {
         Some(share) => reach.min(share - 1.0),
