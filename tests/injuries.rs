@@ -16,6 +16,9 @@ use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
+/// The eye that the injuries were matched with, whatever bone an object meets.
+const ROUND: (&str, &str) = ("numerics.geometry", "Axisymmetric");
+
 fn preset(name: &str, changes: &[(&str, &str)]) -> Scenario {
     let mut scenario = find(name).unwrap().scenario().unwrap();
     for (path, value) in changes {
@@ -37,6 +40,7 @@ fn objects() -> Vec<(String, Scenario)> {
     let all = built_in().into_iter();
     all.map(|preset| (preset.name.clone(), preset.scenario().unwrap()))
         .filter(|(_, scenario)| matches!(scenario.impact, Impact::Projectile(_)))
+        .map(|(name, _)| (name.clone(), preset(&name, &[ROUND])))
         .collect()
 }
 
@@ -134,8 +138,8 @@ fn twenty_six_airsoft_tests_without_a_rupture_are_no_surprise() {
 fn one_run_for_each_input_tells_what_an_ensemble_draws() {
     let stop = AtomicBool::new(false);
     let (mut apart, mut all) = (Vec::new(), 0);
-    for name in ["squash-ball", "bb-56", "foam-dart", "shuttlecock"] {
-        let scenario = preset(name, &[]).check().unwrap();
+    for name in ["squash-ball", "bb-56", "shuttlecock"] {
+        let scenario = preset(name, &[ROUND]).check().unwrap();
         let mut answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
         let inputs = InputQuery::of(&answer).estimate(&scenario, &stop, |_| {});
         answer.inputs = Some(inputs.unwrap());

@@ -281,9 +281,10 @@ const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured 
 
 /// Where an object comes from and what it aims at, as far as a person does not doubt it otherwise.
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
-    let Some(Impact::Projectile(projectile)) =
-        (scenario.model != Model::Paper).then_some(&scenario.impact)
-    else {
+    // What is told to be round cannot be hit from elsewhere.
+    let turns =
+        scenario.model != Model::Paper && scenario.numerics.geometry != Geometry::Axisymmetric;
+    let Some(Impact::Projectile(projectile)) = turns.then_some(&scenario.impact) else {
         return Vec::new();
     };
     // Off the axis an hour is known as well as the distance is.

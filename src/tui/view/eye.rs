@@ -14,9 +14,10 @@ use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
-use crate::scenario::Scenario;
+use crate::scenario::direction::place;
 use crate::scenario::fields;
 use crate::scenario::fields::Kind;
+use crate::scenario::{Impact, Scenario};
 use crate::tui::clock::MeshDetail;
 use crate::tui::look::Look;
 use crate::tui::shown::ShownAnswer;
@@ -34,6 +35,8 @@ const ARC_M: f64 = 13.0e-3;
 
 /// From so many columns on a picture says which way is which.
 const NAMED: u16 = 14;
+/// What lies at the top of a section that nothing turns.
+const UP: &str = "up";
 /// Times this close are one, in s.
 const SAME_TIME: f64 = 1e-9;
 
@@ -116,7 +119,23 @@ impl EyePicture<'_> {
         for (at, letter, style) in marks {
             buffer[at].set_char(letter).set_style(style);
         }
-        directions(theme, area, buffer);
+        directions(self.up(), theme, area, buffer);
+    }
+
+    /// What lies at the top of the picture, which is cut along the blow.
+    fn up(&self) -> &'static str {
+        match self.blow {
+            Some(blow) => match &blow.impact {
+                Impact::Projectile(object) if object.angle_deg != 0.0 => {
+                    place(blow.eye_side().azimuth(object.angle_clock))
+                }
+                Impact::Projectile(object) if object.offset_mm != 0.0 => {
+                    place(blow.eye_side().azimuth(object.offset_clock))
+                }
+                _ => UP,
+            },
+            None => UP,
+        }
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
@@ -159,11 +178,11 @@ impl EyePicture<'_> {
 }
 
 /// Which way is which, in the corners that the eye leaves free.
-fn directions(theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn directions(up: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let bottom = area.height.saturating_sub(1);
     // The last column may be that of a margin.
     let right = area.width.saturating_sub(5);
-    let words = [("front", 0, bottom), ("back", right, bottom), ("up", 0, 0)];
+    let words = [("front", 0, bottom), ("back", right, bottom), (up, 0, 0)];
     if area.width < NAMED {
         return;
     }
