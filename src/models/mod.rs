@@ -7,6 +7,7 @@
 pub mod axisymmetric;
 pub mod paper;
 pub mod pulse;
+pub mod spatial;
 
 use crate::run::model::EyeModel;
 use crate::run::rules::Rules;

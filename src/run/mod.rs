@@ -16,5 +16,6 @@ pub mod readings;
 pub mod refusal;
 pub mod result_trace;
 pub mod rules;
+pub mod sectors;
 pub mod trace;
 pub mod watch;

@@ -14,6 +14,7 @@
 //! of the step watch over it.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
+use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
 use crate::models::axisymmetric::forces::plain::PlainCells;
@@ -39,12 +40,12 @@ use std::ops::ControlFlow;
 /// Share of the stability bound that steps take unless asked otherwise.
 pub const STEP_SHARE: f64 = 0.75;
 /// Most a step grows.
-const GROWTH: f64 = 1.05;
+pub(crate) const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
-const GONE: f64 = 0.5e-3;
+pub(crate) const GONE: f64 = 0.5e-3;
 /// Steps between two looks at the watch.
-const WATCH_EVERY: usize = 256;
+pub(crate) const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,7 +112,7 @@ impl From<f64> for Steps {
 
 impl Steps {
     /// How long forces act on a step of `step` s after one of `before` s.
-    fn kick(&self, before: f64, step: f64) -> f64 {
+    pub(crate) fn kick(&self, before: f64, step: f64) -> f64 {
         match self.scheme {
             Scheme::SemiImplicitEuler => step,
             Scheme::Leapfrog => 0.5 * (before + step),
@@ -218,8 +219,11 @@ fn last_growth(extremes: &Extremes) -> f64 {
 /// compare with whole windows, not a proof.
 fn swing(eye: &AxisymmetricEye) -> f64 {
     let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
-    let stiffness = stiffness / eye.segments.len() as f64;
-    let p = &eye.parameters;
+    slowest_swing(&eye.parameters, stiffness / eye.segments.len() as f64)
+}
+
+/// [`swing`] with this mean of modulus times thickness, N/m.
+pub(crate) fn slowest_swing(p: &Parameters, stiffness: f64) -> f64 {
     2.0 * PI * (p.vitreous.density * p.radius.powi(3) / stiffness).sqrt()
 }
 
