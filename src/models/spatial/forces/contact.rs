@@ -199,13 +199,15 @@ impl Target {
             let v = quad.corners.map(|node| vector(&state.speed, node));
             let mut forces = [Vector3::zeros(); 4];
             let (mut pressed_any, mut close) = (false, false);
+            let mut depths = [0.0; 4];
             for (point, area) in quad.areas.iter().enumerate() {
                 let shares = shares(point);
                 let mix = |of: &[Vector3<f64>; 4]| -> Vector3<f64> {
                     (0..4).map(|i| of[i] * shares[i]).sum()
                 };
                 let (gap, normal) = depth(object, projectile, mix(&p));
-                close |= gap > -quad.size;
+                depths[point] = gap;
+                close |= gap > -TOUCHING;
                 if gap <= -near {
                     continue;
                 }
@@ -246,7 +248,7 @@ impl Target {
                 }
             }
             if let Some(number) = quad.shell.filter(|_| close) {
-                let area = touched(object, projectile, &p);
+                let area = touched(depths, projectile.way, &p);
                 self.touched[number] = area > 0.0;
                 touch.area += area;
             }
@@ -313,16 +315,22 @@ fn sorted(mut of: [usize; 4]) -> [usize; 4] {
     of
 }
 
-/// Area of a quad, across the way of the object, that lies within [`TOUCHING`] of it.
-fn touched(object: &Object, projectile: &MovingObject, p: &[Vector3<f64>; 4]) -> f64 {
-    let of = |place| depth(object, projectile, place).0 + TOUCHING;
+/// Area of a quad, across the way of the object, that lies within [`TOUCHING`] of it, from the
+/// depths of its points: between them and beyond they are taken to change evenly.
+fn touched(depths: [f64; 4], way: Vector3<f64>, p: &[Vector3<f64>; 4]) -> f64 {
+    let depths = depths.map(|depth| depth + TOUCHING);
+    // At both ends of what is known at a quarter and at three.
+    let ends = |a: f64, b: f64| (1.5 * a - 0.5 * b, 1.5 * b - 0.5 * a);
+    let (low, high) = (ends(depths[0], depths[1]), ends(depths[2], depths[3]));
+    let (first, last) = (ends(low.0, high.0), ends(low.1, high.1));
+    let corners = [first.0, last.0, last.1, first.1];
     let middle = (p[0] + p[1] + p[2] + p[3]) * 0.25;
-    let (depths, inner) = (p.map(of), of(middle));
+    let inner = 0.25 * depths.iter().sum::<f64>();
     (0..4)
         .map(|i| {
             let k = (i + 1) % 4;
             let normal = (p[i] - middle).cross(&(p[k] - middle));
-            0.5 * normal.dot(&projectile.way).abs() * above([depths[i], depths[k], inner])
+            0.5 * normal.dot(&way).abs() * above([corners[i], corners[k], inner])
         })
         .sum()
 }

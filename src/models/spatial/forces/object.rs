@@ -60,7 +60,7 @@ impl Aim {
     }
 
     /// The azimuth of the plane that the blow is symmetric to, if there is one.
-    pub(crate) fn plane(&self) -> f64 {
+    pub fn plane(&self) -> f64 {
         if self.angle == 0.0 && self.offset != 0.0 {
             self.towards
         } else {

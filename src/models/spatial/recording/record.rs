@@ -145,6 +145,7 @@ impl<C: Cells> Motion<'_, C> {
         self.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
         self.energy.contact =
             now.touch.map_or(0.0, |t| t.energy) + now.push.map_or(0.0, |p| p.energy);
+        self.energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
                 let speed = state.speed[k][node];

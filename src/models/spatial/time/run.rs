@@ -36,6 +36,7 @@ use crate::run::kept::{Keep, Spacing, Traces};
 use crate::run::watch::Watch;
 use fearless_simd::Level;
 use nalgebra::Vector3;
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// Share of the stability bound that steps take unless asked otherwise: from 0.2 to 0.9 results
@@ -227,6 +228,9 @@ pub(crate) struct Motion<'a, C> {
     pub energy_before: f64,
     /// Work of the object on bone so far, J.
     pub at_bone: f64,
+    /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
+    pub lost: f64,
+    pub kicked: f64,
     /// Most energy that has come in, and most that the balance was off, J.
     pub came: f64,
     pub missing: f64,
@@ -347,6 +351,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             over_since: None,
             keep,
             at_bone: 0.0,
+            lost: 0.0,
+            kicked: 0.0,
             came: 0.0,
             missing: 0.0,
             energy: Energy::default(),
@@ -376,6 +382,8 @@ impl<'a, C: Cells> Motion<'a, C> {
                 return Err(Stop::Watched);
             }
             let now = self.forces(time);
+            let copies = self.eye.copies();
+            self.lost += copies * now.sums.loss * 0.25 * self.kicked;
             let most = by.share * now.limit;
             let before = step;
             step = if steps == 0 {
@@ -438,7 +446,10 @@ impl<'a, C: Cells> Motion<'a, C> {
 
     /// Adds what is lost, done and pushed over a step that kicks for `kick` s.
     fn account(&mut self, now: &Instant, kick: f64) {
-        self.energy.lost += self.eye.copies() * now.sums.loss * kick;
+        // Viscous forces follow the velocity at the beginning of a kick, and work along the mean of
+        // that and the one at its end, which the next loss tells.
+        self.lost += self.eye.copies() * now.sums.loss * 0.75 * kick;
+        self.kicked = kick;
         if let Some(touch) = &now.touch {
             self.energy.lost_in_object += touch.loss * kick;
             self.extremes.impulse_on_eye += touch.force * kick;
@@ -552,7 +563,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         over && last_growth(&self.extremes.common).max(since) < time - self.swing
     }
 
-    /// Whether the middle of the object lies within the shell: behind the node that is nearest.
+    /// Whether the middle of the object lies within the shell.
     fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
         use crate::models::axisymmetric::forces::object::ObjectOutline;
         let Some(flying) = &self.flying else {
@@ -567,16 +578,13 @@ impl<'a, C: Cells> Motion<'a, C> {
         if (centre - middle).norm() > far {
             return Ok(());
         }
-        let mut nearest = (f64::INFINITY, Vector3::zeros());
-        for &(node, _) in self.shapes.shell() {
-            let at = vector(&self.state.at, node);
-            let apart = (at - centre).norm_squared();
-            if apart < nearest.0 {
-                nearest = (apart, at);
-            }
-        }
-        let outside = (centre - nearest.1).dot(&(nearest.1 - middle));
-        if outside < 0.0 {
+        // The shell closes around what lies within it, and around nothing else.
+        let seen = |quad: &crate::models::spatial::eye::ShellQuad| {
+            let p = quad.corners.map(|node| vector(&self.state.at, node) - centre);
+            solid_angle(p[0], p[1], p[2]) + solid_angle(p[0], p[2], p[3])
+        };
+        let around: f64 = self.eye.quads.iter().map(seen).sum();
+        if self.eye.copies() * around > TAU {
             return Err(Stop::WentThrough(time));
         }
         Ok(())
@@ -634,6 +642,13 @@ impl<'a, C: Cells> Motion<'a, C> {
             settled,
         }
     }
+}
+
+/// The solid angle under which a triangle is seen, positive from within.
+fn solid_angle(a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>) -> f64 {
+    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+    let over = la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb;
+    2.0 * libm::atan2(a.dot(&b.cross(&c)), over)
 }
 
 /// How far from where a blow enters what its object touches is its dent, in degrees.
