@@ -211,6 +211,7 @@ impl Answer {
             FlagKind::PulseCut,
             FlagKind::ContactCut,
             FlagKind::WindowCapped,
+            FlagKind::EyeFlat,
         ]) {
             // What goes back gives energy back, of which the index holds a share.
             let falls = matches!(of, Quantity::Energy | Quantity::Damage);
@@ -239,7 +240,7 @@ impl Answer {
 /// Answers `scenario`; `watch` is told the share done and may stop it.
 ///
 /// An automatic step is shortened until every leading result's step error is below 1 %, unless
-/// the mesh folds, where no step helps.
+/// that does not help.
 ///
 /// # Errors
 /// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
@@ -296,7 +297,9 @@ pub(crate) fn solve_case(
         let share = match measured(&case, &plan, keep, watch) {
             Ok(solved) => {
                 let before = best.as_ref().map(|(_, solved)| solved);
-                let share = shorter(&case, &plan, &solved);
+                let error = |run: &Measured| run.errors.time_step_percent();
+                let helps = before.is_none_or(|before| error(&solved) < 0.75 * error(before));
+                let share = shorter(&case, &plan, &solved).filter(|_| helps);
                 // Where the mesh folded, a shorter step need not be the better one.
                 if before.is_none_or(|before| solved.is_better_than(before, rule.balance_percent)) {
                     best = Some((plan, solved));
@@ -323,11 +326,14 @@ pub(crate) fn solve_case(
 }
 
 /// The share of its step that a run should have taken; none if it was good enough, or if its mesh
-/// folded, where no step helps.
+/// folded or its eye was pressed flat, where no step helps.
 fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step_percent();
     let rule = &case.rules().refinement;
-    if solved.errors.energy_balance > rule.balance_percent {
+    let flat = solved.run.flags.iter().any(|f| f.kind == FlagKind::EyeFlat);
+    if flat {
+        None
+    } else if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
     } else if solved.run.fold.is_none() && error > rule.error_percent {
         let order = case.order(plan.integrator);

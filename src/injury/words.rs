@@ -84,12 +84,10 @@ impl Risk {
             return vec![short.clone(), short.clone(), short, self.percent()];
         }
         let risk = whole(self.risk);
-        let about = if risk.starts_with(|c: char| c.is_ascii_digit()) {
-            "about "
-        } else {
-            ""
-        };
-        let middle = if risk == self.percent() {
+        let inner = risk.starts_with(|c: char| c.is_ascii_digit());
+        let about = if inner { "about " } else { "" };
+        // A middle that is sure reads oddly beside a range that is not.
+        let middle = if risk == self.percent() || self.is_unclear() && !inner {
             short.clone()
         } else {
             format!("{} ({about}{risk}, {})", self.word(), self.percent())

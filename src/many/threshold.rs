@@ -494,6 +494,23 @@ pub fn usual(scenario: &Scenario) -> (&'static str, (Quantity, f64)) {
     (field, (result, 50.0))
 }
 
+/// A name of a result as in its key, however it is spelled.
+fn bare(name: &str) -> String {
+    name.to_lowercase().replace([' ', '-', '\''], "_")
+}
+
+/// The result that is called so: by its key, with or without the unit, or as people read it.
+fn meant(name: &str) -> Option<Quantity> {
+    let name = bare(name);
+    let called = |quantity: &&Quantity| {
+        let (key, label) = (quantity.key(), bare(quantity.label()));
+        let unit = key.strip_prefix(name.as_str());
+        let units = ["", "_percent", "_mm", "_n", "_j", "_mpa", "_m_s", "_kj_m2"];
+        label == name || unit.is_some_and(|unit| units.contains(&unit))
+    };
+    Quantity::ALL.iter().find(called).copied()
+}
+
 /// Reads `RESULT = VALUE`; the unit may follow the value.
 ///
 /// # Errors
@@ -510,12 +527,10 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
         key.trim().trim_end_matches('='),
         value.trim_start_matches('=').trim(),
     );
-    let keys = || Quantity::ALL.iter().map(|quantity| quantity.key());
-    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
-    let Some(quantity) = found else {
-        let near = suggestion(key, keys());
-        let all = keys().collect::<Vec<_>>().join(", ");
-        return Err(refused(key, &format!("is no result{near}"), &all));
+    let Some(quantity) = meant(key) else {
+        let near = suggestion(&bare(key), Quantity::ALL.iter().map(|q| q.key()));
+        let allowed = "any of the results that contrecoup run --json lists";
+        return Err(refused(key, &format!("is no result{near}"), allowed));
     };
     // The index is no percentage for a reader, but its key says so.
     let unit = match quantity.row().unit {
@@ -524,7 +539,7 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
     };
     let number = value.strip_suffix(unit).unwrap_or(value);
     match number.trim().parse::<f64>() {
-        Ok(target) if target.is_finite() => Ok((*quantity, target)),
+        Ok(target) if target.is_finite() => Ok((quantity, target)),
         _ => Err(refused(value, "is no number", example)),
     }
 }
@@ -532,6 +547,22 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_result_is_found_by_its_key_and_by_what_it_is_called() {
+        for name in ["globe_rupture_percent", "globe rupture", "Globe-Rupture"] {
+            assert_eq!(meant(name), Some(Quantity::GlobeRupture), "{name}");
+        }
+        for quantity in Quantity::ALL {
+            assert_eq!(meant(quantity.label()), Some(*quantity));
+        }
+        assert_eq!(meant("globe"), None);
+        let told = wanted("globe ruptur = 50").unwrap_err().to_string();
+        assert!(
+            told.contains("globe_rupture_percent") && told.len() < 200,
+            "{told}"
+        );
+    }
 
     fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
         let question = ThresholdSearch::read(scenario, vary, wanted(until).unwrap()).unwrap();

@@ -1,6 +1,7 @@
 //! An ensemble as text of 80 columns and as one JSON object.
 
 use crate::answer::uncertain::{Shape, UncertainInput};
+use crate::injury::SIGNS;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::plain_text::printable;
@@ -133,7 +134,8 @@ pub fn text(
     }
     counts(ensemble, out)?;
     cost(ensemble, out)?;
-    writeln!(out, "\nResearch and education, not diagnosis.")
+    writeln!(out)?;
+    paragraph(SIGNS, out)
 }
 
 /// Which results lie outside their bands as they stand, one line for each input that may be why.

@@ -129,6 +129,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
         "risks": crate::report::risks::json(answer),
         "risks_without": answer.uncounted(),
+        "no_risks_because": answer.silence(),
         "signs": SIGNS,
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);

@@ -4,10 +4,11 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
+use crate::injury::{SIGNS, whole};
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
-use crate::report::format::{block, capital, digits, significant};
+use crate::report::format::{block, capital, digits, paragraph, significant};
 use crate::report::json::flags;
 use crate::scenario::Scenario;
 
@@ -71,7 +72,11 @@ fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String
         .min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
         .unwrap_or((f64::NAN, f64::NAN));
     let at = with_unit(search, &significant(at));
-    let value = united(&significant(value), search.quantity.row().unit);
+    let value = if search.quantity.is_risk() {
+        whole(0.01 * value)
+    } else {
+        united(&significant(value), search.quantity.row().unit)
+    };
     format!("{value} at {at}")
 }
 
@@ -138,7 +143,8 @@ pub fn text(
         );
         block(&printable(&text), "", "    ", out)?;
     }
-    writeln!(out, "\nResearch and education, not diagnosis.")
+    writeln!(out)?;
+    paragraph(SIGNS, out)
 }
 
 /// Over which values the range of a risk holds the target, with all that is not known.

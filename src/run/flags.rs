@@ -59,8 +59,14 @@ pub enum FlagKind {
     BoneShields,
     /// All that gives way of a projectile's surface was used up.
     SurfaceCrushed,
+    /// The eye was shortened by more than in any test.
+    BeyondTests,
+    /// The eye was pressed flat, which ends a run.
+    EyeFlat,
     /// The orbit's rim met the projectile.
     RimStops,
+    /// The projectile spent more on bone than bone has been seen to bear.
+    BoneMayBreak,
     /// The projectile never touched the eye.
     EyeMissed,
     /// The blow comes at an angle at which a turned axis is no good picture of an orbit.
@@ -86,7 +92,10 @@ impl FlagKind {
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
             Self::SurfaceCrushed => "surface_crushed",
+            Self::BeyondTests => "beyond_tests",
+            Self::EyeFlat => "eye_flat",
             Self::RimStops => "rim_stops",
+            Self::BoneMayBreak => "bone_may_break",
             Self::EyeMissed => "eye_missed",
             Self::AngleBeyondTrust => "angle_beyond_trust",
             Self::ContactCut => "contact_cut",

@@ -109,7 +109,7 @@ impl Refinement {
     pub(crate) const WHILE_A_PERSON_WAITS: Self = Self {
         error_percent: 1.0,
         balance_percent: 0.5,
-        attempts: 4,
+        attempts: 2,
     };
 }
 

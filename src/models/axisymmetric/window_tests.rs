@@ -102,17 +102,42 @@ fn a_window_that_is_set_counts() {
 
 #[test]
 fn a_long_pulse_is_never_cut() {
+    let answer = struck(20.0, 9.0);
+    assert!(answer.run.simulated > 9e-3 && answer.flags.is_empty());
+}
+
+/// A pulse of so many N for so many ms, as a triangle, on the default eye.
+fn struck(force_n: f64, duration_ms: f64) -> Answer {
     let scenario = Scenario {
         model: Model::Physiological(Physiological::default()),
         impact: Impact::ForcePulse(ForcePulse {
-            force_n: 20.0,
-            duration_ms: 9.0,
+            force_n,
+            duration_ms,
             ..ForcePulse::default()
         }),
         ..Scenario::default()
     };
-    let answer = solved(&scenario, Keep::default());
-    assert!(answer.run.simulated > 9e-3 && answer.flags.is_empty());
+    solved(&scenario, Keep::default())
+}
+
+#[test]
+fn an_eye_that_is_pressed_flat_ends_the_run_and_all_is_at_least() {
+    for (force_n, duration_ms) in [(1e3, 0.7), (5e3, 0.7), (1e5, 0.05)] {
+        let answer = struck(force_n, duration_ms);
+        assert!(raised(&answer, FlagKind::EyeFlat), "{force_n} N");
+        assert_eq!(answer.cut(Quantity::Pressure), Some(Cut::AtLeast));
+        assert!(
+            answer.run.cost.steps < 30_000,
+            "{} steps",
+            answer.run.cost.steps
+        );
+    }
+}
+
+#[test]
+fn an_eye_that_is_shorter_than_in_any_test_is_flagged() {
+    assert!(!raised(&struck(100.0, 0.7), FlagKind::BeyondTests));
+    assert!(raised(&struck(800.0, 0.7), FlagKind::BeyondTests));
 }
 
 #[test]

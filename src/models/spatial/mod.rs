@@ -14,15 +14,22 @@
 //! [`axisymmetric`](crate::models::axisymmetric): straight on and on a round support both models
 //! are the same eye.
 
+pub mod case;
+mod drawing;
 pub mod eye;
+mod flags;
 pub(crate) mod forces;
+mod model;
+mod readings;
 pub mod recording;
+pub(crate) mod rules;
 pub mod time;
 #[cfg(test)]
 mod forces_tests;
 #[cfg(test)]
 mod run_tests;
 
+pub use crate::models::spatial::case::{Scene, SpatialCase};
 pub use crate::models::spatial::eye::mesh::Extent;
 pub use crate::models::spatial::eye::orbit::OrbitRim;
 pub use crate::models::spatial::forces::object::Aim;

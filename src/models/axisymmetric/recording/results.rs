@@ -58,6 +58,8 @@ pub struct Extremes {
     pub energy_imparted: f64,
     /// When the object's surface was first crushed through to its hard core, s.
     pub crushed_at: Option<f64>,
+    /// When the eye was pressed flat, s: the run ends there.
+    pub flat_at: Option<f64>,
     /// Whether the object touched the eye at the end.
     pub touching: bool,
     /// Speed at which the object ends, away from the eye, m/s.

@@ -44,6 +44,11 @@ pub(crate) const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
 pub(crate) const GONE: f64 = 0.5e-3;
+/// An eye shortened by this share has its front on its back: what comes then is not in the model.
+pub(crate) const FLAT: f64 = 0.85;
+/// Nor is it where the stability bound has fallen to this share of that at rest: a cell is pressed
+/// to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
+pub(crate) const PRESSED_TO_NOTHING: f64 = 1e-3;
 /// Steps between two looks at the watch.
 pub(crate) const WATCH_EVERY: usize = 256;
 
@@ -395,6 +400,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let mut trace_every = self.window.trace_every();
         let (end, balance_every) = (self.window.most(), self.window.balance_every());
+        let mut at_rest = None;
         loop {
             let share = self.window.share(time, self.swing);
             if steps % WATCH_EVERY == 0 && watch(share).is_break() {
@@ -411,7 +417,11 @@ impl<'a, C: Cells> Motion<'a, C> {
             let kick = by.kick(before, step);
             let forces = self.offer_readings(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
-            let last = time >= end || settled;
+            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.limit);
+            if now.limit < least || self.extremes.shortening.value > FLAT {
+                self.extremes.flat_at = Some(time);
+            }
+            let last = time >= end || settled || self.extremes.flat_at.is_some();
             let after = |every: f64| every * ((time / every).floor() + 1.0);
             let trace = self.keep.traces && (time >= next_trace || last);
             let balance = time >= next_balance || last;
@@ -439,8 +449,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             }
             self.refuse_if_gone_through(time)?;
             if last {
-                let settled = time < end;
-                return Ok(self.finish(time, steps, settled));
+                return Ok(self.finish(time, steps, settled && time < end));
             }
             step = step.min(end - time).max(f64::MIN_POSITIVE);
             let kick = by.kick(before, step);

@@ -11,14 +11,14 @@ pub mod mesh;
 pub mod orbit;
 pub(crate) mod point;
 
-use crate::models::axisymmetric::eye::parameters::{Material, Parameters};
+use crate::models::axisymmetric::eye::parameters::{Material, Parameters, Wall};
 use mesh::{Extent, Mesh, Place};
 use nalgebra::Vector3;
 use orbit::{Cavity, Orbit, OrbitRim, Round, seen_from_the_middle};
 
 /// Points along each side of a quad of the shell, and of a cell, that means over them take.
 const ACROSS: usize = 4;
-/// Rounding of the edge of a holder, in m.
+/// Rounding of the edge of a cup, in m.
 const HOLDER_EDGE: f64 = 1e-3;
 
 /// A hexahedron.
@@ -237,9 +237,13 @@ impl SpatialEye {
                 let angle = std::f64::consts::PI - surround.opening;
                 let distance = surround.wall.distance(angle);
                 let at = (distance * libm::cos(angle), distance * libm::sin(angle));
-                OrbitRim {
-                    edge: HOLDER_EDGE,
-                    ..OrbitRim::round(at, radius)
+                let round = OrbitRim::round(at, radius);
+                match surround.wall {
+                    Wall::Cone { .. } => round,
+                    Wall::Sphere(_) => OrbitRim {
+                        edge: HOLDER_EDGE,
+                        ..round
+                    },
                 }
             })
         });

@@ -12,6 +12,9 @@ const STEPS: usize = 12;
 /// By how much more than its own a cell may take, as a share of it.
 const SLACK: f64 = 1e-9;
 
+/// Cosine of the angle from the middle of a quad within which all of it lies.
+const NEAR: f64 = 0.8;
+
 /// A point of the eye.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Point {
@@ -64,7 +67,8 @@ impl SpatialEye {
         let (side, up) = (side.normalize(), up.normalize());
         self.quads.iter().find_map(|quad| {
             let p = quad.corners.map(|node| self.mesh.at[node]);
-            if upon(&p, 0.5, 0.5).dot(&direction) < 0.0 {
+            let middle = upon(&p, 0.5, 0.5);
+            if middle.dot(&direction) < NEAR * middle.norm() * direction.norm() {
                 return None;
             }
             let (mut s, mut t) = (0.5, 0.5);
