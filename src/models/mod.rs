@@ -7,7 +7,11 @@
 pub mod axisymmetric;
 pub mod paper;
 pub mod pulse;
+pub mod spatial;
 
+use crate::models::axisymmetric::case::AxisymmetricCase;
+use crate::models::paper::case::PaperCase;
+use crate::models::spatial::case::{Scene, SpatialCase};
 use crate::run::model::EyeModel;
 use crate::run::rules::Rules;
 use crate::scenario::{CheckedScenario, Model, Scenario};
@@ -19,18 +23,20 @@ pub use paper::forces::kernel::name as kernel_name;
 
 /// Integrators, error estimates and mesh rules of the model that a scenario needs.
 pub fn rules(scenario: &Scenario) -> &'static Rules {
-    match &scenario.model {
-        Model::Paper => &paper::rules::RULES,
-        Model::Physiological(_) => &axisymmetric::rules::RULES,
+    match scenario.geometry() {
+        None => &paper::rules::RULES,
+        Some(geometry) if geometry.is_spatial() => &spatial::rules::RULES,
+        Some(_) => &axisymmetric::rules::RULES,
     }
 }
 
 /// The eye of a scenario and what hits it, ready to be run.
 pub(crate) fn compiled(scenario: &CheckedScenario) -> Arc<dyn EyeModel> {
-    match &scenario.model {
-        Model::Paper => Arc::new(paper::case::PaperCase::new(scenario)),
-        Model::Physiological(model) => {
-            Arc::new(axisymmetric::case::AxisymmetricCase::new(scenario, model))
+    match (&scenario.model, scenario.geometry()) {
+        (Model::Physiological(model), Some(geometry)) if geometry.is_spatial() => {
+            Arc::new(SpatialCase::new(&Scene::new(scenario, model)))
         }
+        (Model::Physiological(model), _) => Arc::new(AxisymmetricCase::new(scenario, model)),
+        (Model::Paper, _) => Arc::new(PaperCase::new(scenario)),
     }
 }

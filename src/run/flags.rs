@@ -65,6 +65,8 @@ pub enum FlagKind {
     EyeFlat,
     /// The orbit's rim met the projectile.
     RimStops,
+    /// The projectile spent more on bone than bone has been seen to bear.
+    BoneMayBreak,
     /// The projectile never touched the eye.
     EyeMissed,
     /// The blow comes at an angle at which a turned axis is no good picture of an orbit.
@@ -93,6 +95,7 @@ impl FlagKind {
             Self::BeyondTests => "beyond_tests",
             Self::EyeFlat => "eye_flat",
             Self::RimStops => "rim_stops",
+            Self::BoneMayBreak => "bone_may_break",
             Self::EyeMissed => "eye_missed",
             Self::AngleBeyondTrust => "angle_beyond_trust",
             Self::ContactCut => "contact_cut",

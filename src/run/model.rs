@@ -14,6 +14,7 @@ use crate::run::quantity::Quantity;
 use crate::run::readings::Readings;
 use crate::run::refusal::Refusal;
 use crate::run::rules::Rules;
+use crate::run::sectors::Sectors;
 use crate::run::watch::Watch;
 use crate::scenario::{Integrator, Scenario};
 use std::fmt::Debug;
@@ -124,6 +125,8 @@ pub struct Run {
     pub energy_residual: f64,
     /// Time simulated, in s: less than the window if all readings were final before.
     pub simulated: f64,
+    /// What tissues felt by clock hour, where the model tells it.
+    pub sectors: Option<Sectors>,
     /// Traces, if they were asked for.
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.

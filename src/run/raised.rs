@@ -241,6 +241,7 @@ mod tests {
                 fold,
                 missed: false,
                 energy_residual: 0.0,
+                sectors: None,
                 simulated: 3e-3,
                 traces: None,
                 frames: Vec::new(),

@@ -18,7 +18,7 @@ use crate::scenario::{
 use std::f64::consts::PI;
 
 /// The longest that a run without a set time lasts, in s, with a pulse the longest after it.
-const LONGEST: f64 = 60e-3;
+pub(crate) const LONGEST: f64 = 60e-3;
 
 /// An axisymmetric eye ready to be hit.
 #[derive(Debug, Clone)]
@@ -82,46 +82,60 @@ impl AxisymmetricCase {
         })
     }
 
-    /// Why there is no result; of an object that went through the eye what it would have to be.
+    /// Why there is no result.
     pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
-        let (time, object) = match (stop, &self.load) {
-            (engine::Stop::WentThrough(time), engine::AxisymmetricLoad::Object(object)) => {
-                (time * 1e3, object)
-            }
-            (engine::Stop::NotFinite { time, step }, _) => {
-                return Refusal::NotFinite { time, step };
-            }
-            _ => return Refusal::Cancelled,
-        };
         let shell = &self.eye.mesh.shell;
         let ((xa, ra), (xb, rb)) = (self.eye.at(shell[0]), self.eye.at(shell[1]));
-        let (wide, apart) = (2.0 * object.outline.radius(), libm::hypot(xb - xa, rb - ra));
-        let width = format!("{:.2}", wide * 1e3);
-        let level = self.eye.level;
-        let through = format!("went through the front of the eye at {time:.4} ms");
-        let problem = if wide < apart {
-            let narrow = format!(
-                "mm is narrower than what lies between two nodes of mesh level {level}, and {through}"
-            );
-            let allowed = format!(
-                "{:.2} mm or more, or a finer mesh by eye.level",
-                apart * 1e3
-            );
-            Problem::refused("impact.diameter_mm", &width, &narrow, allowed)
-        } else {
-            let allowed =
-                "a slower, lighter or wider object: what pierces an eye is beyond this model";
-            let speed = plain(object.speed);
-            let heavy = format!("m/s is too fast for an object {width} mm wide, which {through}");
-            Problem::refused("impact.speed_m_s", &speed, &heavy, allowed.to_owned())
+        let object = match &self.load {
+            engine::AxisymmetricLoad::Object(object) => Some(object),
+            engine::AxisymmetricLoad::Pulse(..) => None,
         };
-        Refusal::WentThrough(problem.into())
+        refused(
+            stop,
+            object,
+            (self.eye.level, libm::hypot(xb - xa, rb - ra)),
+        )
     }
 
     /// Duration of a pulse, in s.
     pub fn pulse(&self) -> Option<f64> {
         duration(&self.load)
     }
+}
+
+/// Why there is no result; of an object that went through the eye what it would have to be, where
+/// nodes of a mesh of some level lie so far `apart`, in m.
+pub(crate) fn refused(
+    stop: engine::Stop,
+    object: Option<&Object>,
+    (level, apart): (u32, f64),
+) -> Refusal {
+    let (time, object) = match (stop, object) {
+        (engine::Stop::WentThrough(time), Some(object)) => (time * 1e3, object),
+        (engine::Stop::NotFinite { time, step }, _) => {
+            return Refusal::NotFinite { time, step };
+        }
+        _ => return Refusal::Cancelled,
+    };
+    let wide = 2.0 * object.outline.radius();
+    let width = format!("{:.2}", wide * 1e3);
+    let through = format!("went through the front of the eye at {time:.4} ms");
+    let problem = if wide < apart {
+        let narrow = format!(
+            "mm is narrower than what lies between two nodes of mesh level {level}, and {through}"
+        );
+        let allowed = format!(
+            "{:.2} mm or more, or a finer mesh by eye.level",
+            apart * 1e3
+        );
+        Problem::refused("impact.diameter_mm", &width, &narrow, allowed)
+    } else {
+        let allowed = "a slower, lighter or wider object: what pierces an eye is beyond this model";
+        let speed = plain(object.speed);
+        let heavy = format!("m/s is too fast for an object {width} mm wide, which {through}");
+        Problem::refused("impact.speed_m_s", &speed, &heavy, allowed.to_owned())
+    };
+    Refusal::WentThrough(problem.into())
 }
 
 fn duration(load: &engine::AxisymmetricLoad) -> Option<f64> {
@@ -131,7 +145,8 @@ fn duration(load: &engine::AxisymmetricLoad) -> Option<f64> {
     }
 }
 
-fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
+/// What the eye of a scenario is made of, about an axis at so many degrees from its own.
+pub(crate) fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
     let mut parameters = Parameters {
         axis_angle: angle_deg.abs().to_radians(),
         shell: match model.species {
@@ -185,7 +200,8 @@ fn surround(model: &Physiological) -> Option<Surround> {
     Some(surround)
 }
 
-fn object(projectile: &Projectile) -> Object {
+/// The object of a scenario.
+pub(crate) fn object(projectile: &Projectile) -> Object {
     let radius = 0.5e-3 * projectile.diameter_mm;
     let surface = match projectile.surface {
         Surface::Hard => engine::ObjectSurface::RIGID,

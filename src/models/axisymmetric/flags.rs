@@ -31,8 +31,34 @@ pub(crate) fn raise(
             ),
         );
     }
+    let asked = Asked {
+        window: case.window,
+        pulse: case.pulse(),
+        rim: case.rim,
+    };
+    of_blow(&asked, extremes, (readings, simulated), &mut raised);
+    raised.flags()
+}
+
+/// What was asked of a run.
+pub(crate) struct Asked {
+    /// How long it may last.
+    pub window: Until,
+    /// Duration of a pulse, in s.
+    pub pulse: Option<f64>,
+    /// What catches an object that is too wide.
+    pub rim: &'static str,
+}
+
+/// Flags that every eye of cells can raise.
+pub(crate) fn of_blow(
+    asked: &Asked,
+    extremes: &Extremes,
+    (readings, simulated): (&Readings, f64),
+    raised: &mut Raised,
+) {
     if extremes.rim_force.value > 0.0 {
-        let (rim, force) = (case.rim, extremes.rim_force);
+        let (rim, force) = (asked.rim, extremes.rim_force);
         let at = force.time * 1e3;
         raised.raise_at(
             force.time,
@@ -81,24 +107,23 @@ pub(crate) fn raise(
             ),
         );
     } else {
-        window(case, extremes, (readings, simulated), &mut raised);
+        window(asked, extremes, (readings, simulated), raised);
     }
-    raised.flags()
 }
 
 /// Flags of a window that ends too early.
 fn window(
-    case: &AxisymmetricCase,
+    asked: &Asked,
     extremes: &Extremes,
     (readings, simulated): (&Readings, f64),
     raised: &mut Raised,
 ) {
-    let end = case.window.most();
-    if let Some(pulse) = case.pulse().filter(|pulse| end < *pulse) {
+    let end = asked.window.most();
+    if let Some(pulse) = asked.pulse.filter(|pulse| end < *pulse) {
         raised.pulse_cut(end, pulse);
         return;
     }
-    if matches!(case.window, Until::Settled(_)) && simulated >= end {
+    if matches!(asked.window, Until::Settled(_)) && simulated >= end {
         let cap = plain((end * 1e9).round() / 1e6);
         raised.raise_at(
             end,

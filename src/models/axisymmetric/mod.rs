@@ -12,7 +12,7 @@
 pub mod case;
 mod drawing;
 pub mod eye;
-mod flags;
+pub(crate) mod flags;
 pub mod forces;
 mod model;
 pub mod readings;

@@ -97,6 +97,7 @@ impl EyeModel for AxisymmetricCase {
             fold: extremes.fold,
             missed: extremes.missed(),
             energy_residual: extremes.energy_residual,
+            sectors: None,
             simulated: run.simulated,
             traces: run.traces,
             frames: run.frames,

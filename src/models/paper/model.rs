@@ -71,6 +71,7 @@ impl EyeModel for PaperCase {
             fold: extremes.fold,
             missed: false,
             energy_residual: extremes.energy_residual,
+            sectors: None,
             simulated: recording.simulated,
             traces: recording.traces,
             frames: recording.frames,

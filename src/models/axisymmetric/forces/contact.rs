@@ -16,12 +16,12 @@ const SHELL_AREAL: f64 = 0.44;
 /// The shell takes along its share of what lies behind, per length of a segment, in kg/m3.
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells.
-const COURANT: f64 = 0.4 / 0.6;
+pub(crate) const COURANT: f64 = 0.4 / 0.6;
 /// What is nearer to an object than this counts as touched by it, in m.
-const TOUCHING: f64 = 5e-5;
+pub(crate) const TOUCHING: f64 = 5e-5;
 /// The Courant number where the object loses energy, as the loss follows velocities half a step
 /// old.
-const DAMPED: f64 = 0.5;
+pub(crate) const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
 #[derive(Debug, Clone, PartialEq)]

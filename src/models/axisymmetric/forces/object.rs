@@ -27,7 +27,7 @@ use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;
 /// Share of the mass that is the surface of an object on a spring.
-const SURFACE_SHARE: f64 = 0.05;
+pub(crate) const SURFACE_SHARE: f64 = 0.05;
 /// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so
 /// that the middle of a ball stays in front of the eye.
 const SOLID_DEPTH: f64 = 0.7;
@@ -53,7 +53,7 @@ const FULL_LOSS: f64 = 0.1;
 /// How much of a force is left at a speed of `closing`, m/s, of something that gives back the
 /// share `kept` of its energy and came at `speed`; and how fast that changes with closing, in s/m.
 #[inline]
-fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
+pub(crate) fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
     let full = FULL_LOSS * speed;
     if kept >= 1.0 || full <= 0.0 {
         (1.0, 0.0)

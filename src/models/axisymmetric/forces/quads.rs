@@ -96,7 +96,7 @@ impl<S: Simd> Edge<S> {
 /// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third
 /// order.
 #[inline(always)]
-fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
+pub(crate) fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     /// Bits of 1 times 4/3, less what makes the largest error of the first guess least.
     const MAGIC: u64 = 0x553E_F0FF_289D_D796;
     let bits: S::u64s = of.bitcast();

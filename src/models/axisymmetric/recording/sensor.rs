@@ -6,8 +6,8 @@ use crate::models::axisymmetric::forces::state::NodeState;
 use std::collections::VecDeque;
 
 /// Where the sensor sits, on the axis behind the centre, and how far around it takes a mean, in m.
-const SENSOR_X: f64 = 8e-3;
-const SENSOR_REACH: f64 = 3e-3;
+pub(crate) const SENSOR_X: f64 = 8e-3;
+pub(crate) const SENSOR_REACH: f64 = 3e-3;
 /// Time constant of the sensor, and time over which accelerations are averaged, in s.
 pub const SMOOTHING_S: f64 = 20e-6;
 /// Time over which the force of contact is averaged, as in a section, in s: its sharper peaks are

@@ -19,15 +19,15 @@ use crate::models::axisymmetric::recording::sensor::{LowPass, between, on_shell}
 use std::f64::consts::PI;
 
 /// Front angles between which the wall's largest stretch is looked for, in degrees.
-const EQUATOR_DEG: (f64, f64) = (60.0, 120.0);
+pub(crate) const EQUATOR_DEG: (f64, f64) = (60.0, 120.0);
 /// Front angles of the retina at the back, in degrees.
-const BACK_DEG: (f64, f64) = (150.0, 180.0);
+pub(crate) const BACK_DEG: (f64, f64) = (150.0, 180.0);
 /// Front angle of the retina's front edge and of what holds the lens, in degrees.
-const EDGE_DEG: f64 = 62.0;
+pub(crate) const EDGE_DEG: f64 = 62.0;
 /// Front angle of the root of the iris, in degrees.
-const IRIS_DEG: f64 = 45.0;
+pub(crate) const IRIS_DEG: f64 = 45.0;
 /// Place of the lens's equator at rest, in m.
-const LENS_EQUATOR: (f64, f64) = (-6.6e-3, 4.5e-3);
+pub(crate) const LENS_EQUATOR: (f64, f64) = (-6.6e-3, 4.5e-3);
 
 /// A weighted mean of places of nodes.
 type Point = Vec<(usize, f64)>;

@@ -14,6 +14,7 @@
 //! of the step watch over it.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
+use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
 use crate::models::axisymmetric::forces::plain::PlainCells;
@@ -39,19 +40,19 @@ use std::ops::ControlFlow;
 /// Share of the stability bound that steps take unless asked otherwise.
 pub const STEP_SHARE: f64 = 0.75;
 /// Most a step grows.
-const GROWTH: f64 = 1.05;
+pub(crate) const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
-const GONE: f64 = 0.5e-3;
+pub(crate) const GONE: f64 = 0.5e-3;
 /// An eye shortened by this share has its front on its back: what comes then is not in the model.
-const FLAT: f64 = 0.85;
-/// Nor is it where the stability bound of a cell has fallen to this share of that at rest: a cell is pressed
-/// to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
-const PRESSED_TO_NOTHING: f64 = 1e-3;
+pub(crate) const FLAT: f64 = 0.85;
+/// Nor is it where the stability bound of a cell has fallen to this share of that at rest: it is
+/// pressed to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
+pub(crate) const PRESSED_TO_NOTHING: f64 = 1e-3;
 /// An object is narrow if its radius is less than this share of the eye's.
-const NARROW: f64 = 0.25;
+pub(crate) const NARROW: f64 = 0.25;
 /// Steps between two looks at the watch.
-const WATCH_EVERY: usize = 256;
+pub(crate) const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,7 +119,7 @@ impl From<f64> for Steps {
 
 impl Steps {
     /// How long forces act on a step of `step` s after one of `before` s.
-    fn kick(&self, before: f64, step: f64) -> f64 {
+    pub(crate) fn kick(&self, before: f64, step: f64) -> f64 {
         match self.scheme {
             Scheme::SemiImplicitEuler => step,
             Scheme::Leapfrog => 0.5 * (before + step),
@@ -225,8 +226,11 @@ fn last_growth(extremes: &Extremes) -> f64 {
 /// compare with whole windows, not a proof.
 fn swing(eye: &AxisymmetricEye) -> f64 {
     let stiffness: f64 = eye.segments.iter().map(|s| s.modulus * s.thickness).sum();
-    let stiffness = stiffness / eye.segments.len() as f64;
-    let p = &eye.parameters;
+    slowest_swing(&eye.parameters, stiffness / eye.segments.len() as f64)
+}
+
+/// [`swing`] with this mean of modulus times thickness, N/m.
+pub(crate) fn slowest_swing(p: &Parameters, stiffness: f64) -> f64 {
     2.0 * PI * (p.vitreous.density * p.radius.powi(3) / stiffness).sqrt()
 }
 

@@ -1,0 +1,214 @@
+//! An eye in three dimensions, ready to be hit.
+
+use crate::models::axisymmetric::case::{LONGEST, object, parameters, refused};
+use crate::models::axisymmetric::eye::parameters::{Parameters, Wall};
+use crate::models::axisymmetric::forces::object::Object;
+use crate::models::axisymmetric::time::run::{Scheme, Steps, Stop};
+use crate::models::axisymmetric::time::until::Until;
+use crate::models::pulse::Pulse;
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::mesh::Extent;
+use crate::models::spatial::eye::orbit::OrbitRim;
+use crate::models::spatial::forces::object::Aim;
+use crate::models::spatial::rules::RULES;
+use crate::models::spatial::time::run::{Blow, SpatialLoad, step_limit};
+use crate::run::plan::Plan;
+use crate::run::refusal::Refusal;
+use crate::scenario::{
+    Around, CheckedScenario, Geometry, Impact, Integrator, Physiological, Support,
+};
+
+/// A blow this little out of the plane through the eye's axis is in it, in m.
+const IN_PLANE: f64 = 1e-9;
+
+/// A blow on an eye, in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// What the eye is made of, and what holds it. Its axis is the eye's own: `axis_angle` is not
+    /// read.
+    pub parameters: Parameters,
+    /// The rim of an orbit that was measured; without one what holds the globe is round.
+    pub rim: Option<OrbitRim>,
+    /// What acts.
+    pub load: SpatialLoad,
+    /// How it comes.
+    pub aim: Aim,
+    /// How long it is followed.
+    pub window: Until,
+    /// Refinement level, from 1.
+    pub level: u32,
+    /// How much of the eye is computed; where half of it is not enough, all of it is.
+    pub extent: Extent,
+}
+
+impl Scene {
+    /// What a scenario asks for.
+    pub fn new(scenario: &CheckedScenario, model: &Physiological) -> Self {
+        let (load, aim) = match &scenario.impact {
+            Impact::Projectile(projectile) => (
+                SpatialLoad::Object(object(projectile)),
+                Aim {
+                    angle: projectile.angle_deg.to_radians(),
+                    from: model.eye_side.azimuth(projectile.angle_clock),
+                    offset: projectile.offset_mm * 1e-3,
+                    towards: model.eye_side.azimuth(projectile.offset_clock),
+                },
+            ),
+            Impact::ForcePulse(pulse) => (
+                SpatialLoad::Pulse(Pulse::new(pulse), pulse.half_width_deg.to_radians()),
+                Aim {
+                    angle: pulse.angle_deg.to_radians(),
+                    ..Aim::default()
+                },
+            ),
+        };
+        let after = match &load {
+            SpatialLoad::Pulse(pulse, _) => pulse.duration(),
+            SpatialLoad::Object(_) => 0.0,
+        };
+        let around = |around: Around| {
+            let Around {
+                above,
+                nose,
+                below,
+                temple,
+            } = around;
+            [above, nose, below, temple].map(|mm| mm * 1e-3)
+        };
+        Self {
+            parameters: parameters(model, 0.0),
+            rim: (model.support == Support::Orbit).then(|| OrbitRim {
+                depth: around(model.rim.depth_mm),
+                gap: around(model.rim.gap_mm),
+                edge: OrbitRim::EDGE,
+                stiffness: OrbitRim::STIFFNESS,
+            }),
+            load,
+            aim,
+            window: match scenario.window_ms {
+                Some(ms) => Until::Time(ms * 1e-3),
+                None => Until::Settled(LONGEST + after),
+            },
+            level: scenario.eye.level,
+            extent: match scenario.geometry() {
+                Some(Geometry::Half) => Extent::Half,
+                _ => Extent::Full,
+            },
+        }
+    }
+
+    /// How much of the eye it needs: half of it where the blow lies in a plane through the eye's
+    /// axis and what holds the globe is round.
+    pub fn needs(&self) -> Extent {
+        let round = self.parameters.surround.is_none() || self.rim.is_none_or(|rim| rim.is_round());
+        if round && self.aim.out_of_plane().abs() < IN_PLANE {
+            Extent::Half
+        } else {
+            Extent::Full
+        }
+    }
+}
+
+/// An eye in three dimensions, ready to be hit.
+#[derive(Debug, Clone)]
+pub struct SpatialCase {
+    /// The eye.
+    pub eye: SpatialEye,
+    /// What hits it and how.
+    pub blow: Blow,
+    /// Simulated time.
+    pub window: Until,
+    /// What catches an object that is too wide.
+    pub rim: &'static str,
+    /// Longest stable step at rest, in s.
+    pub(super) limit: f64,
+    /// The rim that was measured.
+    pub(super) measured: Option<OrbitRim>,
+}
+
+impl SpatialCase {
+    /// Compiles a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let extent = match scene.needs() {
+            Extent::Half => scene.extent,
+            Extent::Full => Extent::Full,
+        };
+        // Half an eye is mirrored about the plane of the blow, which is up in its mesh.
+        let up = match extent {
+            Extent::Half => scene.aim.plane(),
+            Extent::Full => 0.0,
+        };
+        let eye = SpatialEye::new(&scene.parameters, scene.rim, extent, scene.level);
+        let blow = Blow {
+            load: scene.load.clone(),
+            aim: scene.aim,
+            up,
+        };
+        let wall = scene.parameters.surround.map(|surround| surround.wall);
+        Self {
+            limit: step_limit(&eye, &blow),
+            rim: match wall {
+                Some(Wall::Sphere(_)) => "the rim of the gelatin's cup",
+                _ => "the orbit's rim",
+            },
+            measured: scene.rim,
+            eye,
+            blow,
+            window: scene.window,
+        }
+    }
+
+    /// This on the mesh of another level.
+    pub(super) fn on_level(&self, level: u32) -> Self {
+        let eye = &self.eye;
+        let eye = SpatialEye::new(&eye.parameters, self.measured, eye.extent, level);
+        Self {
+            limit: step_limit(&eye, &self.blow),
+            eye,
+            ..self.clone()
+        }
+    }
+
+    /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
+    pub(super) fn steps_by(&self, plan: &Plan) -> Result<Steps, Refusal> {
+        Ok(Steps {
+            share: plan.step / plan.multiple / self.limit,
+            scheme: match plan.integrator {
+                Integrator::VelocityVerlet => Scheme::Leapfrog,
+                Integrator::SemiImplicitEuler => Scheme::SemiImplicitEuler,
+                other => return Err(RULES.unfit(other)),
+            },
+        })
+    }
+
+    /// Why there is no result.
+    pub(super) fn refused(&self, stop: Stop) -> Refusal {
+        // Quads of the cornea are the first that anything goes through.
+        let front = self
+            .eye
+            .quads
+            .iter()
+            .min_by(|a, b| a.seen.0.total_cmp(&b.seen.0));
+        let apart = front.map_or(0.0, |quad| {
+            let [a, b, ..] = quad.corners.map(|node| self.eye.mesh.at[node]);
+            (b - a).norm()
+        });
+        refused(stop, self.object(), (self.eye.level, apart))
+    }
+
+    /// The object, if one flies.
+    pub fn object(&self) -> Option<&Object> {
+        match &self.blow.load {
+            SpatialLoad::Object(object) => Some(object),
+            SpatialLoad::Pulse(..) => None,
+        }
+    }
+
+    /// Duration of a pulse, in s.
+    pub fn pulse(&self) -> Option<f64> {
+        match &self.blow.load {
+            SpatialLoad::Pulse(pulse, _) => Some(pulse.duration()),
+            SpatialLoad::Object(_) => None,
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What a reader must know before trusting a result of the eye in three dimensions.
+
+use crate::models::axisymmetric::flags::{Asked, of_blow};
+use crate::models::spatial::case::SpatialCase;
+use crate::models::spatial::recording::results::Extremes;
+use crate::run::flags::{Flag, FlagKind};
+use crate::run::raised::Raised;
+use crate::run::readings::Readings;
+
+/// Energy at the rim that breaks bone in half of all cases, in J: a baseball at 13.9 m/s on the
+/// cheekbone. Walls of orbits were computed to break at 16 to 41 J.
+const BONE_BREAKS: f64 = 14.0;
+
+/// Flags of a run of `simulated` s.
+pub(crate) fn raise(
+    case: &SpatialCase,
+    extremes: &Extremes,
+    readings: &Readings,
+    simulated: f64,
+) -> Vec<Flag> {
+    let mut raised = Raised::default();
+    let asked = Asked {
+        window: case.window,
+        pulse: case.pulse(),
+        rim: case.rim,
+    };
+    of_blow(&asked, &extremes.common, (readings, simulated), &mut raised);
+    let spent = extremes.energy_at_bone;
+    if spent > BONE_BREAKS {
+        raised.raise(
+            FlagKind::BoneMayBreak,
+            format!(
+                "the rim took {spent:.0} J; {BONE_BREAKS:.0} J break a cheekbone in half of all \
+                 cases, and here bone does not break"
+            ),
+        );
+    }
+    raised.flags()
+}

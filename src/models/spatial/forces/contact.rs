@@ -1,0 +1,345 @@
+//! Contact between an object and the eye, without friction, and the load of a pulse.
+//!
+//! Each quad of the shell that lies open, and each free side of what holds the globe, carries four
+//! points of its area at rest; a point below the object's surface is pushed out along its normal by
+//! the foundation's traction, so force and energy are exact to each other. The laws are those of
+//! the axisymmetric contact: depth and normal depend on the place along the way of the object and
+//! the distance from the line through its middle.
+//!
+//! The bound of the step is that of rows: with K_n the stiffness that a node has a share in, no
+//! frequency is above sqrt(2 K_n/m_n) of some node or of the object; two thirds of 2 sqrt(m/K) are
+//! below it.
+
+use crate::models::axisymmetric::forces::contact::{COURANT, DAMPED, TOUCHING};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::spatial::eye::{SpatialEye, upon};
+use crate::models::spatial::forces::object::{MovingObject, touches};
+use crate::models::spatial::forces::state::{NodeState, vector};
+use nalgebra::Vector3;
+
+/// Points along each side of a quad.
+const POINTS: [f64; 2] = [0.25, 0.75];
+/// A quad may grow by this before it is looked at too late.
+const GROWN: f64 = 2.0;
+
+/// A quad that an object can touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Open {
+    corners: [usize; 4],
+    /// Area of each point at rest, m2.
+    areas: [f64; 4],
+    /// Longest diagonal at rest, m.
+    size: f64,
+    /// Its number among those of the shell, if it is one.
+    shell: Option<usize>,
+}
+
+/// The eye as contact sees it.
+#[derive(Debug, Clone)]
+pub(crate) struct Target {
+    quads: Vec<Open>,
+    /// Places of nodes that are open but not of the shell, at rest.
+    ahead: Vec<Vector3<f64>>,
+    mass: Vec<f64>,
+    copies: f64,
+    /// Stiffness and damping that each node has a share in; all 0 between two calls.
+    stiff: Vec<[f64; 2]>,
+    pressed: Vec<usize>,
+    /// Whether the object touches each quad of the shell.
+    pub touched: Vec<bool>,
+}
+
+/// What contact does at some instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touch {
+    /// Force on the eye, N.
+    pub force: Vector3<f64>,
+    /// Stored, J.
+    pub energy: f64,
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Largest share of what gives way of the object's surface that is used up.
+    pub used_up: f64,
+    /// Power lost in the object's surface, W, less what its own motion does.
+    pub loss: f64,
+    /// Area of the shell, across the way of the object, that is touched, m2.
+    pub area: f64,
+    /// Quads that were looked at.
+    pub quads: usize,
+}
+
+/// Shares of the corners of a quad in a point.
+fn shares(point: usize) -> [f64; 4] {
+    let (s, t) = (POINTS[point & 1], POINTS[point >> 1]);
+    [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]
+}
+
+/// The share of a triangle in which a linear depth is above 0.
+fn above(depths: [f64; 3]) -> f64 {
+    let positive = depths.iter().filter(|d| **d > 0.0).count();
+    let share = |alone: f64, others: [f64; 2]| {
+        (alone / (alone - others[0])) * (alone / (alone - others[1]))
+    };
+    let alone = |wanted: bool| (0..3).find(|i| (depths[*i] > 0.0) == wanted).unwrap_or(0);
+    match positive {
+        0 => 0.0,
+        3 => 1.0,
+        _ => {
+            let i = alone(positive == 1);
+            let part = share(depths[i], [depths[(i + 1) % 3], depths[(i + 2) % 3]]);
+            if positive == 1 { part } else { 1.0 - part }
+        }
+    }
+}
+
+/// Depth of a place in an object at `at`, and the way that it decreases.
+pub(crate) fn depth(
+    object: &Object,
+    projectile: &MovingObject,
+    place: Vector3<f64>,
+) -> (f64, Vector3<f64>) {
+    let from = place - projectile.at[0];
+    let along = from.dot(&projectile.way);
+    let across = from - projectile.way * along;
+    let r = across.norm();
+    let (gap, nx, nr) = object.gap(along, r);
+    let aside = if r > 0.0 { across / r } else { across };
+    (gap, projectile.way * nx + aside * nr)
+}
+
+impl Target {
+    pub fn new(eye: &SpatialEye) -> Self {
+        let at = |node: usize| eye.mesh.at[node];
+        let shell: std::collections::BTreeMap<[usize; 4], usize> = eye
+            .quads
+            .iter()
+            .enumerate()
+            .map(|(number, quad)| (sorted(quad.corners), number))
+            .collect();
+        let quads = eye.open_quads().into_iter().map(|corners| {
+            let p = corners.map(at);
+            Open {
+                corners,
+                areas: std::array::from_fn(|i| {
+                    let (s, t) = (POINTS[i & 1], POINTS[i >> 1]);
+                    let along = upon(&p, 1.0, t) - upon(&p, 0.0, t);
+                    let across = upon(&p, s, 1.0) - upon(&p, s, 0.0);
+                    0.25 * along.cross(&across).norm()
+                }),
+                size: (p[2] - p[0]).norm().max((p[3] - p[1]).norm()),
+                shell: shell.get(&sorted(corners)).copied(),
+            }
+        });
+        let quads: Vec<Open> = quads.collect();
+        let free = quads.iter().filter(|quad| quad.shell.is_none());
+        Self {
+            ahead: free.flat_map(|quad| quad.corners.map(at)).collect(),
+            quads,
+            mass: eye.mass.clone(),
+            copies: eye.copies(),
+            stiff: vec![[0.0; 2]; eye.mass.len()],
+            pressed: Vec::new(),
+            touched: vec![false; eye.quads.len()],
+        }
+    }
+
+    /// How far along its way an object comes before it touches what lies in front of bone.
+    pub fn first_touch(
+        &self,
+        outline: ObjectOutline,
+        line: (Vector3<f64>, Vector3<f64>),
+    ) -> Option<f64> {
+        self.ahead
+            .iter()
+            .filter_map(|at| touches(outline, line, *at, 0.0))
+            .reduce(f64::min)
+    }
+
+    /// Whether an object is far from a quad.
+    fn far(object: &Object, projectile: &MovingObject, place: Vector3<f64>, size: f64) -> bool {
+        let reach = GROWN * size + object.near().max(TOUCHING);
+        let from = place - projectile.at[0];
+        match object.outline {
+            ObjectOutline::Sphere(radius) => from.norm_squared() > (radius + reach).powi(2),
+            ObjectOutline::Cylinder(radius, _) => {
+                let along = from.dot(&projectile.way);
+                let square = from.norm_squared() - along * along;
+                along > reach || square > (radius + reach).powi(2)
+            }
+        }
+    }
+
+    /// Adds the forces of contact to those of nodes and to the projectile's.
+    pub fn forces(
+        &mut self,
+        object: &Object,
+        projectile: &mut MovingObject,
+        state: &mut NodeState,
+    ) -> Touch {
+        let mut touch = Touch {
+            force: Vector3::zeros(),
+            energy: 0.0,
+            limit: f64::INFINITY,
+            used_up: 0.0,
+            loss: 0.0,
+            area: 0.0,
+            quads: 0,
+        };
+        let near = object.near();
+        let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
+        for quad in &self.quads {
+            if let Some(number) = quad.shell {
+                self.touched[number] = false;
+            }
+            if Self::far(
+                object,
+                projectile,
+                vector(&state.at, quad.corners[0]),
+                quad.size,
+            ) {
+                continue;
+            }
+            touch.quads += 1;
+            let p = quad.corners.map(|node| vector(&state.at, node));
+            let v = quad.corners.map(|node| vector(&state.speed, node));
+            let mut forces = [Vector3::zeros(); 4];
+            let (mut pressed_any, mut close) = (false, false);
+            let mut depths = [0.0; 4];
+            for (point, area) in quad.areas.iter().enumerate() {
+                let shares = shares(point);
+                let mix = |of: &[Vector3<f64>; 4]| -> Vector3<f64> {
+                    (0..4).map(|i| of[i] * shares[i]).sum()
+                };
+                let (gap, normal) = depth(object, projectile, mix(&p));
+                depths[point] = gap;
+                close |= gap > -TOUCHING;
+                if gap <= -near {
+                    continue;
+                }
+                let pressed = object.surface.at(gap.max(0.0));
+                let speed = mix(&v).dot(&normal);
+                let closing = projectile.speed[0].dot(&normal) - speed;
+                let slope = object.surface.steepest(gap, pressed.slope, closing);
+                let (left, change) = object.surface.hysteresis(object.speed, closing);
+                let damping = if gap > 0.0 {
+                    change * pressed.traction
+                } else {
+                    0.0
+                };
+                whole_slope += area * slope;
+                whole_damping += area * damping;
+                for (node, share) in quad.corners.into_iter().zip(shares) {
+                    let stiff = &mut self.stiff[node];
+                    if stiff[0] == 0.0 {
+                        self.pressed.push(node);
+                    }
+                    stiff[0] += share * area * slope;
+                    stiff[1] += share * area * damping;
+                }
+                if gap <= 0.0 {
+                    continue;
+                }
+                pressed_any = true;
+                let force = area * pressed.traction * left;
+                let lossy = area * pressed.traction * (left - 1.0);
+                touch.loss -= lossy * speed;
+                projectile.lossy[0] -= normal * (lossy * self.copies);
+                touch.energy += area * pressed.energy;
+                touch.used_up = touch.used_up.max(object.surface.used_up(gap));
+                touch.force += normal * force;
+                for (to, share) in forces.iter_mut().zip(shares) {
+                    *to += normal * (force * share);
+                }
+            }
+            if pressed_any {
+                for (node, force) in quad.corners.into_iter().zip(forces) {
+                    state.push(node, force);
+                }
+            }
+            if let Some(number) = quad.shell.filter(|_| close) {
+                let area = touched(depths, projectile.way, &p);
+                self.touched[number] = area > 0.0;
+                touch.area += area;
+            }
+        }
+        for &node in &self.pressed {
+            let [stiffness, damping] = std::mem::take(&mut self.stiff[node]);
+            let stable = 2.0 * COURANT * (self.mass[node] / stiffness).sqrt();
+            let damped = DAMPED * self.mass[node] / damping.max(f64::MIN_POSITIVE);
+            touch.limit = touch.limit.min(stable).min(damped);
+        }
+        self.pressed.clear();
+        touch.force *= self.copies;
+        if self.copies > 1.0 {
+            touch.force.z = 0.0;
+            projectile.lossy[0].z = 0.0;
+        }
+        touch.energy *= self.copies;
+        touch.loss *= self.copies;
+        touch.area *= self.copies;
+        // The object's own mass may be less than that of what it presses.
+        if whole_slope > 0.0 {
+            let stable = (projectile.mass[0] / (self.copies * whole_slope)).sqrt();
+            touch.limit = touch.limit.min(2.0 * COURANT * stable);
+        }
+        if whole_damping > 0.0 {
+            let damped = projectile.mass[0] / (self.copies * whole_damping);
+            touch.limit = touch.limit.min(DAMPED * damped);
+        }
+        projectile.force[0] -= touch.force;
+        touch
+    }
+
+    /// Share of a pulse that each node takes: the area at rest within `half_width` rad of where
+    /// the way of the blow enters, a uniform traction along it. They add up to 1, or to a half of
+    /// what is mirrored.
+    pub fn pulse(eye: &SpatialEye, way: Vector3<f64>, half_width: f64) -> Vec<(usize, f64)> {
+        /// Pieces along each side of a quad, each loaded or not.
+        const PIECES: usize = 24;
+        let mut shares = vec![0.0; eye.mass.len()];
+        for quad in &eye.quads {
+            let p = quad.corners.map(|node| eye.mesh.at[node]);
+            let piece = crate::models::spatial::eye::area(&p) / (PIECES * PIECES) as f64;
+            for i in 0..PIECES * PIECES {
+                let s = ((i % PIECES) as f64 + 0.5) / PIECES as f64;
+                let t = ((i / PIECES) as f64 + 0.5) / PIECES as f64;
+                let at = upon(&p, s, t);
+                let apart = libm::atan2(at.cross(&way).norm(), -at.dot(&way));
+                if apart < half_width {
+                    let own = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
+                    for (node, share) in quad.corners.into_iter().zip(own) {
+                        shares[node] += share * piece;
+                    }
+                }
+            }
+        }
+        let total: f64 = eye.copies() * shares.iter().sum::<f64>();
+        let share = |(node, share): (usize, f64)| (share > 0.0).then(|| (node, share / total));
+        shares.into_iter().enumerate().filter_map(share).collect()
+    }
+}
+
+fn sorted(mut of: [usize; 4]) -> [usize; 4] {
+    of.sort_unstable();
+    of
+}
+
+/// Area of a quad, across the way of the object, that lies within [`TOUCHING`] of it, from the
+/// depths of its points: between them and beyond they are taken to change evenly.
+fn touched(depths: [f64; 4], way: Vector3<f64>, p: &[Vector3<f64>; 4]) -> f64 {
+    let depths = depths.map(|depth| depth + TOUCHING);
+    // At both ends of what is known at a quarter and at three.
+    let ends = |a: f64, b: f64| (1.5 * a - 0.5 * b, 1.5 * b - 0.5 * a);
+    let (low, high) = (ends(depths[0], depths[1]), ends(depths[2], depths[3]));
+    let (first, last) = (ends(low.0, high.0), ends(low.1, high.1));
+    let corners = [first.0, last.0, last.1, first.1];
+    let middle = (p[0] + p[1] + p[2] + p[3]) * 0.25;
+    let inner = 0.25 * depths.iter().sum::<f64>();
+    (0..4)
+        .map(|i| {
+            let k = (i + 1) % 4;
+            let normal = (p[i] - middle).cross(&(p[k] - middle));
+            0.5 * normal.dot(&way).abs() * above([corners[i], corners[k], inner])
+        })
+        .sum()
+}

@@ -1,0 +1,98 @@
+//! The cells one by one: the tested reference of [`super::rows`] and the baseline of its speed.
+
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
+use crate::models::spatial::forces::math::Plain;
+use crate::models::spatial::forces::state::{CellSums, Cells, NodeState};
+use crate::models::spatial::recording::sensor;
+
+/// Cells with lists of corners.
+#[derive(Debug, Clone)]
+pub(crate) struct PlainCells {
+    cells: Vec<(Constants, [usize; 8])>,
+    pressures: Vec<f64>,
+}
+
+/// Places or velocities of the corners of a cell.
+fn gathered(of: &[Vec<f64>; 3], corners: &[usize; 8]) -> Eight<f64> {
+    corners.map(|n| [of[0][n], of[1][n], of[2][n]])
+}
+
+/// The constants of all cells of an eye, in order.
+pub(crate) fn constants(eye: &SpatialEye) -> Vec<Constants> {
+    let weights = sensor::weights(eye);
+    eye.cells
+        .iter()
+        .zip(weights)
+        .map(|(cell, weights)| {
+            let mut constants = cell::constants(eye, cell);
+            constants[field::MEAN] = weights.mean;
+            constants[field::SENSOR] = weights.sensor;
+            constants[field::GLOBE] = weights.globe;
+            constants
+        })
+        .collect()
+}
+
+impl PlainCells {
+    pub fn new(eye: &SpatialEye) -> Self {
+        let corners = eye.cells.iter().map(|cell| cell.corners);
+        let cells: Vec<_> = constants(eye).into_iter().zip(corners).collect();
+        Self {
+            pressures: vec![0.0; cells.len()],
+            cells,
+        }
+    }
+
+    /// Elastic energy of what is computed, J.
+    pub fn energy(&self, state: &NodeState) -> f64 {
+        let stored =
+            |(c, corners): &(Constants, [usize; 8])| cell::energy(c, &gathered(&state.at, corners));
+        self.cells.iter().map(stored).sum()
+    }
+
+    /// The least corner of a cell over its volume at rest.
+    pub fn least_corner(&self, state: &NodeState, cell: usize) -> f64 {
+        let (c, corners) = &self.cells[cell];
+        cell::least_corner(c, &gathered(&state.at, corners))
+    }
+}
+
+impl Cells for PlainCells {
+    fn forces(&mut self, state: &mut NodeState) -> CellSums {
+        let mut sums = CellSums {
+            limit: 0.0,
+            loss: 0.0,
+            pressure: 0.0,
+            sensor: 0.0,
+            volume: 0.0,
+            least_corner: f64::INFINITY,
+        };
+        let mut rate = 0.0_f64;
+        for ((c, corners), pressure) in self.cells.iter().zip(&mut self.pressures) {
+            let (at, speed) = (
+                gathered(&state.at, corners),
+                gathered(&state.speed, corners),
+            );
+            let response = cell::respond(Plain, Fields::of(c), &at, &speed);
+            for (&node, force) in corners.iter().zip(response.force) {
+                for k in 0..3 {
+                    state.force[k][node] += force[k];
+                }
+            }
+            *pressure = response.pressure;
+            sums.pressure += c[field::MEAN] * response.pressure;
+            sums.sensor += c[field::SENSOR] * response.pressure;
+            sums.volume += c[field::GLOBE] * response.volume;
+            sums.loss += response.loss;
+            sums.least_corner = sums.least_corner.min(response.least_corner);
+            rate = rate.max(response.rate);
+        }
+        sums.limit = 1.0 / rate;
+        sums
+    }
+
+    fn pressures(&self) -> Vec<f64> {
+        self.pressures.clone()
+    }
+}

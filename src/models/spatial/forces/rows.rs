@@ -1,0 +1,253 @@
+//! The cells in groups of eight along their rows, as many at once as the machine's vectors hold.
+//!
+//! Constants lie group by group. Along a row of the mesh the corners of neighbouring cells are
+//! mostly neighbours in memory: such a group loads its corners and adds its forces by vectors,
+//! another by a list. A place of the last group that has no cell stands for the last one, with no
+//! stiffness.
+
+#![allow(
+    clippy::inline_always,
+    reason = "what is called within a vector dispatch must be compiled for its instructions"
+)]
+
+use crate::models::paper::forces::aligned::Aligned;
+use crate::models::paper::forces::layout::{LANES, Lane};
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::point::Nodes;
+use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
+use crate::models::spatial::forces::math::{Math, Wide};
+use crate::models::spatial::forces::plain;
+use crate::models::spatial::forces::state::{CellSums, Cells, NodeState};
+use fearless_simd::{Level, Simd, dispatch};
+
+/// The nodes of a corner of eight cells.
+#[derive(Debug, Clone, Copy)]
+enum CornerNodes {
+    /// This one and those after it.
+    From(usize),
+    /// These.
+    List([u32; LANES]),
+}
+
+/// Eight cells.
+#[derive(Debug, Clone, Copy)]
+struct Group {
+    corners: [CornerNodes; 8],
+    /// How many of them are cells.
+    present: usize,
+}
+
+/// The cells of an eye in groups.
+#[derive(Debug, Clone)]
+pub(crate) struct CellRows {
+    groups: Vec<Group>,
+    /// Group by group, by [`field`].
+    constants: Aligned,
+    pressures: Vec<f64>,
+    cells: usize,
+    /// The machine's vectors.
+    level: Level,
+}
+
+/// Eight values of each component of each corner.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Gathered([[Lane; 3]; 8]);
+
+impl CellRows {
+    pub fn new(eye: &SpatialEye) -> Self {
+        Self::with_level(eye, Level::new())
+    }
+
+    pub fn with_level(eye: &SpatialEye, level: Level) -> Self {
+        let one: Vec<Constants> = plain::constants(eye);
+        let count = eye.cells.len().div_ceil(LANES);
+        let mut constants = Aligned::zeros(count * field::COUNT * LANES);
+        let mut groups = Vec::new();
+        for group in 0..count {
+            let first = group * LANES;
+            let present = (eye.cells.len() - first).min(LANES);
+            let cell = |lane: usize| first + lane.min(present - 1);
+            for lane in 0..LANES {
+                let mut own = one[cell(lane)];
+                if lane >= present {
+                    own[field::BULK..].fill(0.0);
+                }
+                for (f, value) in own.into_iter().enumerate() {
+                    constants[(group * field::COUNT + f) * LANES + lane] = value;
+                }
+            }
+            let corners = std::array::from_fn(|corner| {
+                let node = |lane: usize| eye.cells[cell(lane)].corners[corner];
+                let first = node(0);
+                if (0..LANES).all(|lane| node(lane) == first + lane) {
+                    CornerNodes::From(first)
+                } else {
+                    CornerNodes::List(std::array::from_fn(|lane| node(lane) as u32))
+                }
+            });
+            groups.push(Group { corners, present });
+        }
+        Self {
+            groups,
+            constants,
+            pressures: vec![0.0; count * LANES],
+            cells: eye.cells.len(),
+            level,
+        }
+    }
+}
+
+/// Brings the corners of a group that are lists together.
+#[inline(always)]
+fn gather(group: &Group, of: &Nodes, to: &mut Gathered) {
+    for (nodes, to) in group.corners.iter().zip(&mut to.0) {
+        if let CornerNodes::List(nodes) = nodes {
+            for (of, to) in of.iter().zip(to) {
+                for (node, to) in nodes.iter().zip(to) {
+                    *to = of[*node as usize];
+                }
+            }
+        }
+    }
+}
+
+/// What some cells of a group have at their corners.
+#[inline(always)]
+fn read<M: Math>(m: M, group: &Group, lane: usize, of: &Nodes, lists: &Gathered) -> Eight<M::N> {
+    let mut read = [[m.number(0.0); 3]; 8];
+    for corner in 0..8 {
+        for k in 0..3 {
+            read[corner][k] = match group.corners[corner] {
+                CornerNodes::From(first) => m.load(&of[k], first + lane),
+                CornerNodes::List(_) => m.load(&lists.0[corner][k], lane),
+            };
+        }
+    }
+    read
+}
+
+/// Sums by place in a group.
+struct Totals {
+    loss: Lane,
+    mean: Lane,
+    sensor: Lane,
+    volume: Lane,
+    /// 1/s, most.
+    rate: Lane,
+    corner: Lane,
+}
+
+#[inline(always)]
+fn add<M: Math>(m: M, to: &mut Lane, lane: usize, value: M::N) {
+    let sum = m.load(to, lane) + value;
+    m.store(sum, to, lane);
+}
+
+#[inline(always)]
+fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellSums {
+    let m = Wide(simd);
+    let mut totals = Totals {
+        loss: [0.0; LANES],
+        mean: [0.0; LANES],
+        sensor: [0.0; LANES],
+        volume: [0.0; LANES],
+        rate: [0.0; LANES],
+        corner: [f64::INFINITY; LANES],
+    };
+    let zero = Gathered([[[0.0; LANES]; 3]; 8]);
+    let (mut at, mut speed, mut on) = (zero, zero, zero);
+    for (number, group) in rows.groups.iter().enumerate() {
+        gather(group, &state.at, &mut at);
+        gather(group, &state.speed, &mut speed);
+        let constants =
+            &rows.constants[number * field::COUNT * LANES..(number + 1) * field::COUNT * LANES];
+        for lane in (0..LANES).step_by(<Wide<S> as Math>::WIDTH) {
+            let p = read(m, group, lane, &state.at, &at);
+            let v = read(m, group, lane, &state.speed, &speed);
+            let fields = Fields {
+                of: constants,
+                stride: LANES,
+                lane,
+            };
+            let response = cell::respond(m, fields, &p, &v);
+            for corner in 0..8 {
+                for k in 0..3 {
+                    m.store(response.force[corner][k], &mut on.0[corner][k], lane);
+                }
+            }
+            m.store(
+                response.pressure,
+                &mut rows.pressures,
+                number * LANES + lane,
+            );
+            let weighted = |f: usize| fields.get(m, f);
+            add(
+                m,
+                &mut totals.loss,
+                lane,
+                weighted(field::PRESENT) * response.loss,
+            );
+            let pressure = response.pressure;
+            add(m, &mut totals.mean, lane, weighted(field::MEAN) * pressure);
+            add(
+                m,
+                &mut totals.sensor,
+                lane,
+                weighted(field::SENSOR) * pressure,
+            );
+            let volume = weighted(field::GLOBE) * response.volume;
+            add(m, &mut totals.volume, lane, volume);
+            let rate = m.most(m.load(&totals.rate, lane), response.rate);
+            m.store(rate, &mut totals.rate, lane);
+            let corner = m.least(m.load(&totals.corner, lane), response.least_corner);
+            m.store(corner, &mut totals.corner, lane);
+        }
+        scatter(simd, group, &on, state);
+    }
+    let sum = |of: Lane| of.iter().sum::<f64>();
+    CellSums {
+        limit: 1.0 / totals.rate.iter().copied().fold(0.0, f64::max),
+        loss: sum(totals.loss),
+        pressure: sum(totals.mean),
+        sensor: sum(totals.sensor),
+        volume: sum(totals.volume),
+        least_corner: totals.corner.iter().copied().fold(f64::INFINITY, f64::min),
+    }
+}
+
+/// Adds what acts on the corners of a group to the nodes.
+#[inline(always)]
+fn scatter<S: Simd>(simd: S, group: &Group, on: &Gathered, state: &mut NodeState) {
+    let m = Wide(simd);
+    for (nodes, on) in group.corners.iter().zip(&on.0) {
+        match nodes {
+            CornerNodes::From(first) => {
+                for (force, on) in state.force.iter_mut().zip(on) {
+                    for lane in (0..LANES).step_by(<Wide<S> as Math>::WIDTH) {
+                        let sum = m.load(force, first + lane) + m.load(on, lane);
+                        m.store(sum, force, first + lane);
+                    }
+                }
+            }
+            CornerNodes::List(nodes) => {
+                for (force, on) in state.force.iter_mut().zip(on) {
+                    for (node, on) in nodes.iter().zip(on).take(group.present) {
+                        force[*node as usize] += on;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Cells for CellRows {
+    fn forces(&mut self, state: &mut NodeState) -> CellSums {
+        let level = self.level;
+        dispatch!(level, simd => forces(simd, self, state))
+    }
+
+    fn pressures(&self) -> Vec<f64> {
+        self.pressures[..self.cells].to_vec()
+    }
+}

@@ -1,0 +1,97 @@
+//! Positions, velocities and forces of the nodes, and what moves them.
+
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::point::Nodes;
+use nalgebra::Vector3;
+
+/// The nodes of the moving eye. Positions belong to full steps, velocities to half steps.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct NodeState {
+    /// m.
+    pub at: Nodes,
+    /// m/s.
+    pub speed: Nodes,
+    /// N.
+    pub force: Nodes,
+    /// 1/kg, 0 where a node is held.
+    pub free: Nodes,
+}
+
+/// What the cells say at some instant, beside their forces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CellSums {
+    /// Longest stable step, s.
+    pub limit: f64,
+    /// Power lost to viscosity, W.
+    pub loss: f64,
+    /// Mean pressure of the globe, Pa.
+    pub pressure: f64,
+    /// Mean pressure of the cells at the sensor, Pa.
+    pub sensor: f64,
+    /// Volume of the globe, m3.
+    pub volume: f64,
+    /// Smallest corner over its volume at rest.
+    pub least_corner: f64,
+}
+
+/// The cells of an eye, in one form of computing them or another.
+pub(crate) trait Cells {
+    /// Adds the forces of cells to those of nodes.
+    fn forces(&mut self, state: &mut NodeState) -> CellSums;
+    /// Pressure of each cell of the eye after `forces`, Pa.
+    fn pressures(&self) -> Vec<f64>;
+}
+
+/// A vector of a node.
+#[inline]
+pub(crate) fn vector(of: &Nodes, node: usize) -> Vector3<f64> {
+    Vector3::new(of[0][node], of[1][node], of[2][node])
+}
+
+impl NodeState {
+    /// At rest.
+    pub fn new(eye: &SpatialEye) -> Self {
+        let n = eye.mesh.at.len();
+        let zeros = || vec![0.0; n];
+        let free = |node: usize, component: usize| {
+            if eye.fixed[node] || (component == 2 && eye.on_mirror(node)) {
+                0.0
+            } else {
+                1.0 / eye.mass[node]
+            }
+        };
+        Self {
+            at: std::array::from_fn(|k| eye.mesh.at.iter().map(|p| p[k]).collect()),
+            speed: std::array::from_fn(|_| zeros()),
+            force: std::array::from_fn(|_| zeros()),
+            free: std::array::from_fn(|k| (0..n).map(|node| free(node, k)).collect()),
+        }
+    }
+
+    /// Takes all forces away.
+    pub fn release(&mut self) {
+        for force in &mut self.force {
+            force.fill(0.0);
+        }
+    }
+
+    /// Adds a force on a node, N.
+    #[inline]
+    pub fn push(&mut self, node: usize, force: Vector3<f64>) {
+        for k in 0..3 {
+            self.force[k][node] += force[k];
+        }
+    }
+
+    /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
+    pub fn advance(&mut self, kick: f64, drift: f64) {
+        for k in 0..3 {
+            let (at, speed) = (&mut self.at[k], &mut self.speed[k]);
+            let (force, free) = (&self.force[k], &self.free[k]);
+            for (((at, speed), force), free) in at.iter_mut().zip(speed).zip(force).zip(free) {
+                *speed += kick * force * free;
+                *at += drift * *speed;
+            }
+        }
+    }
+}

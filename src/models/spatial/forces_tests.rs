@@ -1,0 +1,331 @@
+//! Forces against differences of energy, rigid motion, and what is the same for all vectors.
+
+use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
+use crate::models::paper::forces::kernel::vector_sets;
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::mesh::Extent;
+use crate::models::spatial::eye::orbit::OrbitRim;
+use crate::models::spatial::forces::cell::{self, Eight, Fields};
+use crate::models::spatial::forces::contact::Target;
+use crate::models::spatial::forces::math::Plain;
+use crate::models::spatial::forces::object::MovingObject;
+use crate::models::spatial::forces::plain::PlainCells;
+use crate::models::spatial::forces::rim::Rim;
+use crate::models::spatial::forces::rows::CellRows;
+use crate::models::spatial::forces::shell::Shell;
+use crate::models::spatial::forces::state::{Cells, NodeState, vector};
+use fearless_simd::Level;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use proptest::prelude::*;
+
+fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
+    let parameters = Parameters {
+        surround,
+        ..Parameters::default()
+    };
+    SpatialEye::new(&parameters, None, extent, 1)
+}
+
+/// A state whose nodes have gone somewhere, as a function of where they rest.
+fn moved(eye: &SpatialEye, to: impl Fn(Vector3<f64>) -> Vector3<f64>) -> NodeState {
+    let mut state = NodeState::new(eye);
+    for (node, at) in eye.mesh.at.iter().enumerate() {
+        let to = to(*at);
+        for k in 0..3 {
+            state.at[k][node] = to[k];
+        }
+    }
+    state
+}
+
+/// A displacement without any order, as large as `size`.
+fn scattered(at: Vector3<f64>, size: f64) -> Vector3<f64> {
+    let wave = |a: f64, b: f64, c: f64| (at.x * a + at.y * b + at.z * c).sin();
+    let x = wave(7e3, 13e3, 3e3);
+    at + Vector3::new(x, wave(5e3, -11e3, 9e3), wave(-3e3, 8e3, 17e3)) * size
+}
+
+/// Largest difference of the force on some nodes from minus the slope of `energy`, over the
+/// largest force.
+fn worst(
+    state: &NodeState,
+    nodes: impl Iterator<Item = usize>,
+    energy: impl Fn(&NodeState) -> f64,
+) -> f64 {
+    let largest = state
+        .force
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, f| m.max(f.abs()));
+    let h = 1e-9;
+    let mut error = 0.0_f64;
+    for node in nodes {
+        for k in 0..3 {
+            let at = |by: f64| {
+                let mut state = state.clone();
+                state.at[k][node] += by;
+                energy(&state)
+            };
+            let slope = (at(h) - at(-h)) / (2.0 * h);
+            error = error.max((state.force[k][node] + slope).abs());
+        }
+    }
+    error / largest
+}
+
+proptest! {
+    #[test]
+    fn a_cells_force_is_minus_the_slope_of_its_energy_and_its_loss_the_power_of_its_viscosity(
+        index in 0usize..1800,
+        shifts in prop::array::uniform24(-1.5e-4..1.5e-4),
+        speeds in prop::array::uniform24(-20.0..20.0),
+    ) {
+        let eye = eye(Some(Surround::orbit()), Extent::Full);
+        let cell = &eye.cells[index];
+        let c = cell::constants(&eye, cell);
+        let p: Eight<f64> = std::array::from_fn(|i| {
+            let at = eye.mesh.at[cell.corners[i]];
+            std::array::from_fn(|k| at[k] + shifts[3 * i + k])
+        });
+        let v: Eight<f64> = std::array::from_fn(|i| std::array::from_fn(|k| speeds[3 * i + k]));
+        let still = cell::respond(Plain, Fields::of(&c), &p, &[[0.0; 3]; 8]);
+        let largest = still.force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+        for i in 0..8 {
+            for k in 0..3 {
+                let at = |by: f64| {
+                    let mut p = p;
+                    p[i][k] += by;
+                    cell::energy(&c, &p)
+                };
+                let slope = (at(1e-8) - at(-1e-8)) / 2e-8;
+                prop_assert!((still.force[i][k] + slope).abs() < 1e-5 * largest);
+            }
+        }
+        prop_assert_eq!(still.loss, 0.0);
+        let moving = cell::respond(Plain, Fields::of(&c), &p, &v);
+        let mut power = 0.0;
+        for i in 0..8 {
+            for k in 0..3 {
+                power += (still.force[i][k] - moving.force[i][k]) * v[i][k];
+            }
+        }
+        prop_assert!((power / moving.loss - 1.0).abs() < 1e-8, "{power} {}", moving.loss);
+        prop_assert!(moving.loss > 0.0);
+    }
+}
+
+#[test]
+fn the_shells_force_is_minus_the_slope_of_its_energy_half_or_whole() {
+    for extent in [Extent::Half, Extent::Full] {
+        let eye = eye(None, extent);
+        let mut state = moved(&eye, |at| {
+            let mut to = scattered(at, 1e-4);
+            if extent == Extent::Half && at.z == 0.0 {
+                to.z = 0.0;
+            }
+            to
+        });
+        let energy = |state: &NodeState| {
+            let mut state = state.clone();
+            Shell::new(&eye, Level::new()).forces(&mut state)
+        };
+        Shell::new(&eye, Level::new()).forces(&mut state);
+        let nodes = eye.quads.iter().step_by(7).map(|quad| quad.corners[0]);
+        let nodes = nodes.filter(|node| !eye.on_mirror(*node));
+        let error = worst(&state, nodes, energy);
+        assert!(error < 1e-5, "{extent:?} {error:e}");
+    }
+}
+
+#[test]
+fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
+    let eye = eye(Some(Surround::gelatin()), Extent::Full);
+    let turn = Rotation3::from_euler_angles(0.3, -0.7, 1.1);
+    let mut state = moved(&eye, |at| turn * at + Vector3::new(1e-3, 2e-3, -3e-3));
+    let spin = Vector3::new(500.0, -300.0, 800.0);
+    for node in 0..eye.mesh.at.len() {
+        let speed = spin.cross(&vector(&state.at, node)) + Vector3::new(3.0, 4.0, 5.0);
+        for k in 0..3 {
+            state.speed[k][node] = speed[k];
+        }
+    }
+    let mut cells = PlainCells::new(&eye);
+    let sums = cells.forces(&mut state);
+    let shell = Shell::new(&eye, Level::new()).forces(&mut state);
+    let largest = state
+        .force
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, f| m.max(f.abs()));
+    assert!(largest < 1e-8, "{largest:e}");
+    assert!(sums.loss < 1e-9 && shell < 1e-12 && cells.energy(&state) < 1e-12);
+    assert!(sums.pressure.abs() < 1e-4 && (sums.least_corner - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
+    let eye = SpatialEye::with_core(
+        &Parameters {
+            surround: None,
+            lens: crate::models::axisymmetric::eye::parameters::LensParameters {
+                half_axes: (1e-9, 1e-9),
+                ..Parameters::default().lens
+            },
+            ..Parameters::default()
+        },
+        None,
+        Extent::Full,
+        4,
+    );
+    let by = Matrix3::new(1.1, 0.05, -0.02, 0.03, 0.95, 0.04, -0.06, 0.01, 1.02);
+    // Without a change of volume: corners that see one push on their nodes by their shapes.
+    let by = by / by.determinant().cbrt();
+    let mut state = moved(&eye, |at| by * at);
+    let mut cells = PlainCells::new(&eye);
+    cells.forces(&mut state);
+    let shell: std::collections::BTreeSet<usize> =
+        eye.quads.iter().flat_map(|quad| quad.corners).collect();
+    let size = |node: usize| vector(&state.force, node).norm();
+    let (mut inside, mut outside) = (0.0_f64, 0.0_f64);
+    for node in 0..eye.mesh.at.len() {
+        if shell.contains(&node) {
+            outside = outside.max(size(node));
+        } else {
+            inside = inside.max(size(node));
+        }
+    }
+    assert!(inside < 1e-9 * outside, "{inside:e} {outside:e}");
+}
+
+#[test]
+fn all_vectors_and_the_plain_loop_give_the_same() {
+    for extent in [Extent::Half, Extent::Full] {
+        let eye = eye(Some(Surround::orbit()), extent);
+        let mut state = moved(&eye, |at| scattered(at, 1.5e-4));
+        for k in 0..3 {
+            for node in 0..eye.mesh.at.len() {
+                state.speed[k][node] = 2e5 * (state.at[k][node] - eye.mesh.at[node][k]);
+            }
+        }
+        let mut plain = state.clone();
+        let sums = PlainCells::new(&eye).forces(&mut plain);
+        let mut pressures = Vec::new();
+        for level in vector_sets() {
+            let mut rows = CellRows::with_level(&eye, level);
+            let mut own = state.clone();
+            let told = rows.forces(&mut own);
+            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
+            assert!(near(told.limit, sums.limit) && near(told.loss, sums.loss));
+            assert!(near(told.pressure, sums.pressure) && near(told.sensor, sums.sensor));
+            assert!(near(told.volume, sums.volume));
+            assert!(near(told.least_corner, sums.least_corner));
+            let largest = plain
+                .force
+                .iter()
+                .flatten()
+                .fold(0.0, |m: f64, f| m.max(f.abs()));
+            for k in 0..3 {
+                for (a, b) in own.force[k].iter().zip(&plain.force[k]) {
+                    assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
+                }
+            }
+            pressures.push(rows.pressures());
+        }
+        assert!(pressures.windows(2).all(|pair| pair[0] == pair[1]));
+    }
+}
+
+fn object(outline: ObjectOutline, surface: ObjectSurface) -> Object {
+    Object {
+        outline,
+        mass: 1e-3,
+        speed: 10.0,
+        surface,
+        spring: None,
+    }
+}
+
+#[test]
+fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surface() {
+    let eye = eye(None, Extent::Full);
+    let way = Vector3::new(1.0, -0.5, 0.3).normalize();
+    let mut target = Target::new(&eye);
+    for outline in [
+        ObjectOutline::Sphere(5e-3),
+        ObjectOutline::Cylinder(5e-3, 1e-3),
+    ] {
+        for surface in [
+            ObjectSurface::RIGID,
+            ObjectSurface::foundation(1e9, 5e-3),
+            ObjectSurface::capped(1e9, 2e5, 5e-3),
+        ] {
+            for depth in [0.3e-3, 1.5e-3, 3.4e-3] {
+                let object = object(outline, surface);
+                let at = way * (depth - 12e-3 - object.reach());
+                let mut respond = |state: &NodeState| {
+                    let mut state = state.clone();
+                    state.release();
+                    let mut projectile = MovingObject::new(&object, way, at);
+                    projectile.speed = [Vector3::zeros(); 2];
+                    let touch = target.forces(&object, &mut projectile, &mut state);
+                    let sum: Vector3<f64> = (0..eye.mesh.at.len())
+                        .map(|n| vector(&state.force, n))
+                        .sum();
+                    assert!((sum + projectile.force[0]).norm() <= 1e-9 * sum.norm());
+                    assert!((sum - touch.force).norm() <= 1e-9 * sum.norm());
+                    (touch, state)
+                };
+                let (touch, state) = respond(&NodeState::new(&eye));
+                assert!(touch.force.dot(&way) > 0.0);
+                let near = eye.quads.iter().map(|quad| quad.corners[0]);
+                let pushed = |node: &usize| vector(&state.force, *node).norm() > 0.0;
+                let nodes: Vec<usize> = near.filter(pushed).take(12).collect();
+                let respond = std::cell::RefCell::new(respond);
+                let energy = |state: &NodeState| respond.borrow_mut()(state).0.energy;
+                let error = worst(&state, nodes.into_iter(), energy);
+                assert!(error < 1e-4, "{outline:?} {surface:?} {depth} {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
+    let parameters = Parameters::default();
+    let rim = Some(OrbitRim::caucasian());
+    let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
+    let rim = Rim::new(&eye).unwrap();
+    for outline in [
+        ObjectOutline::Sphere(20e-3),
+        ObjectOutline::Cylinder(20e-3, 2e-3),
+    ] {
+        for surface in [
+            ObjectSurface::RIGID,
+            ObjectSurface::foundation(1e8, 20e-3),
+            ObjectSurface::capped(1e8, 2e5, 20e-3),
+        ] {
+            let object = object(outline, surface);
+            let way = Vector3::new(1.0, -0.3, -0.2).normalize();
+            let touch = rim.first_touch(outline, (way, Vector3::zeros())).unwrap();
+            for depth in [0.5e-3, 3e-3] {
+                let push = |at: Vector3<f64>| {
+                    let mut projectile = MovingObject::new(&object, way, at);
+                    projectile.speed = [Vector3::zeros(); 2];
+                    rim.push(&object, &mut projectile)
+                };
+                let at = way * (touch + depth);
+                let own = push(at);
+                assert!(own.force.dot(&way) < 0.0 && own.limit > 0.0);
+                for k in 0..3 {
+                    let mut by = Vector3::zeros();
+                    by[k] = 1e-7;
+                    let slope = (push(at + by).energy - push(at - by).energy) / 2e-7;
+                    let error = (own.force[k] + slope).abs() / own.force.norm();
+                    assert!(error < 2e-2, "{outline:?} {surface:?} {depth} {error}");
+                }
+            }
+            assert_eq!(rim.first_touch(outline, (way, Vector3::y() * 0.2)), None);
+        }
+    }
+}

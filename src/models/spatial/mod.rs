@@ -1,0 +1,39 @@
+//! The eye in three dimensions, for blows that are not straight on and orbits that are not round.
+//!
+//! * `eye`: the mesh of a ball, whole or half, the orbit around it, and what it is made of.
+//! * `forces`: `math` lets each law be written once, for one number or a vector of them; `cell` and
+//!   `corner` are the mechanics of one cell, `rows` runs them over many, `plain` one by one;
+//!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` and
+//!   `bone` what stops the object and the globe.
+//! * `time`: the leapfrog through the window.
+//! * `recording`: `record`, `shape`, `tissue`, `sensor` and `frames` read off what `results` keeps.
+//! * `case` is an eye ready to be hit, `model` the trait [`EyeModel`](crate::run::model::EyeModel);
+//!   `rules`, `readings`, `flags` and `drawing` are its parts.
+//!
+//! Tissues, the surfaces of objects and the measures of injury are those of
+//! [`axisymmetric`](crate::models::axisymmetric): straight on and on a round support both models
+//! are the same eye.
+
+pub mod case;
+mod drawing;
+pub mod eye;
+mod flags;
+pub(crate) mod forces;
+#[cfg(test)]
+mod forces_tests;
+mod model;
+mod readings;
+pub mod recording;
+pub(crate) mod rules;
+#[cfg(test)]
+mod run_tests;
+pub mod time;
+
+pub use crate::models::spatial::case::{Scene, SpatialCase};
+pub use crate::models::spatial::eye::mesh::Extent;
+pub use crate::models::spatial::eye::orbit::OrbitRim;
+pub use crate::models::spatial::forces::object::Aim;
+pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
+pub use crate::models::spatial::time::run::{
+    Blow, STEP_SHARE, SpatialLoad, run, run_as, run_through, step_limit,
+};

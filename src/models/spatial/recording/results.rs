@@ -1,0 +1,57 @@
+//! What a run leaves: extremes over every step, and its balance of energy.
+
+use crate::models::axisymmetric::recording::results as axisymmetric;
+use crate::run::kept::{Frame, Peak, Traces};
+use crate::run::sectors::Sectors;
+use nalgebra::Vector3;
+
+/// Largest values over every step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extremes {
+    /// What every eye of cells has: lengths and ways along the blow, pressures, measures of tissues
+    /// at their largest over the azimuth.
+    pub common: axisymmetric::Extremes,
+    /// Measures of tissues by clock hour.
+    pub sectors: Sectors,
+    /// Front angle and azimuth of the largest stretch near the equator, rad.
+    pub equator_at: (f64, f64),
+    /// Front angle and azimuth of the largest tension of the sclera, rad.
+    pub stress_at: (f64, f64),
+    /// Turn of the globe, rad.
+    pub turn: Peak,
+    /// Way of the globe's middle, m.
+    pub way: Peak,
+    /// That way when it was longest, m, in the eye's axes.
+    pub way_then: Vector3<f64>,
+    /// Impulse of the object on the eye, N s.
+    pub impulse_on_eye: Vector3<f64>,
+    /// Impulse of the object on bone, N s.
+    pub impulse_on_bone: Vector3<f64>,
+    /// Most energy that the object spent on bone, J.
+    pub energy_at_bone: f64,
+    /// Force of the globe on bone, N.
+    pub globe_on_bone: Peak,
+}
+
+/// What the engine gives of one run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EngineRun {
+    /// Largest values over every step.
+    pub extremes: Extremes,
+    /// Traces, if they were asked for.
+    pub traces: Option<Traces>,
+    /// Frames, if they were asked for.
+    pub frames: Vec<Frame>,
+    /// Energies at the end.
+    pub energy: axisymmetric::Energy,
+    /// Momentum of eye and object at the end, kg m/s.
+    pub momentum: Vector3<f64>,
+    /// Their angular momentum about the middle of the globe at rest, kg m2/s.
+    pub angular_momentum: Vector3<f64>,
+    /// Steps taken.
+    pub steps: usize,
+    /// Simulated time, s.
+    pub simulated: f64,
+    /// Whether the run ended before its window because nothing had grown for long.
+    pub settled: bool,
+}

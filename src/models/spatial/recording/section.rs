@@ -1,0 +1,210 @@
+//! The section that pictures show: points of the eye in the plane of the blow and of its own axis.
+//!
+//! They are material points, placed by the half section of the axisymmetric eye on both sides of
+//! the axis, and by rays through what holds the globe. The plane stays, the points may leave it:
+//! they are shown from its side. Up in the picture is up at the eye, or its nose where the plane
+//! lies flat.
+
+use crate::models::axisymmetric::eye::mesh::{self as plane_mesh, Layers};
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::mesh::Place;
+use crate::models::spatial::eye::orbit::{Cavity, Orbit, Round};
+use crate::models::spatial::eye::point::{Nodes, Point};
+use crate::models::spatial::forces::object::towards;
+use crate::models::spatial::recording::sensor::monitored;
+use crate::models::spatial::time::run::Blow;
+use crate::run::places::Region;
+use nalgebra::{Point2, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Cells in half a side of the core of the half section.
+const HALF: usize = 6;
+/// Rays and layers of what holds the globe, on each side.
+const RAYS: usize = 12;
+const LAYERS: usize = 4;
+/// How much nearer to the middle a place of the globe is looked for: the mesh's sides are flat.
+const INSIDE: f64 = 0.985;
+
+/// A point that is shown.
+#[derive(Debug, Clone)]
+pub(crate) struct Shown {
+    pub point: Point,
+    /// Where it rests, as it is shown, in m.
+    pub rest: Point2<f64>,
+    pub region: Region,
+}
+
+/// The section.
+#[derive(Debug, Clone)]
+pub(crate) struct Section {
+    pub points: Vec<Shown>,
+    /// Corners of its cells, and the cell of the eye that each lies in.
+    pub cells: Vec<([usize; 4], usize)>,
+    /// Both halves of the shell, from the front to the back.
+    pub shell: [Vec<usize>; 2],
+    /// Lines along the wall.
+    pub wall: Vec<[usize; 2]>,
+    /// The points nearest to the monitored places.
+    pub monitors: [usize; 4],
+    /// Up in the picture, in the axes of the mesh.
+    up: Vector3<f64>,
+}
+
+impl Section {
+    pub fn new(eye: &SpatialEye, blow: &Blow) -> Self {
+        let plane = blow.aim.plane();
+        // A little below flat still counts as flat.
+        let flipped =
+            libm::cos(plane) < -1e-9 || (libm::cos(plane) < 1e-9 && libm::sin(plane) < 0.0);
+        let azimuth = plane - blow.up + if flipped { PI } else { 0.0 };
+        let mut section = Self {
+            points: Vec::new(),
+            cells: Vec::new(),
+            shell: [Vec::new(), Vec::new()],
+            wall: Vec::new(),
+            monitors: [0; 4],
+            up: towards(azimuth),
+        };
+        let nodes: Nodes = std::array::from_fn(|k| eye.mesh.at.iter().map(|p| p[k]).collect());
+        for side in 0..2 {
+            let azimuth = azimuth + side as f64 * PI;
+            section.put_globe(eye, &nodes, azimuth, side);
+            section.put_around(eye, &nodes, azimuth);
+        }
+        let places = monitored(eye, blow.up);
+        section.monitors = places.map(|place| {
+            let at = section.shown(place);
+            let apart = |i: &usize| (section.points[*i].rest - at).norm();
+            let near = (0..section.points.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
+            near.unwrap_or(0)
+        });
+        section
+    }
+
+    /// Where a place is shown.
+    pub fn shown(&self, place: Vector3<f64>) -> Point2<f64> {
+        Point2::new(place.x, place.dot(&self.up))
+    }
+
+    fn put(&mut self, nodes: &Nodes, point: Point, region: Region) -> usize {
+        let rest = self.shown(point.of(nodes));
+        self.points.push(Shown {
+            point,
+            rest,
+            region,
+        });
+        self.points.len() - 1
+    }
+
+    /// One half of the globe.
+    fn put_globe(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64, side: usize) {
+        let parameters = &eye.parameters;
+        let limbus = parameters.shell.limbus;
+        let mesh = plane_mesh::build((HALF, Layers::EVEN), parameters.radius, limbus, None);
+        let out = towards(azimuth);
+        let mut number = vec![None; mesh.x.len()];
+        for (node, number) in number.iter_mut().enumerate() {
+            let place = Vector3::x() * mesh.x[node] + out * mesh.r[node];
+            let on_shell = mesh.shell.contains(&node);
+            let (point, region) = if on_shell {
+                let back = mesh.x[node] > 0.0;
+                let region = if back { Region::Retina } else { Region::Shell };
+                (eye.on_shell(place), region)
+            } else {
+                let found = eye.at(place * INSIDE, Some(Place::Globe));
+                let lens = found
+                    .as_ref()
+                    .is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
+                let region = if lens { Region::Lens } else { Region::Interior };
+                (found.map(|(point, _)| point), region)
+            };
+            if let Some(point) = point {
+                *number = Some(self.put(nodes, point, region));
+            }
+        }
+        for block in &mesh.blocks {
+            for corners in block.cells() {
+                let found: Vec<usize> = corners.iter().filter_map(|n| number[*n]).collect();
+                let middle: Vector3<f64> = corners
+                    .iter()
+                    .map(|n| (Vector3::x() * mesh.x[*n] + out * mesh.r[*n]) * 0.25)
+                    .sum();
+                let cell = eye.at(middle * INSIDE, Some(Place::Globe));
+                if let (Ok(corners), Some((_, cell))) = (<[usize; 4]>::try_from(found), cell) {
+                    self.cells.push((corners, cell));
+                }
+            }
+        }
+        let shell = mesh.shell.iter().filter_map(|node| number[*node]);
+        self.shell[side] = shell.collect();
+    }
+
+    /// What holds the globe on one side.
+    fn put_around(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64) {
+        let (parameters, radius) = (&eye.parameters, eye.parameters.radius);
+        let Some(surround) = &parameters.surround else {
+            return;
+        };
+        let round = Round {
+            wall: surround.wall,
+            opening: surround.opening,
+        };
+        let orbit = eye.rim.map(|rim| Orbit {
+            rim,
+            wall: surround.wall,
+            radius,
+        });
+        let cavity: &dyn Cavity = match &orbit {
+            Some(orbit) if !orbit.rim.is_round() => orbit,
+            _ => &round,
+        };
+        let out = towards(azimuth);
+        let direction = |front: f64| out * libm::sin(front) - Vector3::x() * libm::cos(front);
+        let openings = (0..=180).map(|i| f64::from(i) * PI / 180.0);
+        let opening = openings.take_while(|front| cavity.behind(direction(*front)) < 0.0);
+        let opening = opening.last().unwrap_or(FRAC_PI_2);
+        let mut grid = vec![[None; LAYERS + 1]; RAYS + 1];
+        for (ray, row) in grid.iter_mut().enumerate() {
+            let front = opening + (PI - opening) * ray as f64 / RAYS as f64;
+            let direction = direction(front);
+            let far = cavity.distance(direction);
+            for (layer, place) in row.iter_mut().enumerate() {
+                let share = layer as f64 / LAYERS as f64;
+                let (point, region) = if layer == 0 {
+                    (eye.on_shell(direction), Region::Shell)
+                } else {
+                    let shrunk = radius + (far - radius) * share * INSIDE;
+                    let found = eye.at(direction * shrunk, Some(Place::Surround));
+                    let wall = layer == LAYERS;
+                    let region = if wall { Region::Orbit } else { Region::Fat };
+                    (found.map(|(point, _)| point), region)
+                };
+                *place = point.map(|point| self.put(nodes, point, region));
+            }
+        }
+        for rays in grid.windows(2) {
+            for layer in 0..LAYERS {
+                let corners = [
+                    rays[0][layer],
+                    rays[0][layer + 1],
+                    rays[1][layer + 1],
+                    rays[1][layer],
+                ];
+                let found: Vec<usize> = corners.into_iter().flatten().collect();
+                let Ok(corners) = <[usize; 4]>::try_from(found) else {
+                    continue;
+                };
+                let sum: Vector3<f64> = corners
+                    .iter()
+                    .map(|i| self.points[*i].point.of(nodes))
+                    .sum();
+                if let Some((_, cell)) = eye.at(sum * 0.25, Some(Place::Surround)) {
+                    self.cells.push((corners, cell));
+                }
+            }
+            if let (Some(a), Some(b)) = (rays[0][LAYERS], rays[1][LAYERS]) {
+                self.wall.push([a, b]);
+            }
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Through the window.
+
+pub mod run;

@@ -1,0 +1,665 @@
+//! Through the window: the leapfrog of the axisymmetric eye, in three dimensions.
+//!
+//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2)
+//! h(n), with steps that follow the bounds and grow by 5 % at most. The bound is the least of those
+//! of cells and their corners, of the shell, of contact, of bone and of the object's spring.
+//!
+//! A run without a set time ends when the object is on its way from the eye, or its pulse is over,
+//! and nothing that is read has grown for a whole swing of the eye.
+
+use crate::models::axisymmetric::forces::object::Object;
+use crate::models::axisymmetric::readings;
+use crate::models::axisymmetric::recording::results::{self as axisymmetric, Energy};
+use crate::models::axisymmetric::recording::sensor::{
+    BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
+};
+use crate::models::axisymmetric::time::run::{
+    CellLoop, FLAT, GONE, GROWTH, PRESSED_TO_NOTHING, Steps, Stop, Take, WATCH_EVERY, slowest_swing,
+};
+use crate::models::axisymmetric::time::until::Until;
+use crate::models::pulse::{Piece, Pulse, Segment};
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::forces::bone::{Bone, Held};
+use crate::models::spatial::forces::contact::{Target, Touch, depth};
+use crate::models::spatial::forces::object::{Aim, MovingObject, touches};
+use crate::models::spatial::forces::plain::PlainCells;
+use crate::models::spatial::forces::rim::{Push, Rim};
+use crate::models::spatial::forces::rows::CellRows;
+use crate::models::spatial::forces::shell::Shell;
+use crate::models::spatial::forces::state::{CellSums, Cells, NodeState, vector};
+use crate::models::spatial::recording::frames::FramesDue;
+use crate::models::spatial::recording::results::{EngineRun, Extremes};
+use crate::models::spatial::recording::sensor::Accelerometers;
+use crate::models::spatial::recording::shape::{Shape, Shapes};
+use crate::models::spatial::recording::tissue::Tissues;
+use crate::run::fold::FoldWatch;
+use crate::run::kept::{Keep, Spacing, Traces};
+use crate::run::watch::Watch;
+use fearless_simd::Level;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+/// Share of the stability bound that steps take unless asked otherwise. From 0.4 to 0.9 results
+/// change by 0.1 to 0.5 %, and the balance of energy by as much.
+pub const STEP_SHARE: f64 = 0.75;
+/// Steps between two looks at whether the object is inside of the eye.
+const LOOK_EVERY: usize = 16;
+
+/// What acts on the eye.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SpatialLoad {
+    /// It touches the globe or bone at the start.
+    Object(Object),
+    /// A force against time, as a uniform traction along the way of the blow on the area within an
+    /// angle (rad) of where that enters.
+    Pulse(Pulse, f64),
+}
+
+/// A blow: what acts, how it comes, and by which azimuth the eye's mesh is turned from its own up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blow {
+    /// What acts.
+    pub load: SpatialLoad,
+    /// How it comes, in the eye's own axes.
+    pub aim: Aim,
+    /// Azimuth of the eye that is up in its mesh, rad: of half an eye that of the plane of the blow.
+    pub up: f64,
+}
+
+impl Blow {
+    /// How it comes in the axes of the mesh.
+    pub(crate) fn in_mesh(&self) -> Aim {
+        self.aim.turned(self.up)
+    }
+}
+
+/// The longest stable step of an eye that nothing has moved yet, in s.
+pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
+    let mut motion = Motion::new(
+        eye,
+        CellRows::new(eye),
+        Level::new(),
+        blow,
+        Keep::default(),
+        Until::Time(1.0),
+    );
+    motion.forces(0.0).limit
+}
+
+/// Hits `eye` and follows it for `window` with such `steps`.
+///
+/// # Errors
+/// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch
+/// stops.
+pub fn run(
+    eye: &SpatialEye,
+    blow: &Blow,
+    window: impl Into<Until>,
+    steps: impl Into<Steps>,
+    keep: Keep,
+    watch: Watch,
+) -> Result<EngineRun, Stop> {
+    run_as(CellLoop::Rows, eye, blow, window, steps, keep, watch)
+}
+
+/// [`run`] with the cells computed by `form`.
+///
+/// # Errors
+/// See [`run`].
+pub fn run_as(
+    form: CellLoop,
+    eye: &SpatialEye,
+    blow: &Blow,
+    window: impl Into<Until>,
+    steps: impl Into<Steps>,
+    keep: Keep,
+    watch: Watch,
+) -> Result<EngineRun, Stop> {
+    let (steps, window) = (steps.into(), window.into());
+    let mut frames = Vec::new();
+    let take = &mut |frame| {
+        frames.push(frame);
+        ControlFlow::Continue(())
+    };
+    let run = match form {
+        CellLoop::Plain => {
+            let cells = PlainCells::new(eye);
+            Motion::new(eye, cells, Level::new(), blow, keep, window)
+                .run_through_window(steps, watch, take)
+        }
+        CellLoop::Rows => {
+            let cells = CellRows::new(eye);
+            Motion::new(eye, cells, Level::new(), blow, keep, window)
+                .run_through_window(steps, watch, take)
+        }
+        CellLoop::Vectors(level) => {
+            let cells = CellRows::with_level(eye, level);
+            Motion::new(eye, cells, level, blow, keep, window)
+                .run_through_window(steps, watch, take)
+        }
+    };
+    Ok(EngineRun { frames, ..run? })
+}
+
+/// [`run`] that hands on each frame when it is due and keeps nothing.
+///
+/// # Errors
+/// See [`run`]; stopped by `take` too.
+pub fn run_through(
+    eye: &SpatialEye,
+    blow: &Blow,
+    window: impl Into<Until>,
+    steps: impl Into<Steps>,
+    spacing: Spacing,
+    take: Take,
+) -> Result<(), Stop> {
+    let keep = Keep {
+        traces: false,
+        frames: Some(spacing),
+    };
+    let watch = &mut |_| ControlFlow::Continue(());
+    let cells = CellRows::new(eye);
+    Motion::new(eye, cells, Level::new(), blow, keep, window.into())
+        .run_through_window(steps.into(), watch, take)
+        .map(|_| ())
+}
+
+/// The load of a pulse on nodes.
+pub(crate) struct Load {
+    pulse: Pulse,
+    segments: Vec<Segment>,
+    shares: Vec<(usize, f64)>,
+}
+
+impl Load {
+    fn force(&self, time: f64) -> f64 {
+        let now = self
+            .segments
+            .iter()
+            .find(|s| time >= s.start && time <= s.end);
+        now.map_or(0.0, |s| self.pulse.force(s.piece, time))
+    }
+}
+
+/// What flies at the eye.
+pub(crate) struct Flying {
+    pub object: Object,
+    pub moving: MovingObject,
+    /// Where its middle or face is as it touches the globe, along its way from where its line comes
+    /// nearest to the middle of the globe, m.
+    pub at_touch: f64,
+}
+
+pub(crate) struct Motion<'a, C> {
+    pub eye: &'a SpatialEye,
+    pub cells: C,
+    /// For the elastic energy and folds.
+    pub balance: PlainCells,
+    pub state: NodeState,
+    pub shell: Shell,
+    pub target: Target,
+    pub rim: Option<Rim>,
+    pub bone: Option<Bone>,
+    pub flying: Option<Flying>,
+    pub load: Option<Load>,
+    /// The way of the blow, in the axes of the mesh.
+    pub way: Vector3<f64>,
+    pub up: f64,
+    pub shapes: Shapes,
+    pub shape: Shape,
+    pub globe_volume: f64,
+    /// s.
+    pub swing: f64,
+    pub accelerometers: Accelerometers,
+    pub tissues: Tissues,
+    /// Quads of the shell near to where the blow enters.
+    pub near_entry: Vec<bool>,
+    pub dented: Vec<bool>,
+    pub force_mean: RunningMean,
+    pub back_mean: RunningMean,
+    pub tension_passed: Vec<LowPass>,
+    /// The largest of those that passed, Pa.
+    pub stress: f64,
+    /// Low passes of the mean pressure and of that at the back.
+    pub filters: [LowPass; 2],
+    pub window: Until,
+    pub over_since: Option<f64>,
+    pub keep: Keep,
+    pub energy_before: f64,
+    /// Work of the object on bone so far, J.
+    pub at_bone: f64,
+    /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
+    pub lost: f64,
+    pub kicked: f64,
+    /// Most energy that has come in, and most that the balance was off, J.
+    pub came: f64,
+    pub missing: f64,
+    pub energy: Energy,
+    pub extremes: Extremes,
+    pub fold: FoldWatch,
+    pub traces: Traces,
+    pub frame_taker: Option<FramesDue>,
+}
+
+/// What all parts say at some instant.
+pub(crate) struct Instant {
+    pub sums: CellSums,
+    /// Stored in the shell, J.
+    pub shell: f64,
+    pub touch: Option<Touch>,
+    pub push: Option<Push>,
+    pub held: Option<Held>,
+    /// Along the blow on the eye, N.
+    pub force: f64,
+    pub limit: f64,
+}
+
+/// When one of the readings, or a force or pressure that some of them are means of, last grew, in
+/// s.
+fn last_growth(extremes: &axisymmetric::Extremes) -> f64 {
+    let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
+    readings::of(extremes).last_peak().max(unfiltered)
+}
+
+impl<'a, C: Cells> Motion<'a, C> {
+    fn new(
+        eye: &'a SpatialEye,
+        cells: C,
+        level: Level,
+        blow: &Blow,
+        keep: Keep,
+        window: Until,
+    ) -> Self {
+        let aim = blow.in_mesh();
+        let (way, passes) = (aim.way(), aim.passes());
+        let target = Target::new(eye);
+        let rim = Rim::new(eye);
+        let radius = eye.parameters.radius;
+        let (mut flying, mut load) = (None, None);
+        match &blow.load {
+            SpatialLoad::Object(object) => {
+                let line = (way, passes);
+                let globe = touches(object.outline, line, Vector3::zeros(), radius);
+                let bone = rim
+                    .as_ref()
+                    .and_then(|rim| rim.first_touch(object.outline, line));
+                let ahead = target.first_touch(object.outline, line);
+                let start = [globe, bone, ahead].into_iter().flatten().reduce(f64::min);
+                let start = start.unwrap_or(-radius - object.reach());
+                flying = Some(Flying {
+                    object: *object,
+                    moving: MovingObject::new(object, way, passes + way * start),
+                    at_touch: globe.unwrap_or(start),
+                });
+            }
+            SpatialLoad::Pulse(pulse, half_width) => {
+                load = Some(Load {
+                    segments: pulse.segments(window.most()),
+                    pulse: pulse.clone(),
+                    shares: Target::pulse(eye, way, *half_width),
+                });
+            }
+        }
+        let mut extremes = Extremes {
+            common: axisymmetric::Extremes::at_rest(),
+            ..Extremes::default()
+        };
+        if let SpatialLoad::Pulse(_, half_width) = blow.load {
+            let angle = half_width.min(0.5 * std::f64::consts::PI);
+            extremes.common.contact_radius = radius * libm::sin(angle);
+        }
+        let state = NodeState::new(eye);
+        let mut balance = PlainCells::new(eye);
+        let globe_volume = balance.forces(&mut state.clone()).volume;
+        let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
+        let entry = touches(
+            crate::models::axisymmetric::forces::object::ObjectOutline::Sphere(0.0),
+            (way, passes),
+            Vector3::zeros(),
+            radius,
+        );
+        let entry = entry.map_or(-way, |along| (passes + way * along).normalize());
+        let near = |quad: &crate::models::spatial::eye::ShellQuad| {
+            let at: Vector3<f64> = quad.corners.iter().map(|n| eye.mesh.at[*n]).sum();
+            at.normalize().dot(&entry) > libm::cos(DENT_DEG.to_radians())
+        };
+        Self {
+            shapes: Shapes::new(eye, &state.at, way, blow.aim.plane() - blow.up),
+            shape: Shape::default(),
+            accelerometers: Accelerometers::new(eye, blow.up),
+            tissues: Tissues::new(eye, &state.at, blow.up),
+            near_entry: eye.quads.iter().map(near).collect(),
+            dented: vec![false; eye.quads.len()],
+            balance,
+            shell: Shell::new(eye, level),
+            target,
+            bone: Bone::new(eye),
+            rim,
+            eye,
+            cells,
+            way,
+            up: blow.up,
+            globe_volume,
+            swing: slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64),
+            energy_before: flying.as_ref().map_or(0.0, |f| f.moving.kinetic(0.0)),
+            flying,
+            load,
+            force_mean: RunningMean::over(FORCE_MEAN_S),
+            back_mean: RunningMean::over(BACK_MEAN_S),
+            tension_passed: vec![LowPass::default(); eye.quads.len()],
+            stress: 0.0,
+            filters: [LowPass::default(); 2],
+            window,
+            over_since: None,
+            keep,
+            at_bone: 0.0,
+            lost: 0.0,
+            kicked: 0.0,
+            came: 0.0,
+            missing: 0.0,
+            energy: Energy::default(),
+            extremes,
+            fold: FoldWatch::new(eye.cells.len()),
+            traces: Traces::default(),
+            frame_taker: keep
+                .frames
+                .map(|spacing| FramesDue::new(spacing, eye, blow)),
+            state,
+        }
+    }
+
+    fn run_through_window(
+        mut self,
+        by: Steps,
+        watch: Watch,
+        take: Take,
+    ) -> Result<EngineRun, Stop> {
+        let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
+        let (mut next_trace, mut next_balance) = (0.0, 0.0);
+        let mut trace_every = self.window.trace_every();
+        let (end, balance_every) = (self.window.most(), self.window.balance_every());
+        let mut at_rest = None;
+        loop {
+            let share = self.window.share(time, self.swing);
+            if steps % WATCH_EVERY == 0 && watch(share).is_break() {
+                return Err(Stop::Watched);
+            }
+            let now = self.forces(time);
+            let copies = self.eye.copies();
+            self.lost += copies * now.sums.loss * 0.25 * self.kicked;
+            let most = by.share * now.limit;
+            let before = step;
+            step = if steps == 0 {
+                most
+            } else {
+                most.min(GROWTH * before)
+            };
+            let kick = by.kick(before, step);
+            let settled = steps % WATCH_EVERY == 0 && self.settled(time);
+            let ends = time >= end || settled;
+            let forces = self.offer_readings(&now, (steps, ends), time, before);
+            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.sums.limit);
+            if now.sums.limit < least || self.extremes.common.shortening.value > FLAT {
+                self.extremes.common.flat_at = Some(time);
+            }
+            let last = ends || self.extremes.common.flat_at.is_some();
+            let after = |every: f64| every * ((time / every).floor() + 1.0);
+            let trace = self.keep.traces && (time >= next_trace || last);
+            let balance = time >= next_balance || last;
+            if balance {
+                next_balance = after(balance_every);
+            }
+            if balance || trace {
+                self.take_balance(&now, kick);
+                if balance {
+                    self.audit();
+                }
+                if !self.energy.total().is_finite() {
+                    return Err(Stop::NotFinite { time, step: steps });
+                }
+            }
+            if trace {
+                self.take_trace(&now, time, forces);
+                if !last {
+                    self.window.thin(&mut self.traces, &mut trace_every);
+                }
+                next_trace = after(trace_every);
+            }
+            if !step.is_finite() || step <= 0.0 {
+                return Err(Stop::NotFinite { time, step: steps });
+            }
+            if steps % LOOK_EVERY == 0 || last {
+                self.refuse_if_gone_through(time)?;
+            }
+            if last {
+                return Ok(self.finish(time, steps, settled && time < end));
+            }
+            step = step.min(end - time).max(f64::MIN_POSITIVE);
+            let kick = by.kick(before, step);
+            self.account(&now, kick);
+            self.state.advance(kick, step);
+            if let Some(flying) = &mut self.flying {
+                self.energy.lost_in_object += flying.moving.advance(kick, step);
+            }
+            time += step;
+            steps += 1;
+            for frame in self.take_frames(time, step) {
+                if take(frame).is_break() {
+                    return Err(Stop::Watched);
+                }
+            }
+        }
+    }
+
+    /// Adds what is lost, done and pushed over a step that kicks for `kick` s.
+    fn account(&mut self, now: &Instant, kick: f64) {
+        // Viscous forces follow the velocity at the beginning of a kick, and work along the mean of
+        // that and the one at its end, which the next loss tells.
+        self.lost += self.eye.copies() * now.sums.loss * 0.75 * kick;
+        self.kicked = kick;
+        if let Some(touch) = &now.touch {
+            self.energy.lost_in_object += touch.loss * kick;
+            self.extremes.impulse_on_eye += touch.force * kick;
+        }
+        if let (Some(push), Some(flying)) = (&now.push, &self.flying) {
+            self.extremes.impulse_on_bone -= push.force * kick;
+            let moving = &flying.moving;
+            let after = moving.speed[0] + moving.force[0] * (0.5 * kick / moving.mass[0]);
+            self.at_bone -= push.force.dot(&after) * kick;
+            self.extremes.energy_at_bone = self.extremes.energy_at_bone.max(self.at_bone);
+        }
+        if let Some(load) = &self.load {
+            let speed = |&(node, share): &(usize, f64)| {
+                let state = &self.state;
+                let after = |k: usize| {
+                    state.speed[k][node] + 0.5 * kick * state.force[k][node] * state.free[k][node]
+                };
+                share * Vector3::new(after(0), after(1), after(2)).dot(&self.way)
+            };
+            let speed: f64 = load.shares.iter().map(speed).sum();
+            self.energy.work += self.eye.copies() * now.force * speed * kick;
+            self.extremes.impulse_on_eye += self.way * (now.force * kick);
+        }
+    }
+
+    /// Forces of everything where it is now.
+    fn forces(&mut self, time: f64) -> Instant {
+        self.state.release();
+        let sums = self.cells.forces(&mut self.state);
+        let shell = self.shell.forces(&mut self.state);
+        let mut limit = sums.limit.min(self.shell.limit);
+        let (mut force, mut touch, mut push) = (0.0, None, None);
+        if let Some(flying) = &mut self.flying {
+            let (object, moving) = (&flying.object, &mut flying.moving);
+            moving.inner();
+            limit = limit.min(moving.limit);
+            let touched = self.target.forces(object, moving, &mut self.state);
+            limit = limit.min(touched.limit);
+            force = touched.force.dot(&self.way);
+            touch = Some(touched);
+            if let Some(rim) = &self.rim {
+                let mut pushed = rim.push(object, moving);
+                if self.eye.copies() > 1.0 {
+                    moving.force[0].z = 0.0;
+                    pushed.force.z = 0.0;
+                }
+                limit = limit.min(pushed.limit);
+                push = Some(pushed);
+            }
+        }
+        if let Some(load) = &self.load {
+            force = load.force(time);
+            for &(node, share) in &load.shares {
+                self.state.push(node, self.way * (force * share));
+            }
+        }
+        let held = self.bone.as_ref().map(|bone| bone.forces(&mut self.state));
+        limit = held.map_or(limit, |held| limit.min(held.limit));
+        Instant {
+            sums,
+            shell,
+            touch,
+            push,
+            held,
+            force,
+            limit,
+        }
+    }
+
+    /// Largest depth of a node of the shell in the object, below 0 where it is clear, and the speed
+    /// at which that closes, m/s.
+    fn nearest(&self, flying: &Flying) -> (f64, f64) {
+        let (object, moving) = (&flying.object, &flying.moving);
+        let velocity = moving.velocity();
+        let mut nearest = (f64::NEG_INFINITY, 0.0);
+        for &(node, _) in self.shapes.shell() {
+            let (gap, normal) = depth(object, moving, vector(&self.state.at, node));
+            if gap > nearest.0 {
+                let speed = vector(&self.state.speed, node);
+                let own = velocity.dot(&normal).max(moving.speed[0].dot(&normal));
+                nearest = (gap, own - speed.dot(&normal).min(0.0));
+            }
+        }
+        nearest
+    }
+
+    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
+    /// of a time that was asked for.
+    fn settled(&mut self, time: f64) -> bool {
+        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
+            return false;
+        }
+        let over = match (&self.flying, &self.load) {
+            (Some(flying), _) => {
+                let (depth, closing) = self.nearest(flying);
+                depth < -GONE && closing < 0.0
+            }
+            (_, Some(load)) => load
+                .segments
+                .iter()
+                .any(|s| s.piece == Piece::Nothing && time > s.start),
+            _ => false,
+        };
+        // An eye that was let go swings back: its growth may begin only now.
+        let since = if over {
+            *self.over_since.get_or_insert(time)
+        } else {
+            self.over_since = None;
+            time
+        };
+        over && last_growth(&self.extremes.common).max(since) < time - self.swing
+    }
+
+    /// Whether the middle of the object lies within the shell.
+    fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
+        use crate::models::axisymmetric::forces::object::ObjectOutline;
+        let Some(flying) = &self.flying else {
+            return Ok(());
+        };
+        let centre = match flying.object.outline {
+            ObjectOutline::Sphere(_) => flying.moving.at[0],
+            ObjectOutline::Cylinder(radius, _) => flying.moving.at[0] - self.way * radius,
+        };
+        let far = 1.5 * self.eye.parameters.radius;
+        let middle = self.shapes.middle(&self.state.at);
+        if (centre - middle).norm() > far {
+            return Ok(());
+        }
+        // The shell closes around what lies within it, and around nothing else.
+        let seen = |quad: &crate::models::spatial::eye::ShellQuad| {
+            let p = quad
+                .corners
+                .map(|node| vector(&self.state.at, node) - centre);
+            solid_angle(p[0], p[1], p[2]) + solid_angle(p[0], p[2], p[3])
+        };
+        let around: f64 = self.eye.quads.iter().map(seen).sum();
+        if self.eye.copies() * around > TAU {
+            return Err(Stop::WentThrough(time));
+        }
+        Ok(())
+    }
+
+    fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
+        let (mut momentum, mut angular) = (Vector3::zeros(), Vector3::zeros());
+        for (node, mass) in self.eye.mass.iter().enumerate() {
+            let own = vector(&self.state.speed, node) * *mass;
+            momentum += own;
+            angular += vector(&self.state.at, node).cross(&own);
+        }
+        if self.eye.copies() > 1.0 {
+            momentum = Vector3::new(2.0 * momentum.x, 2.0 * momentum.y, 0.0);
+            angular = Vector3::new(0.0, 0.0, 2.0 * angular.z);
+        }
+        let e = &mut self.extremes.common;
+        if let Some(Flying { moving, .. }) = &self.flying {
+            momentum += moving.momentum();
+            for i in 0..2 {
+                angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
+            }
+            e.rebound = Some(-moving.velocity().dot(&self.way));
+        }
+        if self.came > 0.0 {
+            e.energy_residual = self.missing / self.came;
+        }
+        e.fold = self.fold.fold();
+        e.touching = self.energy.contact > 0.0;
+        if e.missed() {
+            // What an eye that nothing touched shows is rounding.
+            *e = axisymmetric::Extremes {
+                rim_force: e.rim_force,
+                rebound: e.rebound,
+                energy_residual: e.energy_residual,
+                ..axisymmetric::Extremes::at_rest()
+            };
+            let x = self.extremes;
+            self.extremes = Extremes {
+                common: x.common,
+                impulse_on_bone: x.impulse_on_bone,
+                energy_at_bone: x.energy_at_bone,
+                ..Extremes::default()
+            };
+        }
+        EngineRun {
+            extremes: self.extremes,
+            traces: self.keep.traces.then_some(self.traces),
+            frames: Vec::new(),
+            energy: self.energy,
+            momentum,
+            angular_momentum: angular,
+            steps,
+            simulated: time,
+            settled,
+        }
+    }
+}
+
+/// The solid angle under which a triangle is seen, positive from within.
+fn solid_angle(a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>) -> f64 {
+    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+    let over = la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb;
+    2.0 * libm::atan2(a.dot(&b.cross(&c)), over)
+}
+
+/// How far from where a blow enters what its object touches is its dent, in degrees.
+const DENT_DEG: f64 = 50.0;
