@@ -6,7 +6,7 @@
 //! Their weight falls linearly to nothing up to 16 mm, 20 degrees from straight on, and between
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
-use crate::scenario::{Impact, Projectile, Scenario, Species, Surface};
+use crate::scenario::{Geometry, Impact, Projectile, Scenario, Species, Surface};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.
@@ -32,7 +32,8 @@ pub struct Blow {
     pub tested: f64,
     /// How much wider the object is than any that was tested, 0 to 1.
     pub wider: f64,
-    /// How far from straight on, 0 (10 degrees or less) to 1 (20 or more).
+    /// How far from straight on, 0 (10 degrees or less) to 1 (20 or more), where the places of the
+    /// eye turn with the blow.
     pub aslant: f64,
     /// Whether such an object was seen to go into the eye.
     pub goes_in: bool,
@@ -71,7 +72,9 @@ fn off_axis_deg(impact: &Impact) -> f64 {
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        let aslant = ramp(off_axis_deg(&scenario.impact), ANGLE_DEG);
+        let off_axis = ramp(off_axis_deg(&scenario.impact), ANGLE_DEG);
+        let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
+        let aslant = if spatial { 0.0 } else { off_axis };
         let Impact::Projectile(object) = &scenario.impact else {
             // Nobody has pushed an eye with a given force.
             return Self {
@@ -88,7 +91,7 @@ impl Blow {
         Self {
             energy: Some(energy),
             tested: if human {
-                (1.0 - wider) * (1.0 - aslant) * (1.0 - softness)
+                (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness)
             } else {
                 0.0
             },
@@ -128,7 +131,8 @@ mod tests {
         let squash = of("squash-ball", &[]);
         assert_eq!((squash.tested, squash.wider), (0.0, 1.0));
         assert!(!squash.sucks && of("soccer-ball", &[]).sucks);
-        let half = of("bb-56", &[("impact.angle_deg", "15")]);
+        let turned = ("numerics.geometry", "Axisymmetric");
+        let half = of("bb-56", &[("impact.angle_deg", "15"), turned]);
         assert_eq!((half.tested, half.aslant), (0.5, 0.5));
         let wide = of("bb-56", &[("impact.diameter_mm", "13.6")]);
         assert!((wide.tested - 0.5).abs() < 1e-12);

@@ -75,7 +75,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         Detail {
             key: "globe_turn_deg",
             value: turn,
-            shown: Shown::OnLine("Globe turned", format!("{turn:.1} degrees at most")),
+            shown: Shown::OnLine("Globe turned", "degrees at most".to_owned()),
         },
         Detail {
             key: "globe_way_mm",
@@ -83,7 +83,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
             shown: Shown::OnLine(
                 "Globe moved",
                 format!(
-                    "{way:.1} mm at most: {:.1} back, {:.1} up, {:.1} to the nose",
+                    "mm at most: {:.1} back, {:.1} up, {:.1} to the nose",
                     then.x, then.y, then.z
                 ),
             ),
@@ -110,7 +110,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         details.push(Detail {
             key: "bone_impulse_percent",
             value: share,
-            shown: Shown::OnLine("Taken by bone", format!("{share:.0} % of the impulse")),
+            shown: Shown::OnLine("Taken by bone", "% of the impulse".to_owned()),
         });
     }
     details

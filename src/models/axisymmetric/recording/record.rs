@@ -47,7 +47,13 @@ impl<C: Cells> Motion<'_, C> {
                 e.crushed_at.get_or_insert(time);
             }
         }
-        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
+        let shape = Shape::of(
+            self.eye,
+            &self.state,
+            &self.lens,
+            self.lens_rest,
+            self.way(),
+        );
         e.shortening.offer(shape.shortening, time);
         e.equator_growth.offer(shape.equator_growth, time);
         e.shell_growth
@@ -121,7 +127,13 @@ impl<C: Cells> Motion<'_, C> {
     }
 
     pub fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
-        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest);
+        let shape = Shape::of(
+            self.eye,
+            &self.state,
+            &self.lens,
+            self.lens_rest,
+            self.way(),
+        );
         let t = &mut self.traces;
         t.time.push(time);
         t.load.push(now.force);
@@ -154,6 +166,18 @@ impl<C: Cells> Motion<'_, C> {
     }
 }
 
+impl<C: Cells> Motion<'_, C> {
+    /// How far an eye that nothing holds has flown as a whole, m: no part of it feels that.
+    fn way(&self) -> f64 {
+        if self.eye.parameters.surround.is_some() {
+            return 0.0;
+        }
+        let weighed = self.mass.iter().zip(&self.state.x);
+        let moment: f64 = weighed.map(|(m, x)| m * x).sum();
+        moment / self.mass.iter().sum::<f64>() - self.middle
+    }
+}
+
 /// How the eye has changed its shape.
 struct Shape {
     shortening: f64,
@@ -163,7 +187,13 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(eye: &AxisymmetricEye, state: &NodeState, lens: &[(usize, f64)], lens_rest: f64) -> Self {
+    fn of(
+        eye: &AxisymmetricEye,
+        state: &NodeState,
+        lens: &[(usize, f64)],
+        lens_rest: f64,
+        way: f64,
+    ) -> Self {
         let shell = state.shell.clone();
         let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
         let radius = eye.parameters.radius;
@@ -177,8 +207,8 @@ impl Shape {
         Self {
             shortening: 1.0 - (back - front) / (2.0 * radius),
             equator_growth: widest(&state.r[shell]) / rest - 1.0,
-            apex: front + radius,
-            lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest,
+            apex: front + radius - way,
+            lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest - way,
         }
     }
 }

@@ -265,6 +265,8 @@ pub(crate) struct Motion<'a, C> {
     /// Node and share of the lens's mass.
     pub lens: Vec<(usize, f64)>,
     pub lens_rest: f64,
+    /// Centre of mass at rest, m.
+    pub middle: f64,
     pub globe_volume: f64,
     /// s.
     pub swing: f64,
@@ -356,6 +358,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut balance.rest()).volume;
         Self {
+            middle: mass.iter().zip(&state.x).map(|(m, x)| m * x).sum::<f64>()
+                / mass.iter().sum::<f64>(),
             lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
             lens,
             globe_volume,

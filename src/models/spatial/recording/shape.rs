@@ -31,6 +31,8 @@ pub(crate) struct Shapes {
     directions: Vec<Vector3<f64>>,
     /// Node and share of the lens's mass.
     lens: Vec<(usize, f64)>,
+    /// Whether nothing holds the eye.
+    free: bool,
     mirrored: bool,
     rest: Rest,
     at: Vec<Vector3<f64>>,
@@ -100,6 +102,7 @@ impl Shapes {
                 .into_iter()
                 .map(|(node, m)| (node, m / total))
                 .collect(),
+            free: eye.parameters.surround.is_none(),
             mirrored: eye.copies() > 1.0,
             rest: Rest::default(),
             at: eye.mesh.at.clone(),
@@ -179,12 +182,18 @@ impl Shapes {
 
     /// How the shape is now.
     pub fn read(&self, at: &Nodes) -> Shape {
+        // No part of an eye that nothing holds feels how it flies as a whole.
+        let way = if self.free {
+            self.middle(at) - self.rest.middle
+        } else {
+            Vector3::zeros()
+        };
         Shape {
             shortening: 1.0 - self.length(at) / self.rest.length,
             width_growth: self.width(at) / self.rest.width - 1.0,
             shell_growth: self.meridian(at) / self.rest.meridian - 1.0,
-            apex: (self.apex(at) - self.rest.apex).dot(&self.way),
-            lens: (self.lens(at) - self.rest.lens).dot(&self.way),
+            apex: (self.apex(at) - self.rest.apex - way).dot(&self.way),
+            lens: (self.lens(at) - self.rest.lens - way).dot(&self.way),
         }
     }
 
