@@ -180,7 +180,7 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
     );
     let by = Matrix3::new(1.1, 0.05, -0.02, 0.03, 0.95, 0.04, -0.06, 0.01, 1.02);
     // Without a change of volume: corners that see one push on their nodes by their shapes.
-    let by = by / by.determinant().cbrt();
+    let by = by / libm::cbrt(by.determinant());
     let mut state = moved(&eye, |at| by * at);
     let mut cells = PlainCells::new(&eye);
     cells.forces(&mut state);
@@ -195,7 +195,8 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
             inside = inside.max(size(node));
         }
     }
-    assert!(inside < 1e-9 * outside, "{inside:e} {outside:e}");
+    // What rounding leaves of the corners' stiffness.
+    assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
 }
 
 #[test]

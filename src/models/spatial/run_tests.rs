@@ -1,1 +1,271 @@
+//! Whole blows: what must be kept, what must be the same, and the axisymmetric eye straight on.
 
+use crate::models::axisymmetric::eye::AxisymmetricEye;
+use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
+use crate::models::axisymmetric::time::run::{self as axisymmetric, AxisymmetricLoad, CellLoop};
+use crate::models::axisymmetric::time::until::Until;
+use crate::models::spatial::case::{Scene, SpatialCase};
+use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::mesh::Extent;
+use crate::models::spatial::eye::orbit::OrbitRim;
+use crate::models::spatial::forces::object::Aim;
+use crate::models::spatial::recording::results::EngineRun;
+use crate::models::spatial::time::run::{Blow, STEP_SHARE, SpatialLoad, run, run_as};
+use crate::run::kept::{Keep, Spacing};
+use crate::run::model::EyeModel;
+use crate::run::quantity::Quantity;
+use crate::run::watch::unwatched;
+use nalgebra::Vector3;
+
+const BB: Object = Object {
+    outline: ObjectOutline::Sphere(2.25e-3),
+    mass: 0.345e-3,
+    speed: 62.5,
+    surface: ObjectSurface::RIGID,
+    spring: None,
+};
+
+fn parameters(surround: Option<Surround>) -> Parameters {
+    Parameters {
+        surround,
+        ..Parameters::default()
+    }
+}
+
+/// A blow from an angle and azimuth in degrees, beside the middle by some mm towards another.
+fn aim(angle: f64, from: f64, offset: f64, towards: f64) -> Aim {
+    Aim {
+        angle: angle.to_radians(),
+        from: from.to_radians(),
+        offset: offset * 1e-3,
+        towards: towards.to_radians(),
+    }
+}
+
+fn hit(eye: &SpatialEye, object: Object, aim: Aim, ms: f64) -> EngineRun {
+    let up = match eye.extent {
+        Extent::Half => aim.plane(),
+        Extent::Full => 0.0,
+    };
+    let blow = Blow {
+        load: SpatialLoad::Object(object),
+        aim,
+        up,
+    };
+    let keep = Keep::default();
+    run(eye, &blow, ms * 1e-3, STEP_SHARE, keep, &mut unwatched).unwrap()
+}
+
+#[test]
+fn a_free_eye_that_is_hit_aside_keeps_momentum_and_angular_momentum_and_energy() {
+    let eye = SpatialEye::new(&parameters(None), None, Extent::Full, 1);
+    let aim = aim(35.0, 20.0, 4.0, 130.0);
+    let hit = hit(&eye, BB, aim, 0.35);
+    let brought = aim.way() * (BB.mass * BB.speed);
+    assert!((hit.momentum - brought).norm() < 1e-11 * brought.norm());
+    let turning = aim.passes().cross(&brought);
+    let off = (hit.angular_momentum - turning).norm() / turning.norm();
+    assert!(off < 1e-10, "{off:e}");
+    assert!(hit.extremes.common.energy_residual < 8e-3);
+    assert!(hit.extremes.turn.value > 0.0);
+}
+
+#[test]
+fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
+    let gelatin = parameters(Some(Surround::gelatin()));
+    let of = |extent| SpatialEye::new(&gelatin, None, extent, 1);
+    // In a plane that both meshes share.
+    let aim = aim(30.0, 0.0, 2.0, 180.0);
+    let (half, whole) = (of(Extent::Half), of(Extent::Full));
+    let (a, b) = (hit(&half, BB, aim, 0.25), hit(&whole, BB, aim, 0.25));
+    assert_eq!(a.steps, b.steps);
+    let (x, y) = (&a.extremes, &b.extremes);
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * a.abs().max(1e-12);
+    assert!(near(x.common.pressure.value, y.common.pressure.value));
+    assert!(near(x.common.scleral_stress.value, y.common.scleral_stress.value));
+    assert!(near(x.common.energy_given.value, y.common.energy_given.value));
+    assert!(near(x.common.contact_radius, y.common.contact_radius));
+    for (a, b) in x.common.tissue.iter().zip(y.common.tissue) {
+        assert!(near(a.value, b.value), "{a:?} {b:?}");
+    }
+    for (a, b) in x.sectors.lens.iter().zip(y.sectors.lens) {
+        assert!(near(*a, b), "{a} {b}");
+    }
+    let blow = Blow {
+        load: SpatialLoad::Object(BB),
+        aim,
+        up: 0.0,
+    };
+    let keep = Keep::default();
+    let plain = CellLoop::Plain;
+    let plain = run_as(plain, &half, &blow, 1e-4, STEP_SHARE, keep, &mut unwatched).unwrap();
+    let rows = run(&half, &blow, 1e-4, STEP_SHARE, keep, &mut unwatched).unwrap();
+    let of = |run: &EngineRun| run.extremes.common.pressure.value;
+    assert!(near(of(&plain), of(&rows)));
+}
+
+#[test]
+fn a_mirrored_orbit_and_blow_give_the_mirror_image() {
+    let rim = OrbitRim::caucasian();
+    let mirrored = |of: [f64; 4]| [of[0], of[3], of[2], of[1]];
+    let other = OrbitRim {
+        depth: mirrored(rim.depth),
+        gap: mirrored(rim.gap),
+        ..rim
+    };
+    let fat = parameters(Some(Surround::orbit()));
+    let of = |rim| SpatialEye::new(&fat, Some(rim), Extent::Full, 1);
+    let a = hit(&of(rim), BB, aim(40.0, 120.0, 0.0, 0.0), 0.12);
+    let b = hit(&of(other), BB, aim(40.0, -120.0, 0.0, 0.0), 0.12);
+    let (a, b) = (a.extremes, b.extremes);
+    assert!((a.common.pressure.value / b.common.pressure.value - 1.0).abs() < 1e-9);
+    for hour in 0..12 {
+        let (x, y) = (a.sectors.edge[hour], b.sectors.edge[(12 - hour) % 12]);
+        assert!((x - y).abs() < 1e-8, "{hour}: {x} {y}");
+    }
+}
+
+#[test]
+fn a_constant_rim_is_a_ring_and_does_not_know_where_a_blow_comes_from() {
+    let fat = parameters(Some(Surround::orbit()));
+    let ring = SpatialEye::new(&fat, None, Extent::Half, 1);
+    let rim = ring.rim.unwrap();
+    let curve = SpatialEye::new(&fat, Some(rim), Extent::Full, 1);
+    let of = |eye: &SpatialEye, from| {
+        let hit = hit(eye, BB, aim(30.0, from, 0.0, 0.0), 0.2);
+        hit.extremes.common.pressure.value
+    };
+    let (a, b, c) = (of(&ring, 0.0), of(&curve, 0.0), of(&curve, 37.0));
+    assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
+    assert!((c / b - 1.0).abs() < 0.02, "{b} {c}");
+}
+
+#[test]
+fn an_eye_that_is_alike_on_all_sides_hardly_knows_its_mesh() {
+    let mut alike = parameters(None);
+    alike.shell.limbus = 0.0;
+    for point in &mut alike.shell.sclera_thickness {
+        point.1 = 0.5e-3;
+    }
+    alike.lens.half_axes = (1e-9, 1e-9);
+    let eye = SpatialEye::new(&alike, None, Extent::Half, 1);
+    let pressure = |angle| {
+        let hit = hit(&eye, BB, aim(angle, 0.0, 0.0, 0.0), 0.25);
+        hit.extremes.common.pressure.value
+    };
+    let [front, near, far, side] = [0.0, 25.0, 45.0, 90.0].map(pressure);
+    let apart = |a: f64| (a / front - 1.0).abs();
+    assert!(apart(near) < 0.03 && apart(far) < 0.03, "{front} {near} {far}");
+    // Rows lie farther apart at the side.
+    assert!(apart(side) < 0.07, "{front} {side}");
+}
+
+#[test]
+fn straight_on_it_is_the_axisymmetric_eye_within_the_error_of_its_mesh() {
+    let pig = Parameters {
+        shell: ShellParameters::pig(),
+        ..parameters(None)
+    };
+    for (of, speed) in [
+        (parameters(Some(Surround::gelatin())), 56.0),
+        (parameters(Some(Surround::orbit())), 62.5),
+        (pig, 62.5),
+    ] {
+        let object = Object { speed, ..BB };
+        let flat = AxisymmetricEye::new(&of, 1);
+        let load = AxisymmetricLoad::Object(object);
+        let keep = Keep::default();
+        let flat = axisymmetric::run(&flat, &load, 0.45e-3, 0.75, keep, &mut unwatched).unwrap();
+        let eye = SpatialEye::new(&of, None, Extent::Half, 1);
+        let hit = hit(&eye, object, aim(0.0, 0.0, 0.0, 0.0), 0.45);
+        let (a, b) = (&hit.extremes.common, &flat.extremes);
+        let ratio = |a: f64, b: f64| a / b;
+        let near = |what: &str, ratio: f64, error: f64| {
+            assert!((ratio - 1.0).abs() < error, "{what} {ratio}");
+        };
+        near("pressure", ratio(a.pressure.value, b.pressure.value), 0.06);
+        near("force", ratio(a.mean_force.value, b.mean_force.value), 0.06);
+        near("shortening", ratio(a.shortening.value, b.shortening.value), 0.06);
+        near("intrusion", ratio(a.intrusion.value, b.intrusion.value), 0.06);
+        near("stress", ratio(a.scleral_stress.value, b.scleral_stress.value), 0.15);
+        near("equator", ratio(a.tissue[0].value, b.tissue[0].value), 0.15);
+        near("edge", ratio(a.tissue[2].value, b.tissue[2].value), 0.12);
+        near("back", ratio(a.tissue[1].value, b.tissue[1].value), 0.25);
+        near("cornea", ratio(a.energy_over_contact(), b.energy_over_contact()), 0.15);
+        assert!(a.energy_residual < 8e-3 && a.fold.is_none());
+        assert!(hit.extremes.turn.value < 1e-6);
+    }
+}
+
+fn case(rim: Option<OrbitRim>, aim: Aim, window: Until) -> SpatialCase {
+    SpatialCase::new(&Scene {
+        parameters: parameters(Some(Surround::orbit())),
+        rim,
+        load: SpatialLoad::Object(BB),
+        aim,
+        window,
+        level: 1,
+        extent: Extent::Half,
+    })
+}
+
+#[test]
+fn only_what_a_scene_needs_is_computed() {
+    let of = |rim, aim| case(rim, aim, Until::Time(1e-4)).eye.extent;
+    let measured = Some(OrbitRim::caucasian());
+    assert_eq!(of(None, aim(40.0, 77.0, 0.0, 0.0)), Extent::Half);
+    assert_eq!(of(None, aim(40.0, 77.0, 3.0, 257.0)), Extent::Half);
+    assert_eq!(of(None, aim(0.0, 0.0, 3.0, 50.0)), Extent::Half);
+    assert_eq!(of(None, aim(40.0, 77.0, 3.0, 90.0)), Extent::Full);
+    assert_eq!(of(measured, aim(0.0, 0.0, 0.0, 0.0)), Extent::Full);
+}
+
+#[test]
+fn the_socket_gives_readings_places_frames_and_a_picture_that_belong_together() {
+    let case = case(Some(OrbitRim::caucasian()), aim(40.0, 180.0, 0.0, 0.0), Until::Time(0.2e-3));
+    let plan = crate::run::plan::Plan {
+        integrator: crate::scenario::Integrator::VelocityVerlet,
+        step: STEP_SHARE * case.step_limit(crate::scenario::Integrator::VelocityVerlet),
+        window: 0.2e-3,
+        multiple: 1.0,
+        local_tolerance: 1e-5,
+    };
+    let keep = Keep {
+        traces: true,
+        frames: Some(Spacing::even(5e-5)),
+    };
+    let run = case.run(&plan, keep, &mut unwatched).unwrap();
+    for of in [Quantity::Pressure, Quantity::EquatorStretch, Quantity::LensPull] {
+        assert!(run.readings.value(of).unwrap() > 0.0, "{}", of.label());
+    }
+    assert!(run.sectors.unwrap().edge.iter().all(|stretch| *stretch >= 0.0));
+    let traces = run.traces.as_ref().unwrap();
+    assert_eq!(traces.time.len(), traces.tissue[4].len());
+    assert_eq!(run.frames.len(), 5);
+    let (drawing, regions) = (case.drawing(), case.regions());
+    let (first, last) = (&run.frames[0], &run.frames[4]);
+    assert_eq!(regions.len(), first.positions.len());
+    assert_eq!(drawing.cells.len(), first.cells.len());
+    for line in &drawing.lines {
+        assert!(line.ends.0.max(line.ends.1) < drawing.nodes.len());
+    }
+    // The object comes from below and lies outside of the globe.
+    let outline = drawing.object(first).unwrap();
+    let nearest = outline.iter().min_by(|a, b| a.coords.norm().total_cmp(&b.coords.norm()));
+    let nearest = nearest.unwrap();
+    assert!((nearest.coords.norm() - 12e-3).abs() < 2e-4, "{nearest}");
+    let angle = libm::atan2(nearest.y, -nearest.x).to_degrees();
+    assert!((angle + 40.0).abs() < 5.0, "{angle}");
+    // By the end it has dented what it hit.
+    let dent = |frame: &crate::run::kept::Frame| {
+        let shell = (0..drawing.nodes.len()).filter(|i| regions[*i].on_shell());
+        let along = Vector3::new(0.766, 0.643, 0.0);
+        shell
+            .map(|i| frame.positions[i].x * along.x + frame.positions[i].y * along.y)
+            .fold(f64::INFINITY, f64::min)
+    };
+    assert!(dent(last) > dent(first) + 1e-3);
+    let detail = run.detail("globe_turn_deg").unwrap();
+    assert!((0.0..20.0).contains(&detail));
+}

@@ -2,6 +2,7 @@
 
 #![allow(
     clippy::inline_always,
+    clippy::needless_range_loop,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
@@ -163,10 +164,10 @@ impl Hinges {
         let mut at = [[[0.0; LANES]; 3]; 6];
         let mut on = [[[0.0; LANES]; 3]; 4];
         for group in &self.groups {
-            for (nodes, at) in group.nodes.iter().zip(&mut at) {
-                for (of, at) in state.at.iter().zip(at) {
-                    for (node, at) in nodes.iter().zip(at) {
-                        *at = of[*node as usize];
+            for i in 0..6 {
+                for k in 0..3 {
+                    for lane in 0..LANES {
+                        at[i][k][lane] = state.at[k][group.nodes[i][lane] as usize];
                     }
                 }
             }
@@ -198,11 +199,11 @@ impl Hinges {
                     }
                 }
             }
-            for (i, nodes) in group.nodes.iter().enumerate() {
+            for i in 0..6 {
                 let on = &on[[0, 1, 2, 2, 3, 3][i]];
-                for (force, on) in state.force.iter_mut().zip(on) {
-                    for (node, on) in nodes.iter().zip(on).take(group.present) {
-                        force[*node as usize] += on;
+                for k in 0..3 {
+                    for lane in 0..group.present {
+                        state.force[k][group.nodes[i][lane] as usize] += on[k][lane];
                     }
                 }
             }

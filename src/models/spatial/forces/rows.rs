@@ -7,6 +7,7 @@
 
 #![allow(
     clippy::inline_always,
+    clippy::needless_range_loop,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
@@ -101,11 +102,12 @@ impl CellRows {
 /// Brings the corners of a group that are lists together.
 #[inline(always)]
 fn gather(group: &Group, of: &Nodes, to: &mut Gathered) {
-    for (nodes, to) in group.corners.iter().zip(&mut to.0) {
-        if let CornerNodes::List(nodes) = nodes {
-            for (of, to) in of.iter().zip(to) {
-                for (node, to) in nodes.iter().zip(to) {
-                    *to = of[*node as usize];
+    for corner in 0..8 {
+        if let CornerNodes::List(nodes) = &group.corners[corner] {
+            for k in 0..3 {
+                let (of, to) = (&of[k][..], &mut to.0[corner][k]);
+                for lane in 0..LANES {
+                    to[lane] = of[nodes[lane] as usize];
                 }
             }
         }
@@ -220,20 +222,19 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
 #[inline(always)]
 fn scatter<S: Simd>(simd: S, group: &Group, on: &Gathered, state: &mut NodeState) {
     let m = Wide(simd);
-    for (nodes, on) in group.corners.iter().zip(&on.0) {
-        match nodes {
-            CornerNodes::From(first) => {
-                for (force, on) in state.force.iter_mut().zip(on) {
+    for corner in 0..8 {
+        for k in 0..3 {
+            let (force, on) = (&mut state.force[k][..], &on.0[corner][k]);
+            match &group.corners[corner] {
+                CornerNodes::From(first) => {
                     for lane in (0..LANES).step_by(<Wide<S> as Math>::WIDTH) {
                         let sum = m.load(force, first + lane) + m.load(on, lane);
                         m.store(sum, force, first + lane);
                     }
                 }
-            }
-            CornerNodes::List(nodes) => {
-                for (force, on) in state.force.iter_mut().zip(on) {
-                    for (node, on) in nodes.iter().zip(on).take(group.present) {
-                        force[*node as usize] += on;
+                CornerNodes::List(nodes) => {
+                    for lane in 0..group.present {
+                        force[nodes[lane] as usize] += on[lane];
                     }
                 }
             }

@@ -14,6 +14,7 @@
 
 #![allow(
     clippy::inline_always,
+    clippy::needless_range_loop,
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
@@ -246,16 +247,20 @@ fn membrane<S: Simd>(simd: S, shell: &mut Shell, state: &mut NodeState) -> f64 {
     let mut at = [[[0.0; LANES]; 3]; 4];
     let mut on = at;
     for (number, group) in shell.groups.iter().enumerate() {
-        for (nodes, at) in group.corners.iter().zip(&mut at) {
-            for (of, at) in state.at.iter().zip(at) {
-                for (node, at) in nodes.iter().zip(at) {
-                    *at = of[*node as usize];
+        for i in 0..4 {
+            for k in 0..3 {
+                for lane in 0..LANES {
+                    at[i][k][lane] = state.at[k][group.corners[i][lane] as usize];
                 }
             }
         }
         for lane in (0..LANES).step_by(<Wide<S> as Math>::WIDTH) {
-            let read = |i: usize| by_component!(k => m.load(&at[i][k], lane));
-            let p = [read(0), read(1), read(2), read(3)];
+            let p = [
+                by_component!(k => m.load(&at[0][k], lane)),
+                by_component!(k => m.load(&at[1][k], lane)),
+                by_component!(k => m.load(&at[2][k], lane)),
+                by_component!(k => m.load(&at[3][k], lane)),
+            ];
             let mut force = [[m.number(0.0); 3]; 4];
             let first = times(minus(plus(p[1], p[2]), plus(p[0], p[3])), half);
             let second = times(minus(plus(p[2], p[3]), plus(p[0], p[1])), half);
@@ -290,10 +295,10 @@ fn membrane<S: Simd>(simd: S, shell: &mut Shell, state: &mut NodeState) -> f64 {
             let sum = m.load(&stored, lane) + energy;
             m.store(sum, &mut stored, lane);
         }
-        for (nodes, on) in group.corners.iter().zip(&on) {
-            for (force, on) in state.force.iter_mut().zip(on) {
-                for (node, on) in nodes.iter().zip(on).take(group.present) {
-                    force[*node as usize] += on;
+        for i in 0..4 {
+            for k in 0..3 {
+                for lane in 0..group.present {
+                    state.force[k][group.corners[i][lane] as usize] += on[i][k][lane];
                 }
             }
         }
