@@ -196,7 +196,10 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
         }
     }
     // What rounding leaves of the corners' stiffness.
-    assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
+    assert!(
+        inside < 1e-10 && outside > 1e5 * inside,
+        "{inside:e} {outside:e}"
+    );
 }
 
 #[test]

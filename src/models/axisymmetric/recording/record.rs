@@ -14,6 +14,7 @@ impl<C: Cells> Motion<'_, C> {
     /// nodes.
     pub fn offer_readings(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
+        let way = self.way();
         let e = &mut self.extremes;
         e.force.offer(now.force, time);
         let mean = self.force_mean.pass(now.force, time, step);
@@ -47,13 +48,7 @@ impl<C: Cells> Motion<'_, C> {
                 e.crushed_at.get_or_insert(time);
             }
         }
-        let shape = Shape::of(
-            self.eye,
-            &self.state,
-            &self.lens,
-            self.lens_rest,
-            self.way(),
-        );
+        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest, way);
         e.shortening.offer(shape.shortening, time);
         e.equator_growth.offer(shape.equator_growth, time);
         e.shell_growth
