@@ -90,7 +90,11 @@ impl AxisymmetricCase {
             engine::AxisymmetricLoad::Object(object) => Some(object),
             engine::AxisymmetricLoad::Pulse(..) => None,
         };
-        refused(stop, object, (self.eye.level, libm::hypot(xb - xa, rb - ra)))
+        refused(
+            stop,
+            object,
+            (self.eye.level, libm::hypot(xb - xa, rb - ra)),
+        )
     }
 
     /// Duration of a pulse, in s.
@@ -126,8 +130,7 @@ pub(crate) fn refused(
         );
         Problem::refused("impact.diameter_mm", &width, &narrow, allowed)
     } else {
-        let allowed =
-            "a slower, lighter or wider object: what pierces an eye is beyond this model";
+        let allowed = "a slower, lighter or wider object: what pierces an eye is beyond this model";
         let speed = plain(object.speed);
         let heavy = format!("m/s is too fast for an object {width} mm wide, which {through}");
         Problem::refused("impact.speed_m_s", &speed, &heavy, allowed.to_owned())

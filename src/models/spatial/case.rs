@@ -126,7 +126,11 @@ impl SpatialCase {
     /// Why there is no result.
     pub(super) fn refused(&self, stop: Stop) -> Refusal {
         // Quads of the cornea are the first that anything goes through.
-        let front = self.eye.quads.iter().min_by(|a, b| a.seen.0.total_cmp(&b.seen.0));
+        let front = self
+            .eye
+            .quads
+            .iter()
+            .min_by(|a, b| a.seen.0.total_cmp(&b.seen.0));
         let apart = front.map_or(0.0, |quad| {
             let [a, b, ..] = quad.corners.map(|node| self.eye.mesh.at[node]);
             (b - a).norm()

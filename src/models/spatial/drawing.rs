@@ -18,13 +18,17 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
     let shown = section.shown(aim.way());
     let along = Vector2::new(shown.x, shown.y);
     let lines = lines(&section);
-    let nodes = section.points.iter().enumerate().map(|(of, point)| DrawnNode {
-        region: point.region,
-        coarse: true,
-        of,
-        rest: point.rest,
-        mirrored: false,
-    });
+    let nodes = section
+        .points
+        .iter()
+        .enumerate()
+        .map(|(of, point)| DrawnNode {
+            region: point.region,
+            coarse: true,
+            of,
+            rest: point.rest,
+            mirrored: false,
+        });
     let nodes: Vec<DrawnNode> = nodes.collect();
     let room = (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN);
     let reach = nodes.iter().fold(room, |(across, up), node| {
@@ -109,12 +113,7 @@ fn loaded(section: &Section, eye: &SpatialEye, aim: Aim, half_width: f64) -> Vec
     pieces
         .map(|ends| (ends[0], ends[1]))
         .filter(|(a, b)| under(*a) || under(*b))
-        .map(|(a, b)| {
-            (
-                if under(a) { a } else { b },
-                if under(b) { b } else { a },
-            )
-        })
+        .map(|(a, b)| (if under(a) { a } else { b }, if under(b) { b } else { a }))
         .filter(|ends| seen.insert(*ends))
         .collect()
 }

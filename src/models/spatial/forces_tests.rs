@@ -53,7 +53,11 @@ fn worst(
     nodes: impl Iterator<Item = usize>,
     energy: impl Fn(&NodeState) -> f64,
 ) -> f64 {
-    let largest = state.force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+    let largest = state
+        .force
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, f| m.max(f.abs()));
     let h = 1e-9;
     let mut error = 0.0_f64;
     for node in nodes {
@@ -149,7 +153,11 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
     let mut cells = PlainCells::new(&eye);
     let sums = cells.forces(&mut state);
     let shell = Shell::new(&eye, Level::new()).forces(&mut state);
-    let largest = state.force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+    let largest = state
+        .force
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, f| m.max(f.abs()));
     assert!(largest < 1e-8, "{largest:e}");
     assert!(sums.loss < 1e-9 && shell < 1e-12 && cells.energy(&state) < 1e-12);
     assert!(sums.pressure.abs() < 1e-4 && (sums.least_corner - 1.0).abs() < 1e-9);
@@ -188,7 +196,10 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
         }
     }
     // What rounding leaves of the corners' stiffness.
-    assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
+    assert!(
+        inside < 1e-10 && outside > 1e5 * inside,
+        "{inside:e} {outside:e}"
+    );
 }
 
 #[test]
@@ -213,7 +224,11 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
             assert!(near(told.pressure, sums.pressure) && near(told.sensor, sums.sensor));
             assert!(near(told.volume, sums.volume));
             assert!(near(told.least_corner, sums.least_corner));
-            let largest = plain.force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+            let largest = plain
+                .force
+                .iter()
+                .flatten()
+                .fold(0.0, |m: f64, f| m.max(f.abs()));
             for k in 0..3 {
                 for (a, b) in own.force[k].iter().zip(&plain.force[k]) {
                     assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
@@ -258,8 +273,9 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                     let mut projectile = MovingObject::new(&object, way, at);
                     projectile.speed = [Vector3::zeros(); 2];
                     let touch = target.forces(&object, &mut projectile, &mut state);
-                    let sum: Vector3<f64> =
-                        (0..eye.mesh.at.len()).map(|n| vector(&state.force, n)).sum();
+                    let sum: Vector3<f64> = (0..eye.mesh.at.len())
+                        .map(|n| vector(&state.force, n))
+                        .sum();
                     assert!((sum + projectile.force[0]).norm() <= 1e-9 * sum.norm());
                     assert!((sum - touch.force).norm() <= 1e-9 * sum.norm());
                     (touch, state)

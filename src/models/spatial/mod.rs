@@ -19,15 +19,15 @@ mod drawing;
 pub mod eye;
 mod flags;
 pub(crate) mod forces;
+#[cfg(test)]
+mod forces_tests;
 mod model;
 mod readings;
 pub mod recording;
 pub(crate) mod rules;
-pub mod time;
-#[cfg(test)]
-mod forces_tests;
 #[cfg(test)]
 mod run_tests;
+pub mod time;
 
 pub use crate::models::spatial::case::{Scene, SpatialCase};
 pub use crate::models::spatial::eye::mesh::Extent;

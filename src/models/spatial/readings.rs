@@ -37,9 +37,8 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         let around = (azimuth + up).rem_euclid(TAU);
         (front.to_degrees(), around)
     };
-    let words = |(front, around): (f64, f64)| {
-        format!("{front:.0} deg from the front, {}", side(around))
-    };
+    let words =
+        |(front, around): (f64, f64)| format!("{front:.0} deg from the front, {}", side(around));
     let (stress, equator) = (place(e.stress_at), place(e.equator_at));
     let hour = |of: &[f64]| Sectors::strongest(of) as f64 * TAU / HOURS as f64;
     let (edge, lens, iris) = (

@@ -222,12 +222,7 @@ fn graded(layer: usize, of: usize, thinner: f64) -> f64 {
 }
 
 /// Builds the mesh of a core of 2 `half` cells a side in a globe of `radius` m.
-pub(crate) fn build(
-    half: usize,
-    extent: Extent,
-    radius: f64,
-    cavity: Option<&dyn Cavity>,
-) -> Mesh {
+pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dyn Cavity>) -> Mesh {
     let mut builder = Builder {
         half: i64::try_from(half).expect("a mesh that fits in memory"),
         extent,
@@ -269,7 +264,10 @@ pub(crate) fn build(
         });
     }
     builder.mesh.hold(cavity);
-    let outer = builder.surface().into_iter().map(|of| builder.node(layers + around, of));
+    let outer = builder
+        .surface()
+        .into_iter()
+        .map(|of| builder.node(layers + around, of));
     let outer: Vec<usize> = outer.collect();
     let mesh = &mut builder.mesh;
     mesh.wall = outer

@@ -82,7 +82,13 @@ fn part(i: usize, count: usize) -> f64 {
 /// The place in a cell at shares of its three directions.
 pub(crate) fn within(p: &[Vector3<f64>; 8], s: [f64; 3]) -> Vector3<f64> {
     let weight = |i: usize| -> f64 {
-        let along = |bit: usize| if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] };
+        let along = |bit: usize| {
+            if i >> bit & 1 == 1 {
+                s[bit]
+            } else {
+                1.0 - s[bit]
+            }
+        };
         along(0) * along(1) * along(2)
     };
     (0..8).map(|i| p[i] * weight(i)).sum()
@@ -130,12 +136,7 @@ fn areas(p: &[Vector3<f64>; 4]) -> [(f64, [f64; 4]); 4] {
         let (s, t) = (GAUSS[i & 1], GAUSS[i >> 1]);
         let along = upon(p, 1.0, t) - upon(p, 0.0, t);
         let across = upon(p, s, 1.0) - upon(p, s, 0.0);
-        let shares = [
-            (1.0 - s) * (1.0 - t),
-            s * (1.0 - t),
-            s * t,
-            (1.0 - s) * t,
-        ];
+        let shares = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
         (0.25 * along.cross(&across).norm(), shares)
     })
 }
@@ -150,7 +151,10 @@ fn lens_share(parameters: &Parameters, p: &[Vector3<f64>; 8]) -> f64 {
     let (along, across) = lens.half_axes;
     let centre = Vector3::new(lens.centre, 0.0, 0.0);
     let size = (p[7] - p[0]).norm();
-    let nearest = p.iter().map(|p| (p - centre).norm()).fold(f64::INFINITY, f64::min);
+    let nearest = p
+        .iter()
+        .map(|p| (p - centre).norm())
+        .fold(f64::INFINITY, f64::min);
     if nearest > along.max(across) + size {
         return 0.0;
     }
@@ -192,12 +196,7 @@ impl SpatialEye {
     ///
     /// # Panics
     /// If half of an eye is asked for whose rim is not round.
-    pub fn new(
-        parameters: &Parameters,
-        rim: Option<OrbitRim>,
-        extent: Extent,
-        level: u32,
-    ) -> Self {
+    pub fn new(parameters: &Parameters, rim: Option<OrbitRim>, extent: Extent, level: u32) -> Self {
         let half = 2 * level as usize + 2;
         let mut eye = Self::with_core(parameters, rim, extent, half);
         eye.level = level;
@@ -325,7 +324,9 @@ impl SpatialEye {
 
     /// Volume of a cell at rest, in m3.
     pub(crate) fn volume(&self, cell: &Cell) -> f64 {
-        volumes(&cell.corners.map(|node| self.mesh.at[node])).iter().sum()
+        volumes(&cell.corners.map(|node| self.mesh.at[node]))
+            .iter()
+            .sum()
     }
 
     /// The quads of the shell, and of the free sides of what holds it, that an object can touch.
@@ -386,8 +387,16 @@ mod tests {
             assert!((2.0 * volume(&half) / volume(&whole) - 1.0).abs() < 1e-12);
             let mass = |eye: &SpatialEye| eye.mass.iter().sum::<f64>();
             assert!((2.0 * mass(&half) / mass(&whole) - 1.0).abs() < 1e-12);
-            assert!(mass(&whole) > 7.9e-3 && mass(&whole) < 8.5e-3, "{}", mass(&whole));
-            let area: f64 = whole.quads.iter().map(|q| area(&q.corners.map(|n| whole.mesh.at[n]))).sum();
+            assert!(
+                mass(&whole) > 7.9e-3 && mass(&whole) < 8.5e-3,
+                "{}",
+                mass(&whole)
+            );
+            let area: f64 = whole
+                .quads
+                .iter()
+                .map(|q| area(&q.corners.map(|n| whole.mesh.at[n])))
+                .sum();
             assert!((area / (4.0 * PI * 12e-3 * 12e-3) - 1.0).abs() < 0.02);
             assert_eq!(whole.open_quads().len(), whole.quads.len());
             assert_eq!(half.open_quads().len(), half.quads.len());
@@ -427,7 +436,11 @@ mod tests {
         let rim = OrbitRim::caucasian();
         let eye = SpatialEye::new(&Parameters::default(), Some(rim), Extent::Full, 1);
         assert!(eye.open_quads().len() > eye.quads.len() / 4);
-        let fat = eye.cells.iter().filter(|c| c.place == Place::Surround).count();
+        let fat = eye
+            .cells
+            .iter()
+            .filter(|c| c.place == Place::Surround)
+            .count();
         assert!((500..900).contains(&fat), "{fat}");
         let round = SpatialEye::new(&Parameters::default(), None, Extent::Full, 1);
         let rim = round.rim.unwrap();

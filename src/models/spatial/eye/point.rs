@@ -99,7 +99,11 @@ impl SpatialEye {
     pub(crate) fn at(&self, place: Vector3<f64>, only: Option<Place>) -> Option<(Point, usize)> {
         let (place, mirrored) = self.computed(place);
         let wanted = |cell: &Cell| only.is_none_or(|only| cell.place == only);
-        let cells = self.cells.iter().enumerate().filter(|(_, cell)| wanted(cell));
+        let cells = self
+            .cells
+            .iter()
+            .enumerate()
+            .filter(|(_, cell)| wanted(cell));
         for (number, cell) in cells {
             let p = cell.corners.map(|node| self.mesh.at[node]);
             let middle = within(&p, [0.5; 3]);
@@ -128,7 +132,13 @@ impl SpatialEye {
                 continue;
             }
             let share = |i: usize| {
-                let along = |bit: usize| if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] };
+                let along = |bit: usize| {
+                    if i >> bit & 1 == 1 {
+                        s[bit]
+                    } else {
+                        1.0 - s[bit]
+                    }
+                };
                 along(0) * along(1) * along(2)
             };
             let shares = (0..8).map(|i| (cell.corners[i], share(i))).collect();

@@ -3,8 +3,8 @@
 //! A node of the shell within the sphere of the edge that is nearest to its azimuth is pushed out
 //! of it, by a foundation over the area that the node stands for at rest.
 
-use crate::models::spatial::eye::{SpatialEye, area};
 use crate::models::spatial::eye::orbit::RimSphere;
+use crate::models::spatial::eye::{SpatialEye, area};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -76,7 +76,11 @@ impl Bone {
             let deepest = (nearest + count - 1..=nearest + count + 1)
                 .map(|i| at - self.spheres[i % count].middle)
                 .fold(Vector3::repeat(f64::MAX.sqrt()), |a, b| {
-                    if b.norm_squared() < a.norm_squared() { b } else { a }
+                    if b.norm_squared() < a.norm_squared() {
+                        b
+                    } else {
+                        a
+                    }
                 });
             let apart = deepest.norm();
             let gap = self.edge - apart;

@@ -191,7 +191,12 @@ impl Target {
             if let Some(number) = quad.shell {
                 self.touched[number] = false;
             }
-            if Self::far(object, projectile, vector(&state.at, quad.corners[0]), quad.size) {
+            if Self::far(
+                object,
+                projectile,
+                vector(&state.at, quad.corners[0]),
+                quad.size,
+            ) {
                 continue;
             }
             touch.quads += 1;
@@ -216,7 +221,11 @@ impl Target {
                 let closing = projectile.speed[0].dot(&normal) - speed;
                 let slope = object.surface.steepest(gap, pressed.slope, closing);
                 let (left, change) = object.surface.hysteresis(object.speed, closing);
-                let damping = if gap > 0.0 { change * pressed.traction } else { 0.0 };
+                let damping = if gap > 0.0 {
+                    change * pressed.traction
+                } else {
+                    0.0
+                };
                 whole_slope += area * slope;
                 whole_damping += area * damping;
                 for (node, share) in quad.corners.into_iter().zip(shares) {

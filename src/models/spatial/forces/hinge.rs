@@ -70,19 +70,13 @@ fn bent<M: Math>(
     let inverse = m.over(one, m.root(s1 * s2));
     let cosine = dot(n1, n2) * inverse;
     let sine = m.over(dot(cross(n1, n2), e) * inverse, length);
-    let f = m.over(
-        m.number(2.0) * sine,
-        m.most(one + cosine, m.number(LEAST)),
-    );
+    let f = m.over(m.number(2.0) * sine, m.most(one + cosine, m.number(LEAST)));
     // Of f for the angle, times the way of the angle with what lies beyond.
     let by = one + f * f * m.number(0.25);
     let on_c = times(n1, -(by * m.over(length, s1)));
     let on_d = times(n2, -(by * m.over(length, s2)));
     let inverse_square = m.over(one, square);
-    let (tc, td) = (
-        dot(to_c, e) * inverse_square,
-        dot(to_d, e) * inverse_square,
-    );
+    let (tc, td) = (dot(to_c, e) * inverse_square, dot(to_d, e) * inverse_square);
     let on_a = plus(times(on_c, tc - one), times(on_d, td - one));
     let on_b = minus([m.number(0.0); 3], plus(times(on_c, tc), times(on_d, td)));
     Bent {
@@ -181,7 +175,8 @@ impl Hinges {
                 let sign = m.load(&group.sign, lane);
                 let a = by_component!(k => m.load(&at[0][k], lane));
                 let b = by_component!(k => m.load(&at[1][k], lane));
-                let c = by_component!(k => (m.load(&at[2][k], lane) + m.load(&at[3][k], lane)) * half);
+                let c =
+                    by_component!(k => (m.load(&at[2][k], lane) + m.load(&at[3][k], lane)) * half);
                 let mut d =
                     by_component!(k => (m.load(&at[4][k], lane) + m.load(&at[5][k], lane)) * half);
                 d[2] = d[2] * sign;

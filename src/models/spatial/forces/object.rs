@@ -132,11 +132,18 @@ impl MovingObject {
         };
         let apart = self.at[1] - self.at[0];
         let squeeze = apart.norm();
-        let along = if squeeze > 0.0 { apart / squeeze } else { self.way };
+        let along = if squeeze > 0.0 {
+            apart / squeeze
+        } else {
+            self.way
+        };
         let squeezed = law.at(squeeze);
         let closing = (self.speed[1] - self.speed[0]).dot(&along);
         let (left, slope) = hysteresis(kept, self.arrival, closing);
-        self.force = [along * (squeezed.force * left), along * (-squeezed.force * left)];
+        self.force = [
+            along * (squeezed.force * left),
+            along * (-squeezed.force * left),
+        ];
         let lossy = along * (squeezed.force * (left - 1.0));
         self.lossy = [lossy, -lossy];
         // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).

@@ -46,9 +46,8 @@ impl PlainCells {
 
     /// Elastic energy of what is computed, J.
     pub fn energy(&self, state: &NodeState) -> f64 {
-        let stored = |(c, corners): &(Constants, [usize; 8])| {
-            cell::energy(c, &gathered(&state.at, corners))
-        };
+        let stored =
+            |(c, corners): &(Constants, [usize; 8])| cell::energy(c, &gathered(&state.at, corners));
         self.cells.iter().map(stored).sum()
     }
 
@@ -71,7 +70,10 @@ impl Cells for PlainCells {
         };
         let mut rate = 0.0_f64;
         for ((c, corners), pressure) in self.cells.iter().zip(&mut self.pressures) {
-            let (at, speed) = (gathered(&state.at, corners), gathered(&state.speed, corners));
+            let (at, speed) = (
+                gathered(&state.at, corners),
+                gathered(&state.speed, corners),
+            );
             let response = cell::respond(Plain, Fields::of(c), &at, &speed);
             for (&node, force) in corners.iter().zip(response.force) {
                 for k in 0..3 {

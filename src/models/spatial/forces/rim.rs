@@ -132,8 +132,11 @@ impl Rim {
                 continue;
             }
             let closing = projectile.speed[0].dot(&normal);
-            let (left, change) =
-                crate::models::axisymmetric::forces::object::hysteresis(kept, object.speed, closing);
+            let (left, change) = crate::models::axisymmetric::forces::object::hysteresis(
+                kept,
+                object.speed,
+                closing,
+            );
             let force = normal * (-stiffness * gap);
             push.force += force * left;
             projectile.lossy[0] += force * (left - 1.0);
@@ -167,7 +170,10 @@ impl Rim {
         let radius = object.outline.radius();
         let of_depth = |depth: f64| {
             let pressed = object.surface.at(depth);
-            (TAU * radius * pressed.energy, TAU * radius * pressed.traction)
+            (
+                TAU * radius * pressed.energy,
+                TAU * radius * pressed.traction,
+            )
         };
         let mut slope = TAU * radius * object.surface.at(object.near()).traction;
         if sum > 0.0 {
@@ -184,7 +190,11 @@ impl Rim {
             let middle = |i: usize| of_depth((i as f64 + 0.5) * part).0;
             push.energy = (0..POINTS).map(middle).sum::<f64>() * part;
             push.used_up = object.surface.used_up(depth);
-            let soon = TAU * radius * object.surface.steepest(depth, stiffness / TAU / radius, closing);
+            let soon = TAU
+                * radius
+                * object
+                    .surface
+                    .steepest(depth, stiffness / TAU / radius, closing);
             slope = slope.max(soon) + f64::from(POWER) * flat / depth;
             let damped = projectile.mass[0] / (flat * change).max(f64::MIN_POSITIVE);
             push.limit = COURANT * damped;

@@ -178,12 +178,26 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
                     m.store(response.force[corner][k], &mut on.0[corner][k], lane);
                 }
             }
-            m.store(response.pressure, &mut rows.pressures, number * LANES + lane);
+            m.store(
+                response.pressure,
+                &mut rows.pressures,
+                number * LANES + lane,
+            );
             let weighted = |f: usize| fields.get(m, f);
-            add(m, &mut totals.loss, lane, weighted(field::PRESENT) * response.loss);
+            add(
+                m,
+                &mut totals.loss,
+                lane,
+                weighted(field::PRESENT) * response.loss,
+            );
             let pressure = response.pressure;
             add(m, &mut totals.mean, lane, weighted(field::MEAN) * pressure);
-            add(m, &mut totals.sensor, lane, weighted(field::SENSOR) * pressure);
+            add(
+                m,
+                &mut totals.sensor,
+                lane,
+                weighted(field::SENSOR) * pressure,
+            );
             let volume = weighted(field::GLOBE) * response.volume;
             add(m, &mut totals.volume, lane, volume);
             let rate = m.most(m.load(&totals.rate, lane), response.rate);

@@ -135,10 +135,7 @@ impl Shell {
                 let at = quad.corners.map(|node| eye.mesh.at[node]);
                 let shell = quad.modulus * quad.thickness / plane;
                 let whole = area(&at);
-                let doubled: f64 = edges(at)[1..]
-                    .iter()
-                    .map(|[a, b]| a.cross(b).norm())
-                    .sum();
+                let doubled: f64 = edges(at)[1..].iter().map(|[a, b]| a.cross(b).norm()).sum();
                 for (i, edges) in edges(at).into_iter().enumerate() {
                     let metric = &mut group.metrics[i];
                     let middle = upon(&at, 0.5, 0.5);
@@ -228,8 +225,8 @@ fn stretched<M: Math>(
     let to_first = plus(times(first, on_11), times(second, on_12));
     let to_second = plus(times(second, on_22), times(first, on_12));
     let constant = m.number(2.0 * (1.0 + poisson));
-    let energy = stiffness
-        * (s * s - constant * s - m.number(2.0 * (1.0 - poisson)) * d + constant);
+    let energy =
+        stiffness * (s * s - constant * s - m.number(2.0 * (1.0 - poisson)) * d + constant);
     Stretched {
         on: [
             plus(times(to_first, h[0]), times(to_second, h[1])),
@@ -279,8 +276,7 @@ fn membrane<S: Simd>(simd: S, shell: &mut Shell, state: &mut NodeState) -> f64 {
             let apart = m.root(m.most(of.s * of.s * m.number(0.25) - of.d, m.number(0.0)));
             let (most, least) = (of.s * half + apart, of.s * half - apart);
             let poisson = m.number(shell.poisson);
-            let tension =
-                m.load(&group.sclera, lane) * (most - one + poisson * (least - one));
+            let tension = m.load(&group.sclera, lane) * (most - one + poisson * (least - one));
             m.store(tension, &mut shell.tension, place);
             for i in 0..4 {
                 let (next, before) = ((i + 1) % 4, (i + 3) % 4);

@@ -67,15 +67,16 @@ impl<C: Cells> Motion<'_, C> {
 
     fn velocities(&self, section: &Section) -> Vec<Vector3<f64>> {
         let points = section.points.iter();
-        points.map(|shown| shown.point.of(&self.state.speed)).collect()
+        points
+            .map(|shown| shown.point.of(&self.state.speed))
+            .collect()
     }
 
     /// The section at `due`, `back` s before now.
     fn frame(&self, section: &Section, due: f64, back: f64, before: &[Vector3<f64>]) -> Frame {
         let velocities = self.velocities(section);
         let points = section.points.iter().zip(&velocities);
-        let position =
-            |at: Vector3<f64>, speed: Vector3<f64>| section.shown(at - speed * back);
+        let position = |at: Vector3<f64>, speed: Vector3<f64>| section.shown(at - speed * back);
         let forces = velocities.iter().enumerate().map(|(i, speed)| {
             let earlier = before.get(i).copied().unwrap_or_default();
             NODE_MASS * (speed - earlier).norm() / SMOOTHING_S
@@ -88,7 +89,11 @@ impl<C: Cells> Motion<'_, C> {
                 .map(|(shown, speed)| position(shown.point.of(&self.state.at), *speed))
                 .collect(),
             forces: forces.collect(),
-            cells: section.cells.iter().map(|(_, cell)| pressures[*cell]).collect(),
+            cells: section
+                .cells
+                .iter()
+                .map(|(_, cell)| pressures[*cell])
+                .collect(),
             projectile: moving.map(|moving| position(moving.middle(), moving.velocity())),
             squeezed: moving.map_or(0.0, |moving| moving.squeezed()),
             pressure: Some(self.filters[0].now),

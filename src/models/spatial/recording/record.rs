@@ -108,7 +108,9 @@ impl<C: Cells> Motion<'_, C> {
                 (Point2::new(middle.x, across), part)
             },
         );
-        let accelerations = self.accelerometers.read(&self.state.speed, time - 0.5 * step);
+        let accelerations = self
+            .accelerometers
+            .read(&self.state.speed, time - 0.5 * step);
         let forces = accelerations.map(|a| NODE_MASS * a);
         let e = &mut self.extremes.common;
         for (peak, force) in e.node_force.iter_mut().zip(forces) {

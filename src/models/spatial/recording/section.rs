@@ -6,10 +6,10 @@
 //! lies flat.
 
 use crate::models::axisymmetric::eye::mesh::{self as plane_mesh, Layers};
+use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::mesh::Place;
 use crate::models::spatial::eye::orbit::{Cavity, Orbit, Round};
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::forces::object::towards;
 use crate::models::spatial::recording::sensor::monitored;
 use crate::models::spatial::time::run::Blow;
@@ -54,7 +54,8 @@ impl Section {
     pub fn new(eye: &SpatialEye, blow: &Blow) -> Self {
         let plane = blow.aim.plane();
         // A little below flat still counts as flat.
-        let flipped = libm::cos(plane) < -1e-9 || (libm::cos(plane) < 1e-9 && libm::sin(plane) < 0.0);
+        let flipped =
+            libm::cos(plane) < -1e-9 || (libm::cos(plane) < 1e-9 && libm::sin(plane) < 0.0);
         let azimuth = plane - blow.up + if flipped { PI } else { 0.0 };
         let mut section = Self {
             points: Vec::new(),
@@ -111,7 +112,9 @@ impl Section {
                 (eye.on_shell(place), region)
             } else {
                 let found = eye.at(place * INSIDE, Some(Place::Globe));
-                let lens = found.as_ref().is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
+                let lens = found
+                    .as_ref()
+                    .is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
                 let region = if lens { Region::Lens } else { Region::Interior };
                 (found.map(|(point, _)| point), region)
             };
@@ -191,8 +194,10 @@ impl Section {
                 let Ok(corners) = <[usize; 4]>::try_from(found) else {
                     continue;
                 };
-                let sum: Vector3<f64> =
-                    corners.iter().map(|i| self.points[*i].point.of(nodes)).sum();
+                let sum: Vector3<f64> = corners
+                    .iter()
+                    .map(|i| self.points[*i].point.of(nodes))
+                    .sum();
                 if let Some((_, cell)) = eye.at(sum * 0.25, Some(Place::Surround)) {
                     self.cells.push((corners, cell));
                 }

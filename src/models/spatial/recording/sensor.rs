@@ -37,7 +37,11 @@ pub(crate) fn weights(eye: &SpatialEye) -> Vec<Weights> {
         let count = POINTS * POINTS * POINTS;
         let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
         let inside = |i: &usize| {
-            let s = [part(i % POINTS), part(i / POINTS % POINTS), part(i / POINTS / POINTS)];
+            let s = [
+                part(i % POINTS),
+                part(i / POINTS % POINTS),
+                part(i / POINTS / POINTS),
+            ];
             (within(p, s) - centre).norm() <= SENSOR_REACH
         };
         (0..count).filter(inside).count() as f64 / count as f64
@@ -105,7 +109,9 @@ impl Accelerometers {
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
     pub fn read(&mut self, speed: &Nodes, time: f64) -> [f64; 4] {
         let of = |i: usize| -> Vector3<f64> {
-            self.places[i].as_ref().map_or(Vector3::zeros(), |p| p.of(speed))
+            self.places[i]
+                .as_ref()
+                .map_or(Vector3::zeros(), |p| p.of(speed))
         };
         let now = [of(0), of(1), of(2), of(3)];
         self.past.push_back((time, now));

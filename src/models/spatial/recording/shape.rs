@@ -91,9 +91,15 @@ impl Shapes {
             apex: eye.on_shell(-Vector3::x()),
             poles: [eye.on_shell(-way), eye.on_shell(way)],
             meridian: meridian.collect(),
-            shell: shell.into_iter().map(|node| (node, eye.mass[node])).collect(),
+            shell: shell
+                .into_iter()
+                .map(|node| (node, eye.mass[node]))
+                .collect(),
             directions: directions.collect(),
-            lens: lens.into_iter().map(|(node, m)| (node, m / total)).collect(),
+            lens: lens
+                .into_iter()
+                .map(|(node, m)| (node, m / total))
+                .collect(),
             mirrored: eye.copies() > 1.0,
             rest: Rest::default(),
             at: eye.mesh.at.clone(),

@@ -97,7 +97,9 @@ impl Tissues {
                 (from.to_radians()..=to.to_radians()).contains(&front)
             };
             let count = (POINTS * POINTS) as f64;
-            let banded = points.clone().filter(|(front, _)| within(*front, EQUATOR_DEG));
+            let banded = points
+                .clone()
+                .filter(|(front, _)| within(*front, EQUATOR_DEG));
             let share = banded.count() as f64 / count;
             let hour = |sign: f64| piece(sign * quad.seen.1 + up, 0.0, HOURS);
             if share > 0.0 {
@@ -214,7 +216,11 @@ impl Tissues {
             e.sectors.edge[hour] = e.sectors.edge[hour].max(stretch);
         }
         for (which, held) in self.held.iter_mut().enumerate() {
-            let to = if which == 0 { &mut e.sectors.lens } else { &mut e.sectors.iris };
+            let to = if which == 0 {
+                &mut e.sectors.lens
+            } else {
+                &mut e.sectors.iris
+            };
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
                 let pulled = held.passed.pass(apart, share);
@@ -232,5 +238,9 @@ impl Tissues {
 fn lengths(ring: &[Point], at: &Nodes) -> Vec<f64> {
     let places: Vec<Vector3<f64>> = ring.iter().map(|point| point.of(at)).collect();
     let next = places.iter().cycle().skip(1);
-    places.iter().zip(next).map(|(a, b)| (b - a).norm()).collect()
+    places
+        .iter()
+        .zip(next)
+        .map(|(a, b)| (b - a).norm())
+        .collect()
 }

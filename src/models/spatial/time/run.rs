@@ -281,7 +281,9 @@ impl<'a, C: Cells> Motion<'a, C> {
             SpatialLoad::Object(object) => {
                 let line = (way, passes);
                 let globe = touches(object.outline, line, Vector3::zeros(), radius);
-                let bone = rim.as_ref().and_then(|rim| rim.first_touch(object.outline, line));
+                let bone = rim
+                    .as_ref()
+                    .and_then(|rim| rim.first_touch(object.outline, line));
                 let ahead = target.first_touch(object.outline, line);
                 let start = [globe, bone, ahead].into_iter().flatten().reduce(f64::min);
                 let start = start.unwrap_or(-radius - object.reach());
@@ -586,7 +588,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         // The shell closes around what lies within it, and around nothing else.
         let seen = |quad: &crate::models::spatial::eye::ShellQuad| {
-            let p = quad.corners.map(|node| vector(&self.state.at, node) - centre);
+            let p = quad
+                .corners
+                .map(|node| vector(&self.state.at, node) - centre);
             solid_angle(p[0], p[1], p[2]) + solid_angle(p[0], p[2], p[3])
         };
         let around: f64 = self.eye.quads.iter().map(seen).sum();
