@@ -163,7 +163,7 @@ fn an_eye_that_is_alike_on_all_sides_hardly_knows_its_mesh() {
     let [front, near, far, side] = [0.0, 25.0, 45.0, 90.0].map(pressure);
     let apart = |a: f64| (a / front - 1.0).abs();
     assert!(
-        apart(near) < 0.03 && apart(far) < 0.03,
+        apart(near) < 0.04 && apart(far) < 0.04,
         "{front} {near} {far}"
     );
     // Rows lie farther apart at the side.

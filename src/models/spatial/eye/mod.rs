@@ -18,8 +18,6 @@ use orbit::{Cavity, Orbit, OrbitRim, Round, seen_from_the_middle};
 
 /// Points along each side of a quad of the shell, and of a cell, that means over them take.
 const ACROSS: usize = 4;
-/// Rounding of the edge of a cup, in m.
-const HOLDER_EDGE: f64 = 1e-3;
 
 /// A hexahedron.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -231,20 +229,16 @@ impl SpatialEye {
             }),
         });
         let mesh = mesh::build(half, extent, radius, cavity.as_deref());
-        let rim = surround.map(|surround| {
-            rim.unwrap_or_else(|| {
-                let angle = std::f64::consts::PI - surround.opening;
-                let distance = surround.wall.distance(angle);
-                let at = (distance * libm::cos(angle), distance * libm::sin(angle));
-                let round = OrbitRim::round(at, radius);
-                match surround.wall {
-                    Wall::Cone { .. } => round,
-                    Wall::Sphere(_) => OrbitRim {
-                        edge: HOLDER_EDGE,
-                        ..round
-                    },
-                }
-            })
+        // Tests in gelatin were made with objects that fit its holder.
+        let rim = surround.and_then(|surround| {
+            let angle = std::f64::consts::PI - surround.opening;
+            let distance = surround.wall.distance(angle);
+            let at = (distance * libm::cos(angle), distance * libm::sin(angle));
+            let round = match surround.wall {
+                Wall::Cone { .. } => Some(OrbitRim::round(at, radius)),
+                Wall::Sphere(_) => None,
+            };
+            rim.or(round)
         });
         let cells = mesh.cells.iter().map(|&(corners, place)| {
             let lens = lens_share(parameters, &corners.map(|node| mesh.at[node]));

@@ -145,8 +145,7 @@ pub(crate) fn modes<M: Math>(_: M, of: &Eight<M::N>) -> Eight<M::N> {
 
 /// From what acts on modes to what acts on corners.
 #[inline(always)]
-fn corners<M: Math>(_: M, of: &Eight<M::N>) -> Eight<M::N> {
-    let mut f = *of;
+fn to_corners<M: Math>(_: M, f: &mut Eight<M::N>) {
     for bit in [1, 2, 4] {
         for low in 0..8 {
             if low & bit == 0 {
@@ -156,7 +155,6 @@ fn corners<M: Math>(_: M, of: &Eight<M::N>) -> Eight<M::N> {
             }
         }
     }
-    f
 }
 
 /// (p x q + r x s/3)/64.
@@ -311,7 +309,8 @@ pub(crate) fn respond<M: Math>(
 
     // Corners.
     let eta = c.get(m, field::CORNER_VISCOSITY) * length;
-    let of_corners: Corners<M::N> = corner::respond(m, c, p, v, expansion, eta);
+    let mut force = [[zero; 3]; 8];
+    let of_corners: Corners<M::N> = corner::respond(m, c, p, v, (expansion, eta), &mut force);
     rate = m.most(rate, of_corners.rate);
     loss += of_corners.loss;
     let whole = pressure + artificial + of_corners.back * inverse_now;
@@ -358,9 +357,9 @@ pub(crate) fn respond<M: Math>(
             on[mode][i] += whole * g[mode][i] - held;
         }
     }
-    let mut force = corners(m, &on);
+    to_corners(m, &mut on);
     for n in 0..8 {
-        force[n] = plus(force[n], of_corners.force[n]);
+        force[n] = plus(force[n], on[n]);
     }
     Response {
         force,

@@ -23,7 +23,6 @@ pub(crate) const WEIGHT: f64 = 0.75;
 
 /// What the corners of a cell do.
 pub(crate) struct Corners<N> {
-    pub force: Eight<N>,
     /// What their viscosity adds to the pressure of the whole, times its volume.
     pub back: N,
     /// W.
@@ -76,20 +75,19 @@ fn slope_of_its_own<M: Math>(
 }
 
 /// What they do with the corners at `p` and of velocities `v`, in a cell that expands at some rate
-/// and of a viscosity `eta`.
+/// and of a viscosity `eta`; their forces are added to `force`.
 #[inline(always)]
 pub(crate) fn respond<M: Math>(
     m: M,
     c: Fields,
     p: &Eight<M::N>,
     v: &Eight<M::N>,
-    expansion: M::N,
-    eta: M::N,
+    (expansion, eta): (M::N, M::N),
+    force: &mut Eight<M::N>,
 ) -> Corners<M::N> {
     let (zero, one) = (m.number(0.0), m.number(1.0));
     let sixth = m.number(1.0 / 6.0);
     let squeezed = m.number(SQUEEZED);
-    let mut force = [[zero; 3]; 8];
     let (mut back, mut loss, mut least) = (zero, zero, m.number(f64::INFINITY));
     let (mut stiffest, mut shrinking) = (zero, zero);
     macro_rules! at {
@@ -150,7 +148,6 @@ pub(crate) fn respond<M: Math>(
         -(shrinking * m.number(1.0 / LOSS_IN_STEP)),
     );
     Corners {
-        force,
         back,
         loss,
         rate,
