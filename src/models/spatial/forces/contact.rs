@@ -130,7 +130,9 @@ impl Target {
                 shell: shell.get(&sorted(corners)).copied(),
             }
         });
-        let quads: Vec<Open> = quads.collect();
+        // A round holder's front is no part of the axisymmetric eye, with which this one agrees.
+        let soft = eye.rim.is_some_and(|rim| !rim.is_round());
+        let quads: Vec<Open> = quads.filter(|quad| soft || quad.shell.is_some()).collect();
         let free = quads.iter().filter(|quad| quad.shell.is_none());
         Self {
             ahead: free.flat_map(|quad| quad.corners.map(at)).collect(),
