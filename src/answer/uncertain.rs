@@ -281,9 +281,8 @@ const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured 
 
 /// Where an object comes from and what it aims at, as far as a person does not doubt it otherwise.
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
-    // What is told to be round cannot be hit from elsewhere.
-    let turns =
-        scenario.model != Model::Paper && scenario.numerics.geometry != Geometry::Axisymmetric;
+    // Straight on is what a person means who says nothing else.
+    let turns = scenario.geometry().is_some_and(Geometry::is_spatial);
     let Some(Impact::Projectile(projectile)) = turns.then_some(&scenario.impact) else {
         return Vec::new();
     };

@@ -1,12 +1,15 @@
 //! How much of the eye a scene needs, and so which eye computes it.
 //!
-//! Straight on, beside nothing that breaks the symmetry, a half section turned about its axis is
-//! the whole. A blow from the side on a round support has one mirror plane, so half of the eye in
-//! three dimensions is the whole. A measured orbit has none.
+//! Straight on, in a round holder, a half section turned about its axis is the whole. A blow from
+//! the side on a round support has one mirror plane, so half of the eye in three dimensions is the
+//! whole. A measured orbit has none.
+//!
+//! An object that bone stops straight on meets a round rim unless [`Geometry::Full`] is asked for:
+//! the mean of an orbit, which the brow is not.
 
 use crate::scenario::{
-    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Physiological, Projectile,
-    STEEPEST_OBJECT_DEG, Scenario, Support, TRUSTED_ANGLE_DEG,
+    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile, STEEPEST_OBJECT_DEG,
+    Scenario, Support, TRUSTED_ANGLE_DEG,
 };
 use serde::{Deserialize, Serialize};
 
@@ -33,26 +36,12 @@ impl Geometry {
 
 /// The finest level of the eye in three dimensions.
 pub const FINEST_SPATIAL_LEVEL: u32 = 3;
-/// Radius of the globe, in mm.
-const GLOBE_MM: f64 = 12.0;
-
 impl Projectile {
     /// Whether its path and the line through the middle of the cornea that it aims beside lie in
     /// one plane with the eye's axis.
     fn has_mirror_plane(&self) -> bool {
         let apart = (self.angle_clock - self.offset_clock).rem_euclid(6.0);
         self.angle_deg == 0.0 || self.offset_mm == 0.0 || apart == 0.0
-    }
-}
-
-impl Physiological {
-    /// Whether an object that comes straight on can meet the rim of the orbit.
-    fn rim_catches(&self, projectile: &Projectile) -> bool {
-        let gaps = self.rim.gap_mm;
-        let least = [gaps.above, gaps.nose, gaps.below, gaps.temple]
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
-        self.support == Support::Orbit && 0.5 * projectile.diameter_mm > GLOBE_MM + least
     }
 }
 
@@ -68,8 +57,7 @@ impl Scenario {
         let Impact::Projectile(projectile) = &self.impact else {
             return Some(Geometry::Axisymmetric);
         };
-        let straight = projectile.is_straight_on();
-        Some(if straight && !model.rim_catches(projectile) {
+        Some(if projectile.is_straight_on() {
             Geometry::Axisymmetric
         } else if model.support != Support::Orbit && projectile.has_mirror_plane() {
             Geometry::Half
@@ -167,10 +155,9 @@ mod tests {
         let both = [angle, gelatin, aside[0], aside[1]];
         assert_eq!(of("bb-62", &both), Some(Geometry::Full));
         assert_eq!(of("bb-62", &both[1..]), Some(Geometry::Half));
-        assert_eq!(of("squash-ball", &[]), Some(Geometry::Full));
-        assert_eq!(of("squash-ball", &[gelatin]), Some(Geometry::Axisymmetric));
-        let forced = ("numerics.geometry", "Axisymmetric");
-        assert_eq!(of("squash-ball", &[forced]), Some(Geometry::Axisymmetric));
+        assert_eq!(of("squash-ball", &[]), Some(Geometry::Axisymmetric));
+        let forced = ("numerics.geometry", "Full");
+        assert_eq!(of("squash-ball", &[forced]), Some(Geometry::Full));
     }
 
     #[test]

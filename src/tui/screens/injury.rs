@@ -14,6 +14,7 @@ use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
+use crate::tui::view::fundus::Fundus;
 use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
 use crate::tui::view::text::{
     flag_lines, put, put_lines, put_right, whole_sentences, width, wrapped,
@@ -32,10 +33,12 @@ pub(super) const ABOUT: About = About {
     new: || Box::new(Injuries::default()),
 };
 
-/// The place of the injury that is explained.
+/// The place of the injury that is explained, and what is shown.
 #[derive(Default)]
 pub struct Injuries {
     row: usize,
+    /// Whether the retina is shown as a clock face instead.
+    fundus: bool,
 }
 
 impl Panes for Injuries {
@@ -46,6 +49,7 @@ impl Panes for Injuries {
 const KEYS: PaneKeys<Injuries> = PaneKeys::new("Injury", &[
     bind(&[UP, c('k')], |s, _| s.row = s.row.saturating_sub(1), "injury", "the injury above"),
     bind(&[DOWN, c('j')], |s, _| s.row = (s.row + 1).min(Injury::ALL.len() - 1), "&", "the injury below"),
+    bind(&[c('f')], |s, _| s.fundus = !s.fundus, "fundus", "the retina as a clock face"),
 ]);
 
 impl Screen for Injuries {
@@ -55,6 +59,7 @@ impl Screen for Injuries {
             ..area
         };
         match &model.shown {
+            Some(shown) if self.fundus => fundus(model, shown, area, buffer),
             Some(shown) => draw(self.row, model, shown, area, buffer),
             None => {
                 put(
@@ -65,6 +70,31 @@ impl Screen for Injuries {
                     Theme::of(model.look).text(),
                 );
             }
+        }
+    }
+}
+
+/// Said where every hour feels the same.
+const ROUND: &str = "Straight on the eye is round here: every hour feels the same. Turn the blow, \
+    or set numerics.geometry to Full.";
+
+fn fundus(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    draw_signs(theme, area, buffer);
+    let area = Rect {
+        height: area.height.saturating_sub(SIGN_ROWS),
+        ..area
+    };
+    match &shown.answer.run.sectors {
+        Some(sectors) => Fundus {
+            sectors,
+            side: shown.scenario.eye_side(),
+            look: model.look,
+        }
+        .draw(area, buffer),
+        None => {
+            let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
+            put_lines(buffer, area, (1, 1), &lines, theme.text());
         }
     }
 }
