@@ -655,7 +655,7 @@ mod tests {
         assert!(refused("impact.force_n=9").contains("is no range"));
         assert!(refused("impact.force_n=0:1e9").contains("out of range"));
         let unread = |until: &str| wanted(until).unwrap_err().to_string();
-        assert!(unread("damage=50").contains("did you mean damage_percent"));
+        assert!(unread("damge=50").contains("did you mean damage_percent"));
         assert!(unread("damage_percent>50").contains("has no ="));
         assert!(unread("damage_percent=x").contains("is no number"));
         assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);

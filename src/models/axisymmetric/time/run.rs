@@ -46,9 +46,11 @@ pub(crate) const GROWTH: f64 = 1.05;
 pub(crate) const GONE: f64 = 0.5e-3;
 /// An eye shortened by this share has its front on its back: what comes then is not in the model.
 pub(crate) const FLAT: f64 = 0.85;
-/// Nor is it where the stability bound has fallen to this share of that at rest: a cell is pressed
+/// Nor is it where the stability bound of a cell has fallen to this share of that at rest: a cell is pressed
 /// to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
 pub(crate) const PRESSED_TO_NOTHING: f64 = 1e-3;
+/// An object is narrow if its radius is less than this share of the eye's.
+pub(crate) const NARROW: f64 = 0.25;
 /// Steps between two looks at the watch.
 pub(crate) const WATCH_EVERY: usize = 256;
 
@@ -417,8 +419,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             let kick = by.kick(before, step);
             let forces = self.offer_readings(&now, time, before);
             let settled = steps % WATCH_EVERY == 0 && self.settled(time);
-            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.limit);
-            if now.limit < least || self.extremes.shortening.value > FLAT {
+            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.sums.limit);
+            if now.sums.limit < least || self.extremes.shortening.value > FLAT {
                 self.extremes.flat_at = Some(time);
             }
             let last = time >= end || settled || self.extremes.flat_at.is_some();
@@ -560,7 +562,9 @@ impl<'a, C: Cells> Motion<'a, C> {
             ObjectOutline::Sphere(_) => projectile.x[0],
             ObjectOutline::Cylinder(radius, _) => projectile.x[0] - radius,
         };
-        if centre > apex {
+        // What flattens the eye with no more than a point is on its way through.
+        let narrow = object.outline.radius() < NARROW * self.eye.parameters.radius;
+        if centre > apex || narrow && self.extremes.flat_at.is_some() {
             return Err(Stop::WentThrough(time));
         }
         Ok(())
