@@ -301,6 +301,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
     };
     let step = scenario.numerics.step_us.map_or(2e-6, |us| us * 1e-6);
     let run = Run {
+        sectors: None,
         readings: readings(scenario, &traces, size),
         details: details(&case, size),
         flags: Vec::new(),
