@@ -161,6 +161,9 @@ fn each_is_followed_until_it_is_over_at_half_and_at_twice_its_speed_too() {
                 continue;
             };
             let (case, run) = run_of(&scenario);
+            if run.extremes.flat_at.is_some() {
+                continue;
+            }
             assert!(run.settled, "{name} at {speed_m_s} m/s");
             assert!(run.simulated < 0.7 * case.window.most(), "{name}");
             let extremes = run.extremes;

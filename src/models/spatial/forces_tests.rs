@@ -1,5 +1,10 @@
 //! Forces against differences of energy, rigid motion, and what is the same for all vectors.
 
+#![expect(
+    clippy::needless_range_loop,
+    reason = "corners and components go together"
+)]
+
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
 use crate::models::paper::forces::kernel::vector_sets;

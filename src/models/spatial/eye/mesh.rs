@@ -174,7 +174,7 @@ impl Builder {
             for v in -m..m {
                 for u in -m..m {
                     let corners = std::array::from_fn(|i| {
-                        let bit = |of: usize| (i >> of & 1) as i64;
+                        let bit = |of: usize| i64::from(i >> of & 1 == 1);
                         self.node(0, (u + bit(0), v + bit(1), w + bit(2)))
                     });
                     self.mesh.cells.push((corners, Place::Globe));
@@ -195,7 +195,7 @@ impl Builder {
             for u in -m..m {
                 cells.push(std::array::from_fn(|i| {
                     let (v, w) = ends[i >> 1 & 1];
-                    self.node(before + (i >> 2), (u + (i & 1) as i64, v, w))
+                    self.node(before + (i >> 2), (u + i64::from(i & 1 == 1), v, w))
                 }));
             }
         }
@@ -204,7 +204,10 @@ impl Builder {
                 for v in -m..m {
                     cells.push(std::array::from_fn(|i| {
                         let across = i64::from((i >> 1 & 1 == 1) != flip);
-                        self.node(before + (i >> 2), (u, v + (i & 1) as i64, w + across))
+                        self.node(
+                            before + (i >> 2),
+                            (u, v + i64::from(i & 1 == 1), w + across),
+                        )
                     }));
                 }
             }

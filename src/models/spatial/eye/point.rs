@@ -35,13 +35,6 @@ impl Point {
         }
         sum
     }
-
-    /// The node that has most of it.
-    #[cfg(test)]
-    pub fn nearest(&self) -> usize {
-        let most = self.shares.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        most.map_or(0, |(node, _)| *node)
-    }
 }
 
 impl SpatialEye {

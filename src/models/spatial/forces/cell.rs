@@ -1,24 +1,24 @@
 //! One cell: a trilinear hexahedron with one pressure, in Hadamard modes.
 //!
-//! Corner n has bits along its row, across it and outward; s_m(n) is the product over the bits of m
-//! of +1 where n has them and -1 where not, and X_m = sum_n s_m(n) x_n, U_m the same of velocities.
+//! Corner n has bits along its row, across it and outward; sm(n) is the product over the bits of m
+//! of +1 where n has them and -1 where not, and Xm = sum of sm(n) xn, Um the same of velocities.
 //! With a = X1, b = X2, c = X4, d = X3, e = X5, f = X6
 //!
 //!   V = (1/64) (a.(b x c) + (a.(d x e) + d.(b x f) + e.(f x c))/3),
 //!
-//! exactly, and with G_m its slope for X_m the mean gradients of velocity and of place are
-//! L = sum U_m (x) G_m / V and F = sum X_m (x) G0_m / V0. Forces are gathered by mode and go back
+//! exactly, and with Gm its slope for Xm the mean gradients of velocity and of place are
+//! L = sum Um (x) Gm / V and F = sum Xm (x) G0m / V0. Forces are gathered by mode and go back
 //! to the corners by one transform.
 //!
 //! * Pressure, artificial viscosity and the stiffness of corners against folding are those of the
 //!   axisymmetric eye ([`crate::models::axisymmetric::forces::cell`]), with V for the volume of the
-//!   ring and l = V/(4 sqrt(sum |G_m|^2)), of which 2 c/l is exactly the highest frequency of a
+//!   ring and l = V/(4 sqrt(sum |Gm|^2)), of which 2 c/l is exactly the highest frequency of a
 //!   cell with even corners. The corners are [`super::corner`]'s.
 //! * Shear: the same neo-Hookean law on F, with the determinant of F for the change of volume.
 //! * Twelve motions of a cell change neither V nor F: those of the modes h = 3, 5, 6, 7. With
-//!   Q' = U_h - L X_h, which a rigid turn leaves at nothing, they have a viscosity
-//!   c = (8/3)(0.05 rho l c') V/(64 V0^(2/3)): f_h = -c Q', and what keeps the turn free of it goes
-//!   into the stress as -(c/V) Q' (x) X_h.
+//!   Q' = Uh - L Xh, which a rigid turn leaves at nothing, they have a viscosity
+//!   c = (8/3)(0.05 rho l c') V/(64 V0^(2/3)): fh = -c Q', and what keeps the turn free of it goes
+//!   into the stress as -(c/V) Q' (x) Xh.
 
 #![allow(
     clippy::inline_always,
@@ -247,13 +247,12 @@ pub(crate) fn constants(eye: &SpatialEye, cell: &Cell) -> Constants {
     c
 }
 
-/// The gradient of place, its determinant, and J^(-2/3) of that.
+/// A gradient of place, the slopes at rest that made it, its determinant, and J^(-2/3) of that.
+type Gradient<N> = ([Three<N>; 3], [Three<N>; 7], N, N);
+
+/// The gradient of place.
 #[inline(always)]
-fn gradient<M: Math>(
-    m: M,
-    c: Fields,
-    x: &Eight<M::N>,
-) -> ([Three<M::N>; 3], [Three<M::N>; 7], M::N, M::N) {
+fn gradient<M: Math>(m: M, c: Fields, x: &Eight<M::N>) -> Gradient<M::N> {
     let zero = [m.number(0.0); 3];
     let mut at_rest = [zero; 7];
     for mode in 0..6 {

@@ -6,8 +6,8 @@
 //! the axisymmetric contact: depth and normal depend on the place along the way of the object and
 //! the distance from the line through its middle.
 //!
-//! The bound of the step is that of rows: with K_n the stiffness that a node has a share in, no
-//! frequency is above sqrt(2 K_n/m_n) of some node or of the object; two thirds of 2 sqrt(m/K) are
+//! The bound of the step is that of rows: with Kn the stiffness that a node has a share in, no
+//! frequency is above sqrt(2 Kn/mn) of some node or of the object; two thirds of 2 sqrt(m/K) are
 //! below it.
 
 use crate::models::axisymmetric::forces::contact::{COURANT, DAMPED, TOUCHING};
@@ -171,7 +171,24 @@ impl Target {
         }
     }
 
+    /// The longest stable step by what nodes have shares in, s, which it takes from them.
+    fn bound(&mut self) -> f64 {
+        let mut limit = f64::INFINITY;
+        for &node in &self.pressed {
+            let [stiffness, damping] = std::mem::take(&mut self.stiff[node]);
+            let stable = 2.0 * COURANT * (self.mass[node] / stiffness).sqrt();
+            let damped = DAMPED * self.mass[node] / damping.max(f64::MIN_POSITIVE);
+            limit = limit.min(stable).min(damped);
+        }
+        self.pressed.clear();
+        limit
+    }
+
     /// Adds the forces of contact to those of nodes and to the projectile's.
+    #[expect(
+        clippy::too_many_lines,
+        reason = "one loop over quads and their points"
+    )]
     pub fn forces(
         &mut self,
         object: &Object,
@@ -264,13 +281,7 @@ impl Target {
                 touch.area += area;
             }
         }
-        for &node in &self.pressed {
-            let [stiffness, damping] = std::mem::take(&mut self.stiff[node]);
-            let stable = 2.0 * COURANT * (self.mass[node] / stiffness).sqrt();
-            let damped = DAMPED * self.mass[node] / damping.max(f64::MIN_POSITIVE);
-            touch.limit = touch.limit.min(stable).min(damped);
-        }
-        self.pressed.clear();
+        touch.limit = self.bound();
         touch.force *= self.copies;
         if self.copies > 1.0 {
             touch.force.z = 0.0;

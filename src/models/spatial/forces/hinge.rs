@@ -179,7 +179,7 @@ impl Hinges {
                     by_component!(k => (m.load(&at[2][k], lane) + m.load(&at[3][k], lane)) * half);
                 let mut d =
                     by_component!(k => (m.load(&at[4][k], lane) + m.load(&at[5][k], lane)) * half);
-                d[2] = d[2] * sign;
+                d[2] *= sign;
                 let bent = bent(m, a, b, c, d);
                 let over = bent.f - m.load(&group.rest, lane);
                 let moment = m.load(&group.stiffness, lane) * over;
@@ -190,10 +190,10 @@ impl Hinges {
                     for k in 0..3 {
                         let mut force = bent.slopes[i][k] * push;
                         if i > 1 {
-                            force = force * half;
+                            force *= half;
                         }
                         if i == 3 && k == 2 {
-                            force = force * sign;
+                            force *= sign;
                         }
                         m.store(force, &mut on[i][k], lane);
                     }

@@ -11,7 +11,7 @@
 use crate::models::axisymmetric::forces::quads::inverse_cube_root_squared;
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
-use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// How numbers are computed.
 pub(crate) trait Math: Copy {
@@ -22,6 +22,7 @@ pub(crate) trait Math: Copy {
         + Sub<Output = Self::N>
         + SubAssign
         + Mul<Output = Self::N>
+        + MulAssign
         + Neg<Output = Self::N>;
     /// How many are computed at once.
     const WIDTH: usize;

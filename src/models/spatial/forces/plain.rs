@@ -76,8 +76,8 @@ impl Cells for PlainCells {
             );
             let response = cell::respond(Plain, Fields::of(c), &at, &speed);
             for (&node, force) in corners.iter().zip(response.force) {
-                for k in 0..3 {
-                    state.force[k][node] += force[k];
+                for (sum, force) in state.force.iter_mut().zip(force) {
+                    sum[node] += force;
                 }
             }
             *pressure = response.pressure;

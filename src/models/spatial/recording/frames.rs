@@ -7,6 +7,7 @@
 use crate::models::axisymmetric::recording::record::NODE_MASS;
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::forces::object::MovingObject;
 use crate::models::spatial::forces::state::Cells;
 use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::{Blow, Motion};
@@ -95,7 +96,7 @@ impl<C: Cells> Motion<'_, C> {
                 .map(|(_, cell)| pressures[*cell])
                 .collect(),
             projectile: moving.map(|moving| position(moving.middle(), moving.velocity())),
-            squeezed: moving.map_or(0.0, |moving| moving.squeezed()),
+            squeezed: moving.map_or(0.0, MovingObject::squeezed),
             pressure: Some(self.filters[0].now),
         }
     }

@@ -14,7 +14,8 @@ use crate::models::axisymmetric::recording::sensor::{
     BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
 use crate::models::axisymmetric::time::run::{
-    CellLoop, FLAT, GONE, GROWTH, PRESSED_TO_NOTHING, Steps, Stop, Take, WATCH_EVERY, slowest_swing,
+    CellLoop, FLAT, GONE, GROWTH, NARROW, PRESSED_TO_NOTHING, Steps, Stop, Take, WATCH_EVERY,
+    slowest_swing,
 };
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::{Piece, Pulse, Segment};
@@ -581,6 +582,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             ObjectOutline::Sphere(_) => flying.moving.at[0],
             ObjectOutline::Cylinder(radius, _) => flying.moving.at[0] - self.way * radius,
         };
+        // What flattens the eye with no more than a point is on its way through.
+        let radius = self.eye.parameters.radius;
+        let narrow = flying.object.outline.radius() < NARROW * radius;
+        if narrow && self.extremes.common.flat_at.is_some() {
+            return Err(Stop::WentThrough(time));
+        }
         let far = 1.5 * self.eye.parameters.radius;
         let middle = self.shapes.middle(&self.state.at);
         if (centre - middle).norm() > far {
