@@ -3,8 +3,8 @@
 //! A scene is drawn from a scrambled Sobol sequence, so a seed names it for good.
 
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness,
-    PulseShape, Scenario, Species, Support, Surface,
+    EyeInput, ForcePulse, Geometry, Impact, Model, NumericsInput, Outline, Physiological,
+    Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface,
 };
 use std::f64::consts::PI;
 
@@ -170,6 +170,11 @@ fn object(draw: Draw) -> Scenario {
         }),
         // What a blow does at first; the published coverage is of this.
         window_ms: Some(3.0),
+        // Of the axisymmetric eye, whose coverage it is.
+        numerics: NumericsInput {
+            geometry: Geometry::Axisymmetric,
+            ..NumericsInput::default()
+        },
         ..Scenario::default()
     }
 }

@@ -10,7 +10,8 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
 use crate::scenario::set::set;
 use crate::scenario::{
-    ForcePulse, Impact, Model, Outline, Physiological, Projectile, Scenario, Surface,
+    ForcePulse, Geometry, Impact, Model, NumericsInput, Outline, Physiological, Projectile,
+    Scenario, Surface,
 };
 use std::ops::ControlFlow;
 
@@ -19,6 +20,10 @@ fn scene(projectile: Projectile) -> Scenario {
         model: Model::Physiological(Physiological::default()),
         impact: Impact::Projectile(projectile),
         window_ms: Some(1.0),
+        numerics: NumericsInput {
+            geometry: Geometry::Axisymmetric,
+            ..NumericsInput::default()
+        },
         ..Scenario::default()
     }
 }

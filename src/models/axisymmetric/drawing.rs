@@ -170,7 +170,9 @@ mod tests {
     use crate::run::kept::Keep;
     use crate::run::kept::Spacing;
     use crate::run::watch::unwatched;
-    use crate::scenario::{Impact, Model, Physiological, Projectile, Scenario};
+    use crate::scenario::{
+        Geometry, Impact, Model, NumericsInput, Physiological, Projectile, Scenario,
+    };
 
     #[test]
     fn an_axisymmetric_eye_is_drawn_as_a_whole_section_that_faces_the_blow() {
@@ -181,6 +183,10 @@ mod tests {
                 ..Projectile::default()
             }),
             window_ms: Some(0.05),
+            numerics: NumericsInput {
+                geometry: Geometry::Axisymmetric,
+                ..NumericsInput::default()
+            },
             ..Scenario::default()
         };
         let keep = Keep {

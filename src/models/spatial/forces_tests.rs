@@ -304,7 +304,7 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let parameters = Parameters::default();
     let rim = Some(OrbitRim::caucasian());
     let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
-    let rim = Rim::new(&eye, 20e-3).unwrap();
+    let rim = Rim::new(&eye).unwrap();
     for outline in [
         ObjectOutline::Sphere(20e-3),
         ObjectOutline::Cylinder(20e-3, 2e-3),

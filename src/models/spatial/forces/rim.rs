@@ -17,7 +17,6 @@
 //! Left out: skin and muscle on the bone, friction, that bone breaks, and that a squeezed ball gets
 //! wider.
 
-use crate::models::axisymmetric::eye::parameters::Wall;
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::orbit::RimSphere;
@@ -65,16 +64,8 @@ impl Push {
 }
 
 impl Rim {
-    /// As an object of this radius, in m, meets it. The edge of a gelatin's cup is in the way of what
-    /// is wider than its opening only: where a cup ends is an assumption, and a small thing at an
-    /// angle should not meet it.
-    pub fn new(eye: &SpatialEye, object: f64) -> Option<Self> {
+    pub fn new(eye: &SpatialEye) -> Option<Self> {
         let rim = eye.rim?;
-        let (_, opening) = rim.at(0.0, eye.parameters.radius);
-        let wall = eye.parameters.surround?.wall;
-        if matches!(wall, Wall::Sphere(_)) && object < opening {
-            return None;
-        }
         Some(Self {
             spheres: rim.spheres(eye.parameters.radius),
             edge: rim.edge,

@@ -275,10 +275,7 @@ impl<'a, C: Cells> Motion<'a, C> {
         let aim = blow.in_mesh();
         let (way, passes) = (aim.way(), aim.passes());
         let target = Target::new(eye);
-        let rim = match &blow.load {
-            SpatialLoad::Object(object) => Rim::new(eye, object.outline.radius()),
-            SpatialLoad::Pulse(..) => None,
-        };
+        let rim = Rim::new(eye);
         let radius = eye.parameters.radius;
         let (mut flying, mut load) = (None, None);
         match &blow.load {
