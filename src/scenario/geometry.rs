@@ -86,7 +86,7 @@ impl Scenario {
         if let Impact::Projectile(object) = &self.impact
             && let Some(direction) = object.direction(self.eye_side())
         {
-            words += &format!("; {direction}");
+            words.extend(["; ", &direction]);
         }
         words += match self.geometry() {
             Some(Geometry::Half) => "; half of it, in three dimensions",

@@ -104,14 +104,16 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         Detail::data("energy_at_bone_j", e.energy_at_bone),
         Detail::data("globe_on_bone_n", e.globe_on_bone.value),
     ];
-    if e.impulse_on_bone.norm() > 0.0 {
-        let (eye, bone) = (e.impulse_on_eye.norm(), e.impulse_on_bone.norm());
-        let share = percent(bone / (eye + bone));
-        details.push(Detail {
-            key: "bone_impulse_percent",
-            value: share,
-            shown: Shown::OnLine("Taken by bone", "% of the impulse".to_owned()),
-        });
-    }
+    details.extend(taken_by_bone(e));
     details
+}
+
+/// The share of the impulse that bone took, if it took any.
+fn taken_by_bone(e: &Extremes) -> Option<Detail> {
+    let (eye, bone) = (e.impulse_on_eye.norm(), e.impulse_on_bone.norm());
+    (bone > 0.0).then(|| Detail {
+        key: "bone_impulse_percent",
+        value: 1e2 * bone / (eye + bone),
+        shown: Shown::OnLine("Taken by bone", "% of the impulse".to_owned()),
+    })
 }

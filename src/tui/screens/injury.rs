@@ -85,18 +85,19 @@ fn fundus(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer
         height: area.height.saturating_sub(SIGN_ROWS),
         ..area
     };
-    match &shown.answer.run.sectors {
-        Some(sectors) => Fundus {
-            sectors,
-            side: shown.scenario.eye_side(),
-            look: model.look,
-        }
-        .draw(area, buffer),
-        None => {
-            let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
-            put_lines(buffer, area, (1, 1), &lines, theme.text());
-        }
+    let Some(sectors) = &shown.answer.run.sectors else {
+        let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
+        put_lines(buffer, area, (1, 1), &lines, theme.text());
+        return;
+    };
+    let side = shown.scenario.eye_side();
+    let look = model.look;
+    Fundus {
+        sectors,
+        side,
+        look,
     }
+    .draw(area, buffer);
 }
 
 fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
