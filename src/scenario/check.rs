@@ -12,7 +12,8 @@ use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
 use crate::scenario::{
-    FASTEST_M_S, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, doubt,
+    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, Support,
+    doubt,
 };
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
@@ -180,7 +181,7 @@ fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
 
 /// The problems of a scenario that the axisymmetric eye cannot take.
 fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
-    let Model::Physiological(_) = scenario.model else {
+    let Model::Physiological(model) = &scenario.model else {
         return Vec::new();
     };
     let mut problems = Vec::new();
@@ -202,6 +203,22 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
         refuse("numerics.geometry", &asked, complaint, allowed);
     }
     if let Impact::Projectile(projectile) = &scenario.impact {
+        let opening = model.gelatin_opening_deg;
+        let lands = projectile.lands_at_deg(GLOBE_MM);
+        if model.support == Support::Gelatin
+            && scenario.geometry().is_some_and(Geometry::is_spatial)
+            && lands.is_some_and(|lands| lands > opening - EDGE_DEG)
+        {
+            let most = plain(opening - EDGE_DEG);
+            refuse(
+                "impact.angle_deg",
+                &plain(angle),
+                "brings the object onto the gelatin, not the eye",
+                &format!(
+                    "what lands up to {most} deg from the front, or a larger model.gelatin_opening_deg"
+                ),
+            );
+        }
         if projectile.speed_m_s <= FASTEST_M_S && projectile.energy_j() > MOST_ENERGY_J {
             let complaint = "brings more energy than model Physiological takes";
             let most = projectile.mass_g * MOST_ENERGY_J / projectile.energy_j();
@@ -238,6 +255,10 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     problems
 }
 
+/// Radius of the globe, in mm.
+const GLOBE_MM: f64 = 12.0;
+/// This near to where gelatin begins, in degrees, a BB touches it.
+const EDGE_DEG: f64 = 8.0;
 /// A force at a greater angle would come from behind the equator.
 const STEEPEST_DEG: f64 = 90.0;
 /// An object at a greater angle, in degrees, would fly along the face.

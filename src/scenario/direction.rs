@@ -102,6 +102,29 @@ impl Projectile {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
     }
 
+    /// The front angle of the place on a globe of this radius that its path enters at, in degrees;
+    /// none if it goes past.
+    pub fn lands_at_deg(&self, radius_mm: f64) -> Option<f64> {
+        let inside = radius_mm * radius_mm - self.offset_mm * self.offset_mm;
+        if inside < 0.0 {
+            return None;
+        }
+        let angle = self.angle_deg.to_radians();
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let between = (self.angle_clock - self.offset_clock) * TAU / HOURS;
+        // The aim is a point of the plane across the path: of the direction beside the eye's axis
+        // that is named, what lies along the path is taken off.
+        let along = -sin * libm::cos(between);
+        let across = (1.0 - along * along).max(0.0).sqrt();
+        let back = if across > 0.0 {
+            -along * cos / across * self.offset_mm
+        } else {
+            0.0
+        };
+        let x = back - cos * inside.sqrt();
+        Some(libm::acos((-x / radius_mm).clamp(-1.0, 1.0)).to_degrees())
+    }
+
     /// Where it comes from and what it aims at, in words; none if straight on.
     pub fn direction(&self, side: Side) -> Option<String> {
         let mut parts = Vec::new();
@@ -207,6 +230,25 @@ mod tests {
         assert_eq!((read.offset_mm, read.offset_clock), (2.0, 6.0));
         let words = "from below at 30 deg, 2 mm towards below";
         assert_eq!(read.direction(Side::Right).unwrap(), words);
+    }
+
+    #[test]
+    fn a_path_lands_where_its_angle_and_its_offset_lead() {
+        let at = |angle_deg, offset_mm, offset_clock| {
+            let object = Projectile {
+                angle_deg,
+                offset_mm,
+                offset_clock,
+                ..Projectile::default()
+            };
+            object.lands_at_deg(12.0)
+        };
+        let near = |a: Option<f64>, b: f64| assert!((a.unwrap() - b).abs() < 1e-9, "{a:?} {b}");
+        near(at(30.0, 0.0, 12.0), 30.0);
+        near(at(0.0, 6.0, 3.0), 30.0);
+        near(at(20.0, 6.0, 12.0), 50.0);
+        near(at(20.0, 6.0, 6.0), 10.0);
+        assert_eq!(at(0.0, 13.0, 3.0), None);
     }
 
     #[test]

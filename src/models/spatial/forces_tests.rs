@@ -259,7 +259,7 @@ fn object(outline: ObjectOutline, surface: ObjectSurface) -> Object {
 fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surface() {
     let eye = eye(None, Extent::Full);
     let way = Vector3::new(1.0, -0.5, 0.3).normalize();
-    let mut target = Target::new(&eye);
+    let mut target = Target::new(&eye, 0.0);
     for outline in [
         ObjectOutline::Sphere(5e-3),
         ObjectOutline::Cylinder(5e-3, 1e-3),

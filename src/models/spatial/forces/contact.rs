@@ -16,6 +16,7 @@ use crate::models::spatial::eye::{SpatialEye, upon};
 use crate::models::spatial::forces::object::{MovingObject, touches};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
+use std::f64::consts::PI;
 
 /// Points along each side of a quad.
 const POINTS: [f64; 2] = [0.25, 0.75];
@@ -108,7 +109,8 @@ pub(crate) fn depth(
 }
 
 impl Target {
-    pub fn new(eye: &SpatialEye) -> Self {
+    /// What an object of this radius, in m, can touch.
+    pub fn new(eye: &SpatialEye, radius: f64) -> Self {
         let at = |node: usize| eye.mesh.at[node];
         let shell: std::collections::BTreeMap<[usize; 4], usize> = eye
             .quads
@@ -130,8 +132,13 @@ impl Target {
                 shell: shell.get(&sorted(corners)).copied(),
             }
         });
-        // A round holder's front is no part of the axisymmetric eye, with which this one agrees.
-        let soft = eye.rim.is_some_and(|rim| !rim.is_round());
+        // A thing that fits a round holder's opening lands on what fills it; what is wider meets
+        // nothing there, as in the axisymmetric eye: where a cup ends is an assumption.
+        let fits = eye.parameters.surround.is_none_or(|surround| {
+            let angle = PI - surround.opening;
+            radius < surround.wall.distance(angle) * libm::sin(angle)
+        });
+        let soft = fits || eye.rim.is_some_and(|rim| !rim.is_round());
         let quads: Vec<Open> = quads.filter(|quad| soft || quad.shell.is_some()).collect();
         let free = quads.iter().filter(|quad| quad.shell.is_none());
         Self {

@@ -36,7 +36,7 @@ const PIECES: usize = 4;
 const POINTS: usize = 6;
 
 /// The share of the pull on lens and iris that each level reads, the last that of finer ones too.
-const READ: [[f64; 2]; 3] = [[0.63, 0.68], [0.78, 0.80], [0.85, 0.87]];
+const READ: [[f64; 2]; 3] = [[0.63, 0.82], [0.78, 0.92], [0.85, 0.95]];
 
 /// A quad of the shell near the equator.
 #[derive(Debug, Clone, Copy)]

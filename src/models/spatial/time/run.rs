@@ -274,7 +274,13 @@ impl<'a, C: Cells> Motion<'a, C> {
     ) -> Self {
         let aim = blow.in_mesh();
         let (way, passes) = (aim.way(), aim.passes());
-        let target = Target::new(eye);
+        let target = Target::new(
+            eye,
+            match &blow.load {
+                SpatialLoad::Object(object) => object.outline.radius(),
+                SpatialLoad::Pulse(..) => 0.0,
+            },
+        );
         let rim = Rim::new(eye);
         let radius = eye.parameters.radius;
         let (mut flying, mut load) = (None, None);
