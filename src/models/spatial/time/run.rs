@@ -57,6 +57,16 @@ pub enum SpatialLoad {
     Pulse(Pulse, f64),
 }
 
+impl SpatialLoad {
+    /// Radius of the object, in m; 0 of a pulse.
+    fn radius(&self) -> f64 {
+        match self {
+            Self::Object(object) => object.outline.radius(),
+            Self::Pulse(..) => 0.0,
+        }
+    }
+}
+
 /// A blow: what acts, how it comes, and by which azimuth the eye's mesh is turned from its own up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blow {
@@ -274,13 +284,7 @@ impl<'a, C: Cells> Motion<'a, C> {
     ) -> Self {
         let aim = blow.in_mesh();
         let (way, passes) = (aim.way(), aim.passes());
-        let target = Target::new(
-            eye,
-            match &blow.load {
-                SpatialLoad::Object(object) => object.outline.radius(),
-                SpatialLoad::Pulse(..) => 0.0,
-            },
-        );
+        let target = Target::new(eye, blow.load.radius());
         let rim = Rim::new(eye);
         let radius = eye.parameters.radius;
         let (mut flying, mut load) = (None, None);
