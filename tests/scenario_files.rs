@@ -179,13 +179,15 @@ fn keep_rules(scenario: &mut Scenario) {
     if let (Impact::Projectile(_), Model::Paper) = (&scenario.impact, &scenario.model) {
         scenario.model = Model::usual_for(&scenario.impact);
     }
-    if let Model::Physiological(_) = scenario.model {
+    if let Model::Physiological(model) = &mut scenario.model {
+        model.gelatin_opening_deg = 120.0;
         scenario.eye.level = scenario.eye.level.min(5);
         scenario.numerics = NumericsInput::default();
         match &mut scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
-                shot.angle_deg *= 0.5;
+                shot.angle_deg *= 0.3;
+                scenario.eye.level = scenario.eye.level.min(3);
                 shot.mass_g *= (0.999 * MOST_ENERGY_J / shot.energy_j()).min(1.0);
                 if let Outline::Cylinder { edge_mm } = &mut shot.outline {
                     *edge_mm = 0.5 * shot.diameter_mm.min(*edge_mm);

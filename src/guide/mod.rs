@@ -41,6 +41,7 @@ topics! {
     scenarios = "scenarios",
     objects = "objects",
     model = "model",
+    sides = "sides",
     glossary = "glossary",
     accuracy = "accuracy",
     hard_cases = "hard-cases",

@@ -177,9 +177,9 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
         (None, _) => return Err(unknown(scenario, path).into()),
     }
     doubt::tidy(&mut changed, path);
-    changed.impact.by_the_clock();
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
+    changed.impact.by_the_clock();
     confirm(&mut changed, path);
     *scenario = changed;
     Ok(())
