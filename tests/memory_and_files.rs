@@ -147,8 +147,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
             "export",
             "paper-300n",
             "--level=6",
-            "--every-us=5",
-            "--set=window_ms=15",
+            "--every-us=1",
             "--frames",
         ];
         command.args(arguments).arg(&target).stderr(Stdio::piped());

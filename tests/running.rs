@@ -44,11 +44,16 @@ fn the_readmes_command_prints_every_result() {
 
 #[test]
 fn text_fits_eighty_columns() {
-    for preset in library::built_in() {
-        let output = program(&["run", &preset.name]).output().unwrap();
+    let presets = library::built_in();
+    let quick = presets.iter().map(|p| vec!["run", &p.name, "--quick"]);
+    let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name]);
+    let aside = ["--set=impact.from=Temple", "--set=impact.offset_mm=3"];
+    let aside = [&["run", "bb-62", "--quick"][..], &aside].concat();
+    for arguments in quick.chain(whole).chain([aside]) {
+        let output = program(&arguments).output().unwrap();
         assert!(output.status.success());
         for line in String::from_utf8(output.stdout).unwrap().lines() {
-            assert!(line.chars().count() <= 80, "{}: {line}", preset.name);
+            assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
         }
     }
 }

@@ -38,6 +38,8 @@ struct Moved {
 #[derive(Debug, Clone, Copy)]
 pub struct InputQuery {
     measures: Option<PerInjury<f64>>,
+    /// Whether bone was met: what it did not touch does not depend on where bone lies.
+    meets_bone: bool,
 }
 
 /// By how much log10 goes from one value to another; 0 where there is nothing to compare.
@@ -76,6 +78,9 @@ impl InputQuery {
         Self {
             measures: known
                 .then(|| std::array::from_fn(|i| measure(Injury::ALL[i]).unwrap_or(0.0))),
+            meets_bone: ["peak_rim_force_n", "globe_on_bone_n"]
+                .iter()
+                .any(|force| answer.run.detail(force) > Some(0.0)),
         }
     }
 
@@ -95,7 +100,7 @@ impl InputQuery {
         };
         let inputs: Vec<UncertainInput> = inputs(scenario)
             .into_iter()
-            .filter(UncertainInput::is_run)
+            .filter(|input| input.is_run() && (self.meets_bone || !input.is_of_bone()))
             .collect();
         let energy = Blow::of(scenario).energy;
         // What another eye computes is compared with what that eye says of the scene as it is.

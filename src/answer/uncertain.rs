@@ -257,6 +257,11 @@ impl UncertainInput {
         self.field.path != CURVES.path && !unknown
     }
 
+    /// Whether it is a length of the orbit's rim.
+    pub(crate) fn is_of_bone(&self) -> bool {
+        self.field.path.starts_with(RIM)
+    }
+
     /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
     /// side.
     pub fn stands_at_an_end(&self) -> bool {
@@ -329,6 +334,8 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
         .collect()
 }
 
+/// Where the paths of the rim's lengths begin.
+const RIM: &str = "model.rim.";
 const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Surg 2011;13:51)";
 
 /// The rim of an orbit, where the eye is computed in it and nobody gave it lengths of their own.
@@ -342,7 +349,7 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
         return Vec::new();
     }
     let own = |field: &&'static Field| {
-        field.path.starts_with("model.rim.") && !scenario.doubt.contains_key(field.path)
+        field.path.starts_with(RIM) && !scenario.doubt.contains_key(field.path)
     };
     let spread = Scenario {
         model: Model::Physiological(Physiological {

@@ -24,19 +24,21 @@ pub enum Side {
 impl Side {
     /// The azimuth about the eye's axis of an hour, in rad: 0 above, pi/2 at the nose.
     pub fn azimuth(self, hour: f64) -> f64 {
-        let turn = hour * TAU / HOURS;
+        self.turn(hour * TAU / HOURS)
+    }
+
+    /// How far the hand of the clock has turned at an azimuth, or the azimuth at a turn: a left
+    /// eye is the mirror image.
+    pub fn turn(self, azimuth: f64) -> f64 {
         match self {
-            Self::Right => turn,
-            Self::Left => -turn,
+            Self::Right => azimuth,
+            Self::Left => -azimuth,
         }
     }
 
     /// The hour of an azimuth, from 0.5 to below 12.5 in halves.
     pub fn hour(self, azimuth: f64) -> f64 {
-        let turn = match self {
-            Self::Right => azimuth,
-            Self::Left => -azimuth,
-        };
+        let turn = self.turn(azimuth);
         let halves = (2.0 * HOURS * turn / TAU).round().rem_euclid(2.0 * HOURS);
         if halves < 1.0 { HOURS } else { 0.5 * halves }
     }

@@ -31,7 +31,7 @@ use std::collections::BTreeMap;
 pub use crate::scenario::check::{CheckedScenario, STEEPEST_OBJECT_DEG};
 pub use crate::scenario::curve::{Curve, CurveError};
 pub use crate::scenario::direction::Side;
-pub use crate::scenario::geometry::Geometry;
+pub use crate::scenario::geometry::{FINEST_SPATIAL_LEVEL, Geometry};
 pub use crate::scenario::integrator::Integrator;
 pub use crate::scenario::physiological::{
     FASTEST_M_S, FINEST_PHYSIOLOGICAL_LEVEL, MOST_ENERGY_J, Physiological, Species, Support,

@@ -13,7 +13,7 @@ use crate::models::spatial::time::run::STEP_SHARE;
 use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
 use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};
-use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Integrator};
+use crate::scenario::{FINEST_SPATIAL_LEVEL, Integrator};
 
 /// Integrators, error estimates and mesh rules of the model.
 pub(crate) static RULES: Rules = Rules {
@@ -45,7 +45,7 @@ pub(crate) static RULES: Rules = Rules {
         attempts: 2,
     },
     mesh: MeshRules {
-        finest: FINEST_PHYSIOLOGICAL_LEVEL,
+        finest: FINEST_SPATIAL_LEVEL,
         finest_in_study: 3,
         witnesses: |level| [level, level + 1],
         fineness: |level| f64::from(level) + 1.0,
@@ -65,7 +65,7 @@ const AUTOMATIC: Automatic = Automatic {
     share: STEP_SHARE,
 };
 
-/// Read off blows in gelatin and in an orbit at levels 1 to 3.
+/// Read off eleven blows straight on at levels 1 and 2 beside the axisymmetric eye, see the guide.
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         // Accelerations over 20 us follow each wave, and each mesh has its own.
@@ -74,22 +74,21 @@ fn scatter(of: Quantity) -> MeshScatter {
         | Quantity::ForceRight
         | Quantity::ForceTop => MeshScatter::within(0.35, 0.5),
         // The wall's largest stretch wanders between quads.
-        Quantity::EquatorStretch | Quantity::ScleralStress | Quantity::ShellGrowth => {
-            MeshScatter::within(0.15, 0.4)
-        }
-        Quantity::BackStretch => MeshScatter::within(0.2, 0.5),
-        Quantity::EdgeGrowth | Quantity::CornealEnergy | Quantity::MeridianGrowth => {
-            MeshScatter::within(0.12, 0.4)
-        }
+        Quantity::EquatorStretch => MeshScatter::within(0.07, 0.4),
+        Quantity::ScleralStress | Quantity::ShellGrowth => MeshScatter::within(0.1, 0.4),
+        Quantity::BackStretch => MeshScatter::within(0.15, 0.5),
+        Quantity::EdgeGrowth => MeshScatter::within(0.06, 0.4),
+        Quantity::MeridianGrowth => MeshScatter::within(0.1, 0.4),
+        Quantity::CornealEnergy => MeshScatter::within(0.2, 0.5),
         Quantity::LensPull => MeshScatter {
-            least: 0.3,
-            ..MeshScatter::within(1.0, 0.9)
+            least: 0.1,
+            ..MeshScatter::within(0.3, 0.6)
         },
         Quantity::IrisPull => MeshScatter {
-            least: 0.4,
-            ..MeshScatter::within(1.0, 0.9)
+            least: 0.2,
+            ..MeshScatter::within(0.4, 0.7)
         },
-        Quantity::LensWay => MeshScatter::within(0.5, 0.6),
+        Quantity::LensWay => MeshScatter::within(0.4, 0.6),
         _ => MeshScatter::within(0.06, 0.3),
     }
 }

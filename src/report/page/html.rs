@@ -15,6 +15,7 @@ use crate::report::limit;
 use crate::report::page::charts;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
+use crate::report::page::fundus;
 use crate::report::risks::{first_line, lines};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
@@ -120,6 +121,9 @@ fn blow(entry: &Entry) -> Markup {
                         div { (results(answer)) }
                     }
                     div.charts {
+                        @if let Some(sectors) = &answer.run.sectors {
+                            (fundus::figure(sectors, scenario.eye_side()))
+                        }
                         (figure("Forces", &charts::forces(answer)))
                         (figure(&capital(&motion.up), &motion))
                         (figure("Risk against what each tissue felt, and this blow on the curves",

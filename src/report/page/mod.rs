@@ -9,6 +9,7 @@
 mod charts;
 mod content;
 mod eye;
+mod fundus;
 pub(crate) mod html;
 mod markdown;
 

@@ -44,10 +44,7 @@ impl Fundus<'_> {
     /// The place of a sector of so many, counted towards the nose, that lies at this turn of the
     /// clock, and how far from its middle that is, in sectors.
     fn sector(&self, turn: f64, count: usize, shift: f64) -> (usize, f64) {
-        let turn = match self.side {
-            Side::Right => turn,
-            Side::Left => -turn,
-        };
+        let turn = self.side.turn(turn);
         let at = turn / TAU * count as f64 - shift;
         (
             (at.round().rem_euclid(count as f64)) as usize % count,
@@ -130,10 +127,7 @@ impl Fundus<'_> {
             let (style, _) = self.style(value / most);
             write(buffer, place(middle(INNER), turn), &figure(value), style);
         }
-        let nose = match self.side {
-            Side::Right => 0.25 * TAU,
-            Side::Left => 0.75 * TAU,
-        };
+        let nose = self.side.turn(0.25 * TAU);
         write(buffer, place(0.0, 0.0), "+", self.theme().text());
         write(buffer, place(0.2, nose), "o", self.theme().text());
         self.words(area, buffer);

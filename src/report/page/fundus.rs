@@ -1,0 +1,110 @@
+//! The retina as a clock face on a page, as an examiner in front of the patient sees it: its front
+//! edge by the hour around its back by quadrants, with the strain of each in percent.
+
+use crate::run::sectors::{HOURS, QUADRANTS, Sectors};
+use crate::scenario::Side;
+use maud::{Markup, html};
+use std::f64::consts::TAU;
+
+/// Radii of the rings, in units of the picture, and its half width.
+const OUTER: (f64, f64) = (92.0, 140.0);
+const INNER: (f64, f64) = (38.0, 84.0);
+const HALF: f64 = 170.0;
+/// Where the hours stand.
+const NAMES: f64 = 156.0;
+/// Gap between two sectors, in rad.
+const GAP: f64 = 0.02;
+
+/// A sector of a ring from one turn of the clock to another.
+fn sector((inner, outer): (f64, f64), (from, to): (f64, f64)) -> String {
+    let at = |radius: f64, turn: f64| {
+        let (x, y) = (radius * libm::sin(turn), -radius * libm::cos(turn));
+        format!("{x:.1} {y:.1}")
+    };
+    format!(
+        "M{} A{outer} {outer} 0 0 1 {} L{} A{inner} {inner} 0 0 0 {}Z",
+        at(outer, from),
+        at(outer, to),
+        at(inner, to),
+        at(inner, from)
+    )
+}
+
+/// From pale to dark red.
+fn colour(share: f64) -> String {
+    let mix = |from: f64, to: f64| (from + share * (to - from)).round() as u8;
+    format!(
+        "#{:02x}{:02x}{:02x}",
+        mix(245.0, 178.0),
+        mix(240.0, 34.0),
+        mix(228.0, 40.0)
+    )
+}
+
+/// The picture.
+pub fn figure(sectors: &Sectors, side: Side) -> Markup {
+    let all = sectors.edge.iter().chain(&sectors.back);
+    let most = all.copied().fold(f64::MIN_POSITIVE, f64::max);
+    let ring = |values: &[f64], ring: (f64, f64), shift: f64| {
+        let width = TAU / values.len() as f64;
+        let one = |(i, value): (usize, &f64)| {
+            let azimuth = (i as f64 + shift) * width;
+            let turn = side.turn(azimuth);
+            let share = (value / most).clamp(0.0, 1.0);
+            let path = sector(ring, (turn - 0.5 * width + GAP, turn + 0.5 * width - GAP));
+            let middle = 0.5 * (ring.0 + ring.1);
+            let (x, y) = (middle * libm::sin(turn), 5.0 - middle * libm::cos(turn));
+            let ink = if share > 0.6 { "#fff" } else { "#222" };
+            html! {
+                path d=(path) fill=(colour(share)) {}
+                text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(ink) {
+                    (format!("{:.0}", 100.0 * value))
+                }
+            }
+        };
+        values.iter().enumerate().map(one).collect::<Vec<_>>()
+    };
+    let hours = (1..=HOURS).map(|hour| {
+        let turn = TAU * hour as f64 / HOURS as f64;
+        let (x, y) = (NAMES * libm::sin(turn), 5.0 - NAMES * libm::cos(turn));
+        html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill="#777" { (hour) } }
+    });
+    let (eye, left, right) = match side {
+        Side::Right => ("right", "temple", "nose"),
+        Side::Left => ("left", "nose", "temple"),
+    };
+    debug_assert_eq!(sectors.back.len(), QUADRANTS);
+    html! {
+        figure {
+            figcaption {
+                "Retina of the " (eye) " eye, seen from in front: largest strain in %, outside its \
+                 front edge, inside its back; " (left) " at the left, " (right) " at the right"
+            }
+            svg viewBox=(format!("-{HALF} -{HALF} {0} {0}", 2.0 * HALF)) width="340"
+                font-size="13" text-anchor="middle" font-family="sans-serif" {
+                @for part in ring(&sectors.edge, OUTER, 0.0) { (part) }
+                @for part in ring(&sectors.back, INNER, 0.5) { (part) }
+                @for hour in hours { (hour) }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sector_has_its_figure_and_the_strongest_is_darkest() {
+        let mut sectors = Sectors::default();
+        for (i, value) in sectors.edge.iter_mut().enumerate() {
+            *value = 0.01 * (20 + i) as f64;
+        }
+        let page = figure(&sectors, Side::Left).into_string();
+        for i in 20..32 {
+            assert!(page.contains(&format!(">{i}<")), "{i}");
+        }
+        assert_eq!(page.matches("#b22228").count(), 1);
+        assert!(page.contains("left eye"));
+    }
+}
