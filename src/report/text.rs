@@ -3,7 +3,7 @@
 use crate::report::figure::{
     CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
 };
-use crate::report::format::{block, capital, paragraph, percent, significant};
+use crate::report::format::{WIDTH, block, capital, paragraph, percent, significant};
 use crate::report::{errors, limit};
 
 use crate::answer::results::Results;
@@ -105,7 +105,14 @@ fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Resu
         figure.unit,
         figure.off.to_string()
     );
-    writeln!(out, "{}", line.trim_end())
+    let line = line.trim_end();
+    match line.split_once(", ") {
+        // Where it happened may need a line of its own.
+        Some((when, place)) if line.chars().count() > WIDTH => {
+            writeln!(out, "{when},\n{:20}{place}", "")
+        }
+        _ => writeln!(out, "{line}"),
+    }
 }
 
 /// The damage index and its parts.

@@ -59,6 +59,8 @@ pub enum FlagKind {
     BoneShields,
     /// All that gives way of a projectile's surface was used up.
     SurfaceCrushed,
+    /// The object went past the globe.
+    WentPast,
     /// The eye was shortened by more than in any test.
     BeyondTests,
     /// The eye was pressed flat, which ends a run.
@@ -92,6 +94,7 @@ impl FlagKind {
             Self::ArcUnresolved => "arc_unresolved",
             Self::BoneShields => "bone_shields",
             Self::SurfaceCrushed => "surface_crushed",
+            Self::WentPast => "went_past",
             Self::BeyondTests => "beyond_tests",
             Self::EyeFlat => "eye_flat",
             Self::RimStops => "rim_stops",

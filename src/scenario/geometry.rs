@@ -114,9 +114,10 @@ impl Scenario {
             return spatial.then_some(("takes objects only", "Auto, Axisymmetric"));
         };
         match self.numerics.geometry {
-            Geometry::Half if model.support == Support::Orbit => {
-                Some(("has a mirror plane, which an orbit has not", "Auto, Full"))
-            }
+            Geometry::Half if model.support == Support::Orbit => Some((
+                "has a mirror plane, which an orbit has not",
+                "Auto, Axisymmetric, Full",
+            )),
             Geometry::Half if !projectile.has_mirror_plane() => Some((
                 "has a mirror plane, which angle_clock and offset_clock here have not",
                 "Auto, Full",

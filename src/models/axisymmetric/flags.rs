@@ -133,7 +133,22 @@ fn window(
             ),
         );
     }
-    if extremes.rebound.is_some_and(|speed| speed <= 0.0) || extremes.touching {
+    let goes_on = extremes.rebound.filter(|speed| *speed <= 0.0);
+    if let Some(speed) = goes_on
+        && simulated < end
+        && !extremes.touching
+    {
+        // The run is over all the same: it is gone.
+        raised.raise(
+            FlagKind::WentPast,
+            format!(
+                "the object went past the globe at {:.0} m/s: what it meets behind is not in the model",
+                -speed
+            ),
+        );
+        return;
+    }
+    if goes_on.is_some() || extremes.touching {
         raised.raise_at(
             end,
             FlagKind::ContactCut,

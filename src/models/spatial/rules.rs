@@ -75,10 +75,11 @@ fn scatter(of: Quantity) -> MeshScatter {
         | Quantity::ForceTop => MeshScatter::within(0.35, 0.5),
         // The wall's largest stretch wanders between quads.
         Quantity::EquatorStretch => MeshScatter::within(0.07, 0.4),
-        Quantity::ScleralStress | Quantity::ShellGrowth => MeshScatter::within(0.1, 0.4),
+        Quantity::ScleralStress | Quantity::ShellGrowth | Quantity::MeridianGrowth => {
+            MeshScatter::within(0.1, 0.4)
+        }
         Quantity::BackStretch => MeshScatter::within(0.15, 0.5),
         Quantity::EdgeGrowth => MeshScatter::within(0.06, 0.4),
-        Quantity::MeridianGrowth => MeshScatter::within(0.1, 0.4),
         Quantity::CornealEnergy => MeshScatter::within(0.2, 0.5),
         Quantity::LensPull => MeshScatter {
             least: 0.1,
