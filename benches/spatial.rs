@@ -8,8 +8,9 @@ use contrecoup::models::axisymmetric::time::run::CellLoop;
 use contrecoup::models::axisymmetric::time::until::Until;
 use contrecoup::models::paper::forces::kernel::vector_sets;
 use contrecoup::models::spatial::eye::SpatialEye;
-use contrecoup::models::spatial::{Aim, Blow, Extent, OrbitRim, STEP_SHARE, SpatialLoad, run_as};
+use contrecoup::models::spatial::{Aim, Blow, Extent, OrbitRim, STEP_SHARE, run_as};
 use contrecoup::run::kept::Keep;
+use contrecoup::scenario::Rim;
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 use std::time::Instant;
@@ -46,18 +47,14 @@ fn main() {
     );
     for (extent, rim) in [
         (Extent::Half, None),
-        (Extent::Full, Some(OrbitRim::caucasian())),
+        (Extent::Full, Some(OrbitRim::from(&Rim::CAUCASIAN))),
     ] {
         let eye = SpatialEye::new(&Parameters::default(), rim, extent, 1);
         let up = match extent {
             Extent::Half => aim.plane(),
             Extent::Full => 0.0,
         };
-        let blow = Blow {
-            load: SpatialLoad::Object(object),
-            aim,
-            up,
-        };
+        let blow = Blow { object, aim, up };
         let plain = [(CellLoop::Plain, Until::Time(SHORT))];
         let vectors = vector_sets().into_iter();
         let vectors = vectors.map(|level| (CellLoop::Vectors(level), Until::Settled(WINDOW)));

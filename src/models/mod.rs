@@ -14,7 +14,7 @@ use crate::models::paper::case::PaperCase;
 use crate::models::spatial::case::{Scene, SpatialCase};
 use crate::run::model::EyeModel;
 use crate::run::rules::Rules;
-use crate::scenario::{CheckedScenario, Model, Scenario};
+use crate::scenario::{CheckedScenario, Geometry, Impact, Model, Scenario};
 use std::sync::Arc;
 
 /// The vectors that this machine computes by, in words; `portable` says what rounds alike
@@ -32,9 +32,10 @@ pub fn rules(scenario: &Scenario) -> &'static Rules {
 
 /// The eye of a scenario and what hits it, ready to be run.
 pub(crate) fn compiled(scenario: &CheckedScenario) -> Arc<dyn EyeModel> {
-    match (&scenario.model, scenario.geometry()) {
-        (Model::Physiological(model), Some(geometry)) if geometry.is_spatial() => {
-            Arc::new(SpatialCase::new(&Scene::new(scenario, model)))
+    let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
+    match (&scenario.model, &scenario.impact) {
+        (Model::Physiological(model), Impact::Projectile(projectile)) if spatial => {
+            Arc::new(SpatialCase::new(&Scene::new(scenario, model, projectile)))
         }
         (Model::Physiological(model), _) => Arc::new(AxisymmetricCase::new(scenario, model)),
         (Model::Paper, _) => Arc::new(PaperCase::new(scenario)),

@@ -7,6 +7,7 @@ use crate::models::axisymmetric::eye::parameters::{
 };
 use crate::models::axisymmetric::forces::object::{BallSpring, Object};
 use crate::models::axisymmetric::rules::RULES;
+use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::Pulse;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
@@ -19,6 +20,9 @@ use std::f64::consts::PI;
 
 /// The longest that a run without a set time lasts, in s, with a pulse the longest after it.
 pub(crate) const LONGEST: f64 = 60e-3;
+
+/// What catches an object that is wider than the orbit.
+pub(crate) const ORBITS_RIM: &str = "the orbit's rim";
 
 /// An axisymmetric eye ready to be hit.
 #[derive(Debug, Clone)]
@@ -57,15 +61,12 @@ impl AxisymmetricCase {
         Self {
             limit: engine::step_limit(&eye, &load),
             eye,
-            window: match scenario.window_ms {
-                Some(ms) => engine::Until::Time(ms * 1e-3),
-                None => engine::Until::Settled(LONGEST + duration(&load).unwrap_or(0.0)),
-            },
+            window: Until::asked(scenario.window_ms, LONGEST + duration(&load).unwrap_or(0.0)),
             load,
             angle_deg,
             rim: match model.support {
                 Support::Gelatin => "the rim of the gelatin's cup",
-                Support::Orbit | Support::Free => "the orbit's rim",
+                Support::Orbit | Support::Free => ORBITS_RIM,
             },
         }
     }

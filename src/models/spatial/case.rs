@@ -1,22 +1,19 @@
 //! An eye in three dimensions, ready to be hit.
 
 use crate::models::axisymmetric::case::{LONGEST, object, parameters, refused};
-use crate::models::axisymmetric::eye::parameters::{Parameters, Wall};
+use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::object::Object;
 use crate::models::axisymmetric::time::run::{Scheme, Steps, Stop};
 use crate::models::axisymmetric::time::until::Until;
-use crate::models::pulse::Pulse;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::mesh::Extent;
 use crate::models::spatial::eye::orbit::OrbitRim;
 use crate::models::spatial::forces::object::Aim;
 use crate::models::spatial::rules::RULES;
-use crate::models::spatial::time::run::{Blow, SpatialLoad, step_limit};
+use crate::models::spatial::time::run::{Blow, step_limit};
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::scenario::{
-    Around, CheckedScenario, Geometry, Impact, Integrator, Physiological, Support,
-};
+use crate::scenario::{CheckedScenario, Geometry, Integrator, Physiological, Projectile, Support};
 
 /// A blow this little out of the plane through the eye's axis is in it, in m.
 const IN_PLANE: f64 = 1e-9;
@@ -29,8 +26,8 @@ pub struct Scene {
     pub parameters: Parameters,
     /// The rim of an orbit that was measured; without one what holds the globe is round.
     pub rim: Option<OrbitRim>,
-    /// What acts.
-    pub load: SpatialLoad,
+    /// What flies.
+    pub object: Object,
     /// How it comes.
     pub aim: Aim,
     /// How long it is followed.
@@ -42,53 +39,19 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// What a scenario asks for.
-    pub fn new(scenario: &CheckedScenario, model: &Physiological) -> Self {
-        let (load, aim) = match &scenario.impact {
-            Impact::Projectile(projectile) => (
-                SpatialLoad::Object(object(projectile)),
-                Aim {
-                    angle: projectile.angle_deg.to_radians(),
-                    from: model.eye_side.azimuth(projectile.angle_clock),
-                    offset: projectile.offset_mm * 1e-3,
-                    towards: model.eye_side.azimuth(projectile.offset_clock),
-                },
-            ),
-            Impact::ForcePulse(pulse) => (
-                SpatialLoad::Pulse(Pulse::new(pulse), pulse.half_width_deg.to_radians()),
-                Aim {
-                    angle: pulse.angle_deg.to_radians(),
-                    ..Aim::default()
-                },
-            ),
-        };
-        let after = match &load {
-            SpatialLoad::Pulse(pulse, _) => pulse.duration(),
-            SpatialLoad::Object(_) => 0.0,
-        };
-        let around = |around: Around| {
-            let Around {
-                above,
-                nose,
-                below,
-                temple,
-            } = around;
-            [above, nose, below, temple].map(|mm| mm * 1e-3)
-        };
+    /// What a scenario asks for, whose impact is `projectile`.
+    pub fn new(scenario: &CheckedScenario, model: &Physiological, projectile: &Projectile) -> Self {
         Self {
             parameters: parameters(model, 0.0),
-            rim: (model.support == Support::Orbit).then(|| OrbitRim {
-                depth: around(model.rim.depth_mm),
-                gap: around(model.rim.gap_mm),
-                edge: OrbitRim::EDGE,
-                stiffness: OrbitRim::STIFFNESS,
-            }),
-            load,
-            aim,
-            window: match scenario.window_ms {
-                Some(ms) => Until::Time(ms * 1e-3),
-                None => Until::Settled(LONGEST + after),
+            rim: (model.support == Support::Orbit).then(|| OrbitRim::from(&model.rim)),
+            object: object(projectile),
+            aim: Aim {
+                angle: projectile.angle_deg.to_radians(),
+                from: model.eye_side.azimuth(projectile.angle_clock),
+                offset: projectile.offset_mm * 1e-3,
+                towards: model.eye_side.azimuth(projectile.offset_clock),
             },
+            window: Until::asked(scenario.window_ms, LONGEST),
             level: scenario.eye.level,
             extent: match scenario.geometry() {
                 Some(Geometry::Half) => Extent::Half,
@@ -118,8 +81,6 @@ pub struct SpatialCase {
     pub blow: Blow,
     /// Simulated time.
     pub window: Until,
-    /// What catches an object that is too wide.
-    pub rim: &'static str,
     /// Longest stable step at rest, in s.
     pub(super) limit: f64,
     /// The rim that was measured.
@@ -140,17 +101,12 @@ impl SpatialCase {
         };
         let eye = SpatialEye::new(&scene.parameters, scene.rim, extent, scene.level);
         let blow = Blow {
-            load: scene.load.clone(),
+            object: scene.object,
             aim: scene.aim,
             up,
         };
-        let wall = scene.parameters.surround.map(|surround| surround.wall);
         Self {
             limit: step_limit(&eye, &blow),
-            rim: match wall {
-                Some(Wall::Sphere(_)) => "the rim of the gelatin's cup",
-                _ => "the orbit's rim",
-            },
             measured: scene.rim,
             eye,
             blow,
@@ -193,22 +149,6 @@ impl SpatialCase {
             let [a, b, ..] = quad.corners.map(|node| self.eye.mesh.at[node]);
             (b - a).norm()
         });
-        refused(stop, self.object(), (self.eye.level, apart))
-    }
-
-    /// The object, if one flies.
-    pub fn object(&self) -> Option<&Object> {
-        match &self.blow.load {
-            SpatialLoad::Object(object) => Some(object),
-            SpatialLoad::Pulse(..) => None,
-        }
-    }
-
-    /// Duration of a pulse, in s.
-    pub fn pulse(&self) -> Option<f64> {
-        match &self.blow.load {
-            SpatialLoad::Pulse(pulse, _) => Some(pulse.duration()),
-            SpatialLoad::Object(_) => None,
-        }
+        refused(stop, Some(&self.blow.object), (self.eye.level, apart))
     }
 }

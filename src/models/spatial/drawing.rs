@@ -2,20 +2,17 @@
 
 use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::spatial::case::SpatialCase;
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::forces::object::Aim;
 use crate::models::spatial::recording::section::Section;
-use crate::models::spatial::time::run::SpatialLoad;
 use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
-use nalgebra::{Point2, Vector2, Vector3};
-use std::collections::{BTreeMap, BTreeSet};
+use nalgebra::{Point2, Vector2};
+use std::collections::BTreeMap;
 
 /// The drawing of a case.
 pub(crate) fn of(case: &SpatialCase) -> Drawing {
     let section = Section::new(&case.eye, &case.blow);
-    let aim = case.blow.in_mesh();
-    let shown = section.shown(aim.way());
+    let outline = case.blow.object.outline;
+    let shown = section.shown(case.blow.in_mesh().way());
     let along = Vector2::new(shown.x, shown.y);
     let lines = lines(&section);
     let nodes = section
@@ -36,10 +33,6 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
         (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
     });
     let cells = section.cells.iter().enumerate();
-    let pulse = match &case.blow.load {
-        SpatialLoad::Pulse(pulse, half_width) => Some((pulse.duration(), *half_width)),
-        SpatialLoad::Object(_) => None,
-    };
     Drawing {
         cells: cells
             .map(|(of, (corners, _))| DrawnCell {
@@ -48,15 +41,13 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
             })
             .collect(),
         monitors: section.monitors,
-        loaded: pulse.map_or(Vec::new(), |(_, half_width)| {
-            loaded(&section, &case.eye, aim, half_width)
-        }),
-        loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
+        loaded: Vec::new(),
+        loaded_until: 0.0,
         reach,
         along: None,
-        object: case.object().map(|object| DrawnObject {
-            radius: object.outline.radius(),
-            edge: match object.outline {
+        object: Some(DrawnObject {
+            radius: outline.radius(),
+            edge: match outline {
                 ObjectOutline::Sphere(_) => None,
                 ObjectOutline::Cylinder(_, edge) => Some(edge),
             },
@@ -98,22 +89,4 @@ fn lines(section: &Section) -> Vec<Line> {
     }
     let line = |(ends, region)| Line { ends, region };
     parts.into_iter().map(line).collect()
-}
-
-/// Pieces of the shell within an angle of where a pulse enters.
-fn loaded(section: &Section, eye: &SpatialEye, aim: Aim, half_width: f64) -> Vec<(usize, usize)> {
-    let nodes = std::array::from_fn(|k| eye.mesh.at.iter().map(|p| p[k]).collect());
-    let way = aim.way();
-    let under = |of: usize| {
-        let at: Vector3<f64> = section.points[of].point.of(&nodes);
-        libm::atan2(at.cross(&way).norm(), -at.dot(&way)) <= half_width
-    };
-    let pieces = section.shell.iter().flat_map(|half| half.windows(2));
-    let mut seen = BTreeSet::new();
-    pieces
-        .map(|ends| (ends[0], ends[1]))
-        .filter(|(a, b)| under(*a) || under(*b))
-        .map(|(a, b)| (if under(a) { a } else { b }, if under(b) { b } else { a }))
-        .filter(|ends| seen.insert(*ends))
-        .collect()
 }

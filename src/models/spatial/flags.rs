@@ -1,5 +1,6 @@
 //! What a reader must know before trusting a result of the eye in three dimensions.
 
+use crate::models::axisymmetric::case::ORBITS_RIM;
 use crate::models::axisymmetric::flags::{Asked, of_blow};
 use crate::models::spatial::case::SpatialCase;
 use crate::models::spatial::recording::results::Extremes;
@@ -21,8 +22,9 @@ pub(crate) fn raise(
     let mut raised = Raised::default();
     let asked = Asked {
         window: case.window,
-        pulse: case.pulse(),
-        rim: case.rim,
+        pulse: None,
+        // What holds gelatin stops nothing here.
+        rim: ORBITS_RIM,
     };
     of_blow(&asked, &extremes.common, (readings, simulated), &mut raised);
     let spent = extremes.energy_at_bone;

@@ -20,6 +20,7 @@ use crate::models::spatial::forces::rim::Rim;
 use crate::models::spatial::forces::rows::CellRows;
 use crate::models::spatial::forces::shell::Shell;
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
+use crate::scenario;
 use fearless_simd::Level;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
@@ -302,7 +303,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
 #[test]
 fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let parameters = Parameters::default();
-    let rim = Some(OrbitRim::caucasian());
+    let rim = Some(OrbitRim::from(&scenario::Rim::CAUCASIAN));
     let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
     let rim = Rim::new(&eye).unwrap();
     for outline in [

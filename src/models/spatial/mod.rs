@@ -35,5 +35,5 @@ pub use crate::models::spatial::eye::orbit::OrbitRim;
 pub use crate::models::spatial::forces::object::Aim;
 pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
 pub use crate::models::spatial::time::run::{
-    Blow, STEP_SHARE, SpatialLoad, run, run_as, run_through, step_limit,
+    Blow, STEP_SHARE, run, run_as, run_through, step_limit,
 };

@@ -11,11 +11,12 @@ use crate::models::spatial::eye::mesh::Extent;
 use crate::models::spatial::eye::orbit::OrbitRim;
 use crate::models::spatial::forces::object::Aim;
 use crate::models::spatial::recording::results::EngineRun;
-use crate::models::spatial::time::run::{Blow, STEP_SHARE, SpatialLoad, run, run_as};
+use crate::models::spatial::time::run::{Blow, STEP_SHARE, run, run_as};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::model::EyeModel;
 use crate::run::quantity::Quantity;
 use crate::run::watch::unwatched;
+use crate::scenario::Rim;
 use nalgebra::Vector3;
 
 const BB: Object = Object {
@@ -48,11 +49,7 @@ fn hit(eye: &SpatialEye, object: Object, aim: Aim, ms: f64) -> EngineRun {
         Extent::Half => aim.plane(),
         Extent::Full => 0.0,
     };
-    let blow = Blow {
-        load: SpatialLoad::Object(object),
-        aim,
-        up,
-    };
+    let blow = Blow { object, aim, up };
     let keep = Keep::default();
     run(eye, &blow, ms * 1e-3, STEP_SHARE, keep, &mut unwatched).unwrap()
 }
@@ -99,7 +96,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
         assert!(near(*a, b), "{a} {b}");
     }
     let blow = Blow {
-        load: SpatialLoad::Object(BB),
+        object: BB,
         aim,
         up: 0.0,
     };
@@ -113,7 +110,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
 
 #[test]
 fn a_mirrored_orbit_and_blow_give_the_mirror_image() {
-    let rim = OrbitRim::caucasian();
+    let rim = OrbitRim::from(&Rim::CAUCASIAN);
     let mirrored = |of: [f64; 4]| [of[0], of[3], of[2], of[1]];
     let other = OrbitRim {
         depth: mirrored(rim.depth),
@@ -227,7 +224,7 @@ fn case(rim: Option<OrbitRim>, aim: Aim, window: Until) -> SpatialCase {
     SpatialCase::new(&Scene {
         parameters: parameters(Some(Surround::orbit())),
         rim,
-        load: SpatialLoad::Object(BB),
+        object: BB,
         aim,
         window,
         level: 1,
@@ -238,7 +235,7 @@ fn case(rim: Option<OrbitRim>, aim: Aim, window: Until) -> SpatialCase {
 #[test]
 fn only_what_a_scene_needs_is_computed() {
     let of = |rim, aim| case(rim, aim, Until::Time(1e-4)).eye.extent;
-    let measured = Some(OrbitRim::caucasian());
+    let measured = Some(OrbitRim::from(&Rim::CAUCASIAN));
     assert_eq!(of(None, aim(40.0, 77.0, 0.0, 0.0)), Extent::Half);
     assert_eq!(of(None, aim(40.0, 77.0, 3.0, 257.0)), Extent::Half);
     assert_eq!(of(None, aim(0.0, 0.0, 3.0, 50.0)), Extent::Half);
@@ -249,7 +246,7 @@ fn only_what_a_scene_needs_is_computed() {
 #[test]
 fn the_socket_gives_readings_places_frames_and_a_picture_that_belong_together() {
     let case = case(
-        Some(OrbitRim::caucasian()),
+        Some(OrbitRim::from(&Rim::CAUCASIAN)),
         aim(40.0, 180.0, 0.0, 0.0),
         Until::Time(0.2e-3),
     );

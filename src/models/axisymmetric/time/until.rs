@@ -32,6 +32,11 @@ impl From<f64> for Until {
 }
 
 impl Until {
+    /// As long as was asked, in ms, else until nothing can grow, but so many s at most.
+    pub fn asked(window_ms: Option<f64>, most: f64) -> Self {
+        window_ms.map_or(Self::Settled(most), |ms| Self::Time(ms * 1e-3))
+    }
+
     /// The most there is to simulate, s.
     pub fn most(self) -> f64 {
         match self {

@@ -363,6 +363,7 @@ impl SpatialEye {
 mod tests {
     use super::*;
     use crate::models::axisymmetric::eye::parameters::Surround;
+    use crate::scenario::Rim;
     use std::f64::consts::PI;
 
     #[test]
@@ -399,7 +400,7 @@ mod tests {
 
     #[test]
     fn no_corner_of_a_cell_is_near_flat() {
-        let orbit = Some(OrbitRim::caucasian());
+        let orbit = Some(OrbitRim::from(&Rim::CAUCASIAN));
         for (rim, surround) in [
             (None, None),
             (None, Some(Surround::gelatin())),
@@ -427,7 +428,7 @@ mod tests {
 
     #[test]
     fn the_rim_of_a_round_orbit_is_that_of_the_wall_and_fat_lies_behind_it_only() {
-        let rim = OrbitRim::caucasian();
+        let rim = OrbitRim::from(&Rim::CAUCASIAN);
         let eye = SpatialEye::new(&Parameters::default(), Some(rim), Extent::Full, 1);
         assert!(eye.open_quads().len() > eye.quads.len() / 4);
         let fat = eye

@@ -16,6 +16,7 @@
 //! and the nose, which shield more, and that bone breaks.
 
 use crate::models::axisymmetric::eye::parameters::Wall;
+use crate::scenario::{Around, Rim};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
@@ -39,6 +40,18 @@ pub struct OrbitRim {
     pub stiffness: f64,
 }
 
+impl From<&Rim> for OrbitRim {
+    fn from(rim: &Rim) -> Self {
+        let around = |of: Around| [of.above, of.nose, of.below, of.temple].map(|mm| mm * 1e-3);
+        Self {
+            depth: around(rim.depth_mm),
+            gap: around(rim.gap_mm),
+            edge: Self::EDGE,
+            stiffness: Self::STIFFNESS,
+        }
+    }
+}
+
 impl OrbitRim {
     /// Rounding of the edge of bone, in m: an assumption. From 3 to 8 mm pressures change by
     /// 2 to 5 %.
@@ -47,26 +60,6 @@ impl OrbitRim {
     /// millimetres into it, and a stiffness ten times as large takes 10 to 34 % of the pressure;
     /// beyond 1e9 hardly anything changes.
     pub const STIFFNESS: f64 = 1e9;
-
-    /// The mean of 15 orbits.
-    pub fn caucasian() -> Self {
-        Self {
-            depth: [4.6e-3, 5.9e-3, 12.6e-3, 20.6e-3],
-            gap: [3.7e-3, 7.6e-3, 6.6e-3, 4.6e-3],
-            edge: Self::EDGE,
-            stiffness: Self::STIFFNESS,
-        }
-    }
-
-    /// The mean of 12 orbits of the same source.
-    pub fn east_asian() -> Self {
-        Self {
-            depth: [5.0e-3, 6.8e-3, 11.1e-3, 17.5e-3],
-            gap: [2.1e-3, 8.2e-3, 6.5e-3, 4.5e-3],
-            edge: Self::EDGE,
-            stiffness: Self::STIFFNESS,
-        }
-    }
 
     /// A round rim through (x, r), in m, around a globe of `radius` m.
     pub fn round((x, r): (f64, f64), radius: f64) -> Self {
@@ -247,7 +240,8 @@ mod tests {
 
     #[test]
     fn the_rim_goes_through_what_was_measured_and_has_no_extremes_between() {
-        for rim in [OrbitRim::caucasian(), OrbitRim::east_asian()] {
+        for rim in [Rim::CAUCASIAN, Rim::EAST_ASIAN] {
+            let rim = OrbitRim::from(&rim);
             for (i, (depth, gap)) in rim.depth.into_iter().zip(rim.gap).enumerate() {
                 let (x, r) = rim.at(i as f64 * FRAC_PI_2, 12e-3);
                 assert!((x + 12e-3 - depth).abs() < 1e-12 && (r - 12e-3 - gap).abs() < 1e-12);
@@ -265,7 +259,7 @@ mod tests {
 
     #[test]
     fn the_wall_starts_at_the_rim_and_the_shares_of_its_edge_add_up() {
-        let rim = OrbitRim::caucasian();
+        let rim = OrbitRim::from(&Rim::CAUCASIAN);
         let orbit = Orbit {
             rim,
             wall: crate::models::axisymmetric::eye::parameters::Surround::orbit().wall,

@@ -309,34 +309,6 @@ impl Target {
         projectile.force[0] -= touch.force;
         touch
     }
-
-    /// Share of a pulse that each node takes: the area at rest within `half_width` rad of where
-    /// the way of the blow enters, a uniform traction along it. They add up to 1, or to a half of
-    /// what is mirrored.
-    pub fn pulse(eye: &SpatialEye, way: Vector3<f64>, half_width: f64) -> Vec<(usize, f64)> {
-        /// Pieces along each side of a quad, each loaded or not.
-        const PIECES: usize = 24;
-        let mut shares = vec![0.0; eye.mass.len()];
-        for quad in &eye.quads {
-            let p = quad.corners.map(|node| eye.mesh.at[node]);
-            let piece = crate::models::spatial::eye::area(&p) / (PIECES * PIECES) as f64;
-            for i in 0..PIECES * PIECES {
-                let s = ((i % PIECES) as f64 + 0.5) / PIECES as f64;
-                let t = ((i / PIECES) as f64 + 0.5) / PIECES as f64;
-                let at = upon(&p, s, t);
-                let apart = libm::atan2(at.cross(&way).norm(), -at.dot(&way));
-                if apart < half_width {
-                    let own = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-                    for (node, share) in quad.corners.into_iter().zip(own) {
-                        shares[node] += share * piece;
-                    }
-                }
-            }
-        }
-        let total: f64 = eye.copies() * shares.iter().sum::<f64>();
-        let share = |(node, share): (usize, f64)| (share > 0.0).then(|| (node, share / total));
-        shares.into_iter().enumerate().filter_map(share).collect()
-    }
 }
 
 fn sorted(mut of: [usize; 4]) -> [usize; 4] {

@@ -7,7 +7,6 @@
 use crate::models::axisymmetric::recording::record::NODE_MASS;
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::forces::object::MovingObject;
 use crate::models::spatial::forces::state::Cells;
 use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::{Blow, Motion};
@@ -83,7 +82,7 @@ impl<C: Cells> Motion<'_, C> {
             NODE_MASS * (speed - earlier).norm() / SMOOTHING_S
         });
         let pressures = self.cells.pressures();
-        let moving = self.flying.as_ref().map(|flying| &flying.moving);
+        let moving = &self.flying.moving;
         Frame {
             time: due,
             positions: points
@@ -95,8 +94,8 @@ impl<C: Cells> Motion<'_, C> {
                 .iter()
                 .map(|(_, cell)| pressures[*cell])
                 .collect(),
-            projectile: moving.map(|moving| position(moving.middle(), moving.velocity())),
-            squeezed: moving.map_or(0.0, MovingObject::squeezed),
+            projectile: Some(position(moving.middle(), moving.velocity())),
+            squeezed: moving.squeezed(),
             pressure: Some(self.filters[0].now),
         }
     }

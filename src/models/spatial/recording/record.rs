@@ -43,12 +43,10 @@ impl<C: Cells> Motion<'_, C> {
                 self.extremes.stress_at = self.eye.quads[i].seen;
             }
         }
-        if let Some(touch) = &now.touch {
-            let radius = (touch.area / PI).sqrt();
-            e.contact_radius = e.contact_radius.max(radius);
-            if touch.used_up >= 1.0 {
-                e.crushed_at.get_or_insert(time);
-            }
+        let radius = (now.touch.area / PI).sqrt();
+        e.contact_radius = e.contact_radius.max(radius);
+        if now.touch.used_up >= 1.0 {
+            e.crushed_at.get_or_insert(time);
         }
         if let Some(push) = &now.push {
             e.rim_force.offer(push.force.norm(), time);
@@ -56,19 +54,12 @@ impl<C: Cells> Motion<'_, C> {
                 e.crushed_at.get_or_insert(time);
             }
         }
-        if let Some(flying) = &self.flying {
-            let moving = &flying.moving;
-            let kept = moving.kinetic(0.0) + moving.stored() + self.energy.lost_in_object;
-            let between = now.touch.map_or(0.0, |touch| touch.energy);
-            let at_bone = now.push.map_or(0.0, |push| push.energy);
-            let given = self.energy_before - kept - between - at_bone;
-            e.energy_given.offer(given, time);
-            let along = moving.at[0].dot(&self.way) - flying.at_touch;
-            e.intrusion.offer(along, time);
-        }
-        if self.load.is_some() {
-            e.energy_given.offer(self.energy.work, time);
-        }
+        let moving = &self.flying.moving;
+        let kept = moving.kinetic(0.0) + moving.stored() + self.energy.lost_in_object;
+        let at_bone = now.push.map_or(0.0, |push| push.energy);
+        let given = self.energy_before - kept - now.touch.energy - at_bone;
+        e.energy_given.offer(given, time);
+        e.intrusion.offer(self.flying.intrusion(&self.way), time);
         let volume = now.sums.volume / self.globe_volume;
         e.least_volume = e.least_volume.min(volume);
         e.most_volume = e.most_volume.max(volume);
@@ -145,8 +136,7 @@ impl<C: Cells> Motion<'_, C> {
         let (state, copies) = (&self.state, self.eye.copies());
         let stored = self.balance.energy(state) + now.shell;
         self.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
-        self.energy.contact =
-            now.touch.map_or(0.0, |t| t.energy) + now.push.map_or(0.0, |p| p.energy);
+        self.energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
         self.energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
@@ -156,12 +146,12 @@ impl<C: Cells> Motion<'_, C> {
             0.5 * self.eye.mass[node] * (of(0) + of(1) + of(2))
         };
         self.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
-        let (mut object, mut given) = (0.0, self.energy.work);
-        if let Some(flying) = &self.flying {
-            object = flying.moving.kinetic(kick) + flying.moving.stored();
-            given = self.energy_before - object - self.energy.lost_in_object - self.energy.contact;
-        }
-        self.energy.object = object;
+        let moving = &self.flying.moving;
+        self.energy.object = moving.kinetic(kick) + moving.stored();
+        let given = self.energy_before
+            - self.energy.object
+            - self.energy.lost_in_object
+            - self.energy.contact;
         self.extremes.common.energy_imparted = given;
     }
 
@@ -196,14 +186,11 @@ impl<C: Cells> Motion<'_, C> {
         }
         t.shortening.push(shape.shortening);
         t.lens.push(shape.lens);
-        if let Some(flying) = &self.flying {
-            let moving = &flying.moving;
-            t.contact_force.push(self.force_mean.now);
-            t.intrusion
-                .push(moving.at[0].dot(&self.way) - flying.at_touch);
-            t.projectile.push(moving.middle().dot(&self.way));
-            t.projectile_velocity.push(moving.velocity().dot(&self.way));
-        }
+        let moving = &self.flying.moving;
+        t.contact_force.push(self.force_mean.now);
+        t.intrusion.push(self.flying.intrusion(&self.way));
+        t.projectile.push(moving.middle().dot(&self.way));
+        t.projectile_velocity.push(moving.velocity().dot(&self.way));
     }
 }
 

@@ -4,8 +4,8 @@
 //! h(n), with steps that follow the bounds and grow by 5 % at most. The bound is the least of those
 //! of cells and their corners, of the shell, of contact, of bone and of the object's spring.
 //!
-//! A run without a set time ends when the object is on its way from the eye, or its pulse is over,
-//! and nothing that is read has grown for a whole swing of the eye.
+//! A run without a set time ends when the object is on its way from the eye and nothing that is
+//! read has grown for a whole swing of the eye.
 
 use crate::models::axisymmetric::forces::object::Object;
 use crate::models::axisymmetric::readings;
@@ -18,7 +18,6 @@ use crate::models::axisymmetric::time::run::{
     slowest_swing,
 };
 use crate::models::axisymmetric::time::until::Until;
-use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::forces::bone::{Bone, Held};
 use crate::models::spatial::forces::contact::{Target, Touch, depth};
@@ -47,31 +46,11 @@ pub const STEP_SHARE: f64 = 0.75;
 /// Steps between two looks at whether the object is inside of the eye.
 const LOOK_EVERY: usize = 16;
 
-/// What acts on the eye.
-#[derive(Debug, Clone, PartialEq)]
-pub enum SpatialLoad {
-    /// It touches the globe or bone at the start.
-    Object(Object),
-    /// A force against time, as a uniform traction along the way of the blow on the area within an
-    /// angle (rad) of where that enters.
-    Pulse(Pulse, f64),
-}
-
-impl SpatialLoad {
-    /// Radius of the object, in m; 0 of a pulse.
-    fn radius(&self) -> f64 {
-        match self {
-            Self::Object(object) => object.outline.radius(),
-            Self::Pulse(..) => 0.0,
-        }
-    }
-}
-
-/// A blow: what acts, how it comes, and by which azimuth the eye's mesh is turned from its own up.
+/// A blow: what flies, how it comes, and by which azimuth the eye's mesh is turned from its own up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blow {
-    /// What acts.
-    pub load: SpatialLoad,
+    /// What flies. It touches the globe or bone at the start.
+    pub object: Object,
     /// How it comes, in the eye's own axes.
     pub aim: Aim,
     /// Azimuth of the eye that is up in its mesh, rad: of half an eye that of the plane of the blow.
@@ -95,7 +74,7 @@ pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
         Keep::default(),
         Until::Time(1.0),
     );
-    motion.forces(0.0).limit
+    motion.forces().limit
 }
 
 /// Hits `eye` and follows it for `window` with such `steps`.
@@ -176,23 +155,6 @@ pub fn run_through(
         .map(|_| ())
 }
 
-/// The load of a pulse on nodes.
-pub(crate) struct Load {
-    pulse: Pulse,
-    segments: Vec<Segment>,
-    shares: Vec<(usize, f64)>,
-}
-
-impl Load {
-    fn force(&self, time: f64) -> f64 {
-        let now = self
-            .segments
-            .iter()
-            .find(|s| time >= s.start && time <= s.end);
-        now.map_or(0.0, |s| self.pulse.force(s.piece, time))
-    }
-}
-
 /// What flies at the eye.
 pub(crate) struct Flying {
     pub object: Object,
@@ -200,6 +162,13 @@ pub(crate) struct Flying {
     /// Where its middle or face is as it touches the globe, along its way from where its line comes
     /// nearest to the middle of the globe, m.
     pub at_touch: f64,
+}
+
+impl Flying {
+    /// How far it has come along its `way` since it touched the globe, m.
+    pub fn intrusion(&self, way: &Vector3<f64>) -> f64 {
+        self.moving.at[0].dot(way) - self.at_touch
+    }
 }
 
 pub(crate) struct Motion<'a, C> {
@@ -212,8 +181,7 @@ pub(crate) struct Motion<'a, C> {
     pub target: Target,
     pub rim: Option<Rim>,
     pub bone: Option<Bone>,
-    pub flying: Option<Flying>,
-    pub load: Option<Load>,
+    pub flying: Flying,
     /// The way of the blow, in the axes of the mesh.
     pub way: Vector3<f64>,
     pub up: f64,
@@ -258,7 +226,7 @@ pub(crate) struct Instant {
     pub sums: CellSums,
     /// Stored in the shell, J.
     pub shell: f64,
-    pub touch: Option<Touch>,
+    pub touch: Touch,
     pub push: Option<Push>,
     pub held: Option<Held>,
     /// Along the blow on the eye, N.
@@ -284,49 +252,34 @@ impl<'a, C: Cells> Motion<'a, C> {
     ) -> Self {
         let aim = blow.in_mesh();
         let (way, passes) = (aim.way(), aim.passes());
-        let target = Target::new(eye, blow.load.radius());
+        let object = &blow.object;
+        let target = Target::new(eye, object.outline.radius());
         let rim = Rim::new(eye);
         let radius = eye.parameters.radius;
-        let (mut flying, mut load) = (None, None);
-        match &blow.load {
-            SpatialLoad::Object(object) => {
-                let line = (way, passes);
-                let globe = touches(object.outline, line, Vector3::zeros(), radius);
-                let bone = rim
-                    .as_ref()
-                    .and_then(|rim| rim.first_touch(object.outline, line));
-                let ahead = target.first_touch(object.outline, line);
-                let start = [globe, bone, ahead].into_iter().flatten().reduce(f64::min);
-                let start = start.unwrap_or(-radius - object.reach());
-                flying = Some(Flying {
-                    object: *object,
-                    moving: MovingObject::new(object, way, passes + way * start),
-                    at_touch: globe.unwrap_or(start),
-                });
-            }
-            SpatialLoad::Pulse(pulse, half_width) => {
-                load = Some(Load {
-                    segments: pulse.segments(window.most()),
-                    pulse: pulse.clone(),
-                    shares: Target::pulse(eye, way, *half_width),
-                });
-            }
-        }
-        let mut extremes = Extremes {
+        let line = (way, passes);
+        let globe = touches(object.outline, line, Vector3::zeros(), radius);
+        let bone = rim
+            .as_ref()
+            .and_then(|rim| rim.first_touch(object.outline, line));
+        let ahead = target.first_touch(object.outline, line);
+        let start = [globe, bone, ahead].into_iter().flatten().reduce(f64::min);
+        let start = start.unwrap_or(-radius - object.reach());
+        let flying = Flying {
+            object: *object,
+            moving: MovingObject::new(object, way, passes + way * start),
+            at_touch: globe.unwrap_or(start),
+        };
+        let extremes = Extremes {
             common: axisymmetric::Extremes::at_rest(),
             ..Extremes::default()
         };
-        if let SpatialLoad::Pulse(_, half_width) = blow.load {
-            let angle = half_width.min(0.5 * std::f64::consts::PI);
-            extremes.common.contact_radius = radius * libm::sin(angle);
-        }
         let state = NodeState::new(eye);
         let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut state.clone()).volume;
         let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
         let entry = touches(
             crate::models::axisymmetric::forces::object::ObjectOutline::Sphere(0.0),
-            (way, passes),
+            line,
             Vector3::zeros(),
             radius,
         );
@@ -353,9 +306,8 @@ impl<'a, C: Cells> Motion<'a, C> {
             up: blow.up,
             globe_volume,
             swing: slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64),
-            energy_before: flying.as_ref().map_or(0.0, |f| f.moving.kinetic(0.0)),
+            energy_before: flying.moving.kinetic(0.0),
             flying,
-            load,
             force_mean: RunningMean::over(FORCE_MEAN_S),
             back_mean: RunningMean::over(BACK_MEAN_S),
             tension_passed: vec![LowPass::default(); eye.quads.len()],
@@ -396,7 +348,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             if steps % WATCH_EVERY == 0 && watch(share).is_break() {
                 return Err(Stop::Watched);
             }
-            let now = self.forces(time);
+            let now = self.forces();
             let copies = self.eye.copies();
             self.lost += copies * now.sums.loss * 0.25 * self.kicked;
             let most = by.share * now.limit;
@@ -450,9 +402,7 @@ impl<'a, C: Cells> Motion<'a, C> {
             let kick = by.kick(before, step);
             self.account(&now, kick);
             self.state.advance(kick, step);
-            if let Some(flying) = &mut self.flying {
-                self.energy.lost_in_object += flying.moving.advance(kick, step);
-            }
+            self.energy.lost_in_object += self.flying.moving.advance(kick, step);
             time += step;
             steps += 1;
             for frame in self.take_frames(time, step) {
@@ -469,79 +419,54 @@ impl<'a, C: Cells> Motion<'a, C> {
         // that and the one at its end, which the next loss tells.
         self.lost += self.eye.copies() * now.sums.loss * 0.75 * kick;
         self.kicked = kick;
-        if let Some(touch) = &now.touch {
-            self.energy.lost_in_object += touch.loss * kick;
-            self.extremes.impulse_on_eye += touch.force * kick;
-        }
-        if let (Some(push), Some(flying)) = (&now.push, &self.flying) {
+        self.energy.lost_in_object += now.touch.loss * kick;
+        self.extremes.impulse_on_eye += now.touch.force * kick;
+        if let Some(push) = &now.push {
             self.extremes.impulse_on_bone -= push.force * kick;
-            let moving = &flying.moving;
+            let moving = &self.flying.moving;
             let after = moving.speed[0] + moving.force[0] * (0.5 * kick / moving.mass[0]);
             self.at_bone -= push.force.dot(&after) * kick;
             self.extremes.energy_at_bone = self.extremes.energy_at_bone.max(self.at_bone);
         }
-        if let Some(load) = &self.load {
-            let speed = |&(node, share): &(usize, f64)| {
-                let state = &self.state;
-                let after = |k: usize| {
-                    state.speed[k][node] + 0.5 * kick * state.force[k][node] * state.free[k][node]
-                };
-                share * Vector3::new(after(0), after(1), after(2)).dot(&self.way)
-            };
-            let speed: f64 = load.shares.iter().map(speed).sum();
-            self.energy.work += self.eye.copies() * now.force * speed * kick;
-            self.extremes.impulse_on_eye += self.way * (now.force * kick);
-        }
     }
 
     /// Forces of everything where it is now.
-    fn forces(&mut self, time: f64) -> Instant {
+    fn forces(&mut self) -> Instant {
         self.state.release();
         let sums = self.cells.forces(&mut self.state);
         let shell = self.shell.forces(&mut self.state);
+        let (object, moving) = (&self.flying.object, &mut self.flying.moving);
+        moving.inner();
+        let touch = self.target.forces(object, moving, &mut self.state);
         let mut limit = sums.limit.min(self.shell.limit);
-        let (mut force, mut touch, mut push) = (0.0, None, None);
-        if let Some(flying) = &mut self.flying {
-            let (object, moving) = (&flying.object, &mut flying.moving);
-            moving.inner();
-            limit = limit.min(moving.limit);
-            let touched = self.target.forces(object, moving, &mut self.state);
-            limit = limit.min(touched.limit);
-            force = touched.force.dot(&self.way);
-            touch = Some(touched);
-            if let Some(rim) = &self.rim {
-                let mut pushed = rim.push(object, moving);
-                if self.eye.copies() > 1.0 {
-                    moving.force[0].z = 0.0;
-                    pushed.force.z = 0.0;
-                }
-                limit = limit.min(pushed.limit);
-                push = Some(pushed);
+        limit = limit.min(moving.limit).min(touch.limit);
+        let mut push = None;
+        if let Some(rim) = &self.rim {
+            let mut pushed = rim.push(object, moving);
+            if self.eye.copies() > 1.0 {
+                moving.force[0].z = 0.0;
+                pushed.force.z = 0.0;
             }
-        }
-        if let Some(load) = &self.load {
-            force = load.force(time);
-            for &(node, share) in &load.shares {
-                self.state.push(node, self.way * (force * share));
-            }
+            limit = limit.min(pushed.limit);
+            push = Some(pushed);
         }
         let held = self.bone.as_ref().map(|bone| bone.forces(&mut self.state));
         limit = held.map_or(limit, |held| limit.min(held.limit));
         Instant {
             sums,
             shell,
+            force: touch.force.dot(&self.way),
             touch,
             push,
             held,
-            force,
             limit,
         }
     }
 
     /// Largest depth of a node of the shell in the object, below 0 where it is clear, and the speed
     /// at which that closes, m/s.
-    fn nearest(&self, flying: &Flying) -> (f64, f64) {
-        let (object, moving) = (&flying.object, &flying.moving);
+    fn nearest(&self) -> (f64, f64) {
+        let (object, moving) = (&self.flying.object, &self.flying.moving);
         let velocity = moving.velocity();
         let mut nearest = (f64::NEG_INFINITY, 0.0);
         for &(node, _) in self.shapes.shell() {
@@ -561,17 +486,8 @@ impl<'a, C: Cells> Motion<'a, C> {
         if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
             return false;
         }
-        let over = match (&self.flying, &self.load) {
-            (Some(flying), _) => {
-                let (depth, closing) = self.nearest(flying);
-                depth < -GONE && closing < 0.0
-            }
-            (_, Some(load)) => load
-                .segments
-                .iter()
-                .any(|s| s.piece == Piece::Nothing && time > s.start),
-            _ => false,
-        };
+        let (depth, closing) = self.nearest();
+        let over = depth < -GONE && closing < 0.0;
         // An eye that was let go swings back: its growth may begin only now.
         let since = if over {
             *self.over_since.get_or_insert(time)
@@ -585,9 +501,7 @@ impl<'a, C: Cells> Motion<'a, C> {
     /// Whether the middle of the object lies within the shell.
     fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
         use crate::models::axisymmetric::forces::object::ObjectOutline;
-        let Some(flying) = &self.flying else {
-            return Ok(());
-        };
+        let flying = &self.flying;
         let centre = match flying.object.outline {
             ObjectOutline::Sphere(_) => flying.moving.at[0],
             ObjectOutline::Cylinder(radius, _) => flying.moving.at[0] - self.way * radius,
@@ -629,13 +543,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             angular = Vector3::new(0.0, 0.0, 2.0 * angular.z);
         }
         let e = &mut self.extremes.common;
-        if let Some(Flying { moving, .. }) = &self.flying {
-            momentum += moving.momentum();
-            for i in 0..2 {
-                angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
-            }
-            e.rebound = Some(-moving.velocity().dot(&self.way));
+        let moving = &self.flying.moving;
+        momentum += moving.momentum();
+        for i in 0..2 {
+            angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
         }
+        e.rebound = Some(-moving.velocity().dot(&self.way));
         if self.came > 0.0 {
             e.energy_residual = self.missing / self.came;
         }
