@@ -4,7 +4,7 @@
 
 use contrecoup::models::axisymmetric::eye::parameters::Parameters;
 use contrecoup::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use contrecoup::models::axisymmetric::time::run::CellLoop;
+use contrecoup::models::axisymmetric::time::march::CellLoop;
 use contrecoup::models::axisymmetric::time::until::Until;
 use contrecoup::models::paper::forces::kernel::vector_sets;
 use contrecoup::models::spatial::eye::SpatialEye;

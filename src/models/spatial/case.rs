@@ -3,7 +3,7 @@
 use crate::models::axisymmetric::case::{LONGEST, object, parameters, refused};
 use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::object::Object;
-use crate::models::axisymmetric::time::run::{Scheme, Steps, Stop};
+use crate::models::axisymmetric::time::march::{Scheme, Steps, Stop};
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::mesh::Extent;

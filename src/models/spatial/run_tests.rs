@@ -3,7 +3,8 @@
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use crate::models::axisymmetric::time::run::{self as axisymmetric, AxisymmetricLoad, CellLoop};
+use crate::models::axisymmetric::time::march::CellLoop;
+use crate::models::axisymmetric::time::run::{self as axisymmetric, AxisymmetricLoad};
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::spatial::case::{Scene, SpatialCase};
 use crate::models::spatial::eye::SpatialEye;

@@ -12,7 +12,7 @@ pub(crate) const NODE_MASS: f64 = 75e-6;
 impl<C: Cells> Motion<'_, C> {
     /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
     /// nodes.
-    pub fn offer_readings(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
+    pub fn read(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
         let way = self.way();
         let e = &mut self.extremes;
@@ -56,15 +56,16 @@ impl<C: Cells> Motion<'_, C> {
         e.apex.offer(shape.apex, time);
         e.lens.offer(shape.lens, time);
         if let Some((object, projectile)) = &self.object {
-            let kept = projectile.kinetic(0.0) + projectile.stored() + self.energy.lost_in_object;
+            let kept =
+                projectile.kinetic(0.0) + projectile.stored() + self.account.energy.lost_in_object;
             let between = now.touch.map_or(0.0, |touch| touch.energy);
             e.energy_given
-                .offer(self.energy_before - kept - between, time);
+                .offer(self.account.energy_before - kept - between, time);
             let touched = -self.eye.parameters.radius - object.reach();
             e.intrusion.offer(projectile.x[0] - touched, time);
         }
         if self.load.is_some() {
-            e.energy_given.offer(self.energy.work, time);
+            e.energy_given.offer(self.account.energy.work, time);
         }
         let volume = now.sums.volume / self.globe_volume;
         e.least_volume = e.least_volume.min(volume);
@@ -89,39 +90,34 @@ impl<C: Cells> Motion<'_, C> {
         forces
     }
 
-    pub fn take_balance(&mut self, now: &Instant, kick: f64) {
+    pub fn balance(&mut self, now: &Instant, kick: f64) {
         let state = &self.state;
         let stored = self.balance.energy(|node| {
             let place = self.cells.place(node);
             (state.x[place], state.r[place])
         });
-        self.energy.elastic = stored + now.shell.energy;
-        self.energy.contact = now.touch.map_or(0.0, |t| t.energy);
-        self.energy.kinetic = (0..state.x.len())
+        self.account.energy.elastic = stored + now.shell.energy;
+        self.account.energy.contact = now.touch.map_or(0.0, |t| t.energy);
+        self.account.energy.kinetic = (0..state.x.len())
             .map(|i| {
                 let along = state.vx[i] * (state.vx[i] + kick * state.fx[i] * state.free_x[i]);
                 let across = state.vr[i] * (state.vr[i] + kick * state.fr[i] * state.free_r[i]);
                 0.5 * self.mass[i] * (along + across)
             })
             .sum();
-        let (mut object, mut given) = (0.0, self.energy.work);
+        let (mut object, mut given) = (0.0, self.account.energy.work);
         if let Some((_, projectile)) = &self.object {
             object = projectile.kinetic(kick) + projectile.stored();
-            given = self.energy_before - object - self.energy.lost_in_object - self.energy.contact;
+            given = self.account.energy_before
+                - object
+                - self.account.energy.lost_in_object
+                - self.account.energy.contact;
         }
-        self.energy.object = object;
+        self.account.energy.object = object;
         self.extremes.energy_imparted = given;
     }
 
-    /// Compares the energies of the last balance. How often that is done must not depend on what is
-    /// kept.
-    pub fn audit(&mut self) {
-        self.came = self.came.max(self.energy_before + self.energy.work.abs());
-        let missing = (self.energy.total() - self.energy_before).abs();
-        self.missing = self.missing.max(missing);
-    }
-
-    pub fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+    pub fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
         let shape = Shape::of(
             self.eye,
             &self.state,
@@ -129,7 +125,7 @@ impl<C: Cells> Motion<'_, C> {
             self.lens_rest,
             self.way(),
         );
-        let t = &mut self.traces;
+        let t = &mut self.account.traces;
         t.time.push(time);
         t.load.push(now.force);
         for (trace, force) in t.force.iter_mut().zip(node_force) {
@@ -139,9 +135,9 @@ impl<C: Cells> Motion<'_, C> {
         t.shell_growth
             .push(now.shell.length / self.shell.rest_length - 1.0);
         t.meridian_growth.push(shape.equator_growth);
-        t.kinetic.push(self.energy.kinetic);
-        t.elastic.push(self.energy.elastic);
-        t.dissipated.push(self.energy.lost);
+        t.kinetic.push(self.account.energy.kinetic);
+        t.elastic.push(self.account.energy.elastic);
+        t.dissipated.push(self.account.energy.lost);
         t.work.push(self.extremes.energy_imparted);
         t.pressure.push(self.filters[0].now);
         t.back_pressure.push(self.back_mean.now);

@@ -1,8 +1,4 @@
-//! Through the window: a leapfrog whose step follows the stability bounds.
-//!
-//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2)
-//! h(n). Elastic forces are central, viscous ones lag half a step. The step grows by 5 % at most.
-//! Semi-implicit Euler, for comparison, kicks by h(n) instead.
+//! The axisymmetric eye and what hits it, through the window.
 //!
 //! The bound of the step is the least of these. Of each cell, by the theorem that no frequency of
 //! the whole is above the highest of its parts (Irons and Treharne 1972): l/(sqrt(c^2 + s^2) + s),
@@ -21,38 +17,25 @@ use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
-use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::frames::FramesDue;
-use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
+use crate::models::axisymmetric::recording::results::{EngineRun, Extremes};
 use crate::models::axisymmetric::recording::sensor::{
     Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
 use crate::models::axisymmetric::recording::tissue::Tissues;
+use crate::models::axisymmetric::time::due::FramesDue;
+use crate::models::axisymmetric::time::march::{
+    Account, Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
+};
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::fold::FoldWatch;
-use crate::run::kept::{Frame, Keep, Spacing, Traces};
+use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::watch::Watch;
-use fearless_simd::Level;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 /// Share of the stability bound that steps take unless asked otherwise.
 pub const STEP_SHARE: f64 = 0.75;
-/// Most a step grows.
-pub(crate) const GROWTH: f64 = 1.05;
-/// A run may end when nothing has grown for a whole swing of the eye after its object has gone
-/// this far, in m, or its pulse is over.
-pub(crate) const GONE: f64 = 0.5e-3;
-/// An eye shortened by this share has its front on its back: what comes then is not in the model.
-pub(crate) const FLAT: f64 = 0.85;
-/// Nor is it where the stability bound of a cell has fallen to this share of that at rest: it is
-/// pressed to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
-pub(crate) const PRESSED_TO_NOTHING: f64 = 1e-3;
-/// An object is narrow if its radius is less than this share of the eye's.
-pub(crate) const NARROW: f64 = 0.25;
-/// Steps between two looks at the watch.
-pub(crate) const WATCH_EVERY: usize = 256;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,72 +46,6 @@ pub enum AxisymmetricLoad {
     /// (rad).
     Pulse(Pulse, f64),
 }
-
-/// How the cells are computed.
-#[derive(Debug, Clone, Copy)]
-pub enum CellLoop {
-    /// One by one.
-    Plain,
-    /// In rows, many at once, by the widest vectors of the machine.
-    Rows,
-    /// In rows, by these vectors.
-    Vectors(Level),
-}
-
-/// Why a run ended without a result.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stop {
-    /// The motion left the finite numbers.
-    NotFinite {
-        /// Simulated time, in s.
-        time: f64,
-        /// Number of the step.
-        step: usize,
-    },
-    /// The object's centre came to lie behind the shell, at this time in s: such a thing bursts or
-    /// flattens, or the eye does.
-    WentThrough(f64),
-    /// The watch stopped it.
-    Watched,
-}
-
-/// How long forces act on a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scheme {
-    /// Half of the step before and half of the step to come: velocity Verlet.
-    Leapfrog,
-    /// The step to come.
-    SemiImplicitEuler,
-}
-
-/// How long steps are and how they are taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Steps {
-    /// Share of the stability bound.
-    pub share: f64,
-    /// How long forces act on each.
-    pub scheme: Scheme,
-}
-
-impl From<f64> for Steps {
-    fn from(share: f64) -> Self {
-        let scheme = Scheme::Leapfrog;
-        Self { share, scheme }
-    }
-}
-
-impl Steps {
-    /// How long forces act on a step of `step` s after one of `before` s.
-    pub(crate) fn kick(&self, before: f64, step: f64) -> f64 {
-        match self.scheme {
-            Scheme::SemiImplicitEuler => step,
-            Scheme::Leapfrog => 0.5 * (before + step),
-        }
-    }
-}
-
-/// Takes frames as they come, and may stop the run.
-pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
 pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
@@ -179,13 +96,17 @@ pub fn run_as(
         ControlFlow::Continue(())
     };
     let run = match form {
-        CellLoop::Plain => Motion::new(eye, PlainCells::new(eye), blow, keep, window)
-            .run_through_window(steps, watch, take),
-        CellLoop::Rows => Motion::new(eye, CellRows::new(eye), blow, keep, window)
-            .run_through_window(steps, watch, take),
+        CellLoop::Plain => {
+            let cells = PlainCells::new(eye);
+            Motion::new(eye, cells, blow, keep, window).march(steps, watch, take)
+        }
+        CellLoop::Rows => {
+            let rows = CellRows::new(eye);
+            Motion::new(eye, rows, blow, keep, window).march(steps, watch, take)
+        }
         CellLoop::Vectors(level) => {
             let rows = CellRows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).run_through_window(steps, watch, take)
+            Motion::new(eye, rows, blow, keep, window).march(steps, watch, take)
         }
     };
     Ok(EngineRun { frames, ..run? })
@@ -209,16 +130,7 @@ pub fn run_through(
     };
     let watch = &mut |_| ControlFlow::Continue(());
     let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window.into());
-    motion
-        .run_through_window(steps.into(), watch, take)
-        .map(|_| ())
-}
-
-/// When one of the readings, or a force or pressure that some of them are means of, last grew, in
-/// s.
-fn last_growth(extremes: &Extremes) -> f64 {
-    let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
-    readings::of(extremes).last_peak().max(unfiltered)
+    motion.march(steps.into(), watch, take).map(|_| ())
 }
 
 /// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor
@@ -268,8 +180,6 @@ pub(crate) struct Motion<'a, C> {
     /// Centre of mass at rest, m.
     pub middle: f64,
     pub globe_volume: f64,
-    /// s.
-    pub swing: f64,
     pub accelerometers: Accelerometers,
     pub tissues: Tissues,
     pub force_mean: RunningMean,
@@ -281,20 +191,11 @@ pub(crate) struct Motion<'a, C> {
     pub stress: f64,
     /// Low passes of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
-    pub window: Until,
-    /// When what acts was last seen to be gone, s.
-    pub over_since: Option<f64>,
     pub contact_evaluations: usize,
-    pub keep: Keep,
-    pub energy_before: f64,
-    /// Most energy that has come in, and most that the balance was off, J.
-    pub came: f64,
-    pub missing: f64,
-    pub energy: Energy,
+    pub account: Account,
     pub extremes: Extremes,
     pub fold: FoldWatch,
-    pub traces: Traces,
-    pub frame_taker: Option<FramesDue>,
+    pub frames_due: Option<FramesDue<(f64, f64)>>,
 }
 
 /// What all parts say at some instant.
@@ -363,7 +264,6 @@ impl<'a, C: Cells> Motion<'a, C> {
             lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
             lens,
             globe_volume,
-            swing: swing(eye),
             accelerometers: Accelerometers::new(eye, |n| cells.place(n)),
             tissues: Tissues::new(eye, &state, |n| cells.place(n)),
             balance,
@@ -373,7 +273,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             cells,
             mass,
             state,
-            energy_before: object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
+            account: Account::new(
+                window,
+                swing(eye),
+                keep,
+                object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
+            ),
             object,
             load,
             force_mean: RunningMean::over(FORCE_MEAN_S),
@@ -382,113 +287,34 @@ impl<'a, C: Cells> Motion<'a, C> {
             tension_passed: vec![[LowPass::default(); 2]; eye.segments.len()],
             stress: 0.0,
             filters: [LowPass::default(); 2],
-            window,
-            over_since: None,
             contact_evaluations: 0,
-            keep,
-            came: 0.0,
-            missing: 0.0,
-            energy: Energy::default(),
             extremes,
             fold: FoldWatch::new(eye.cells.len()),
-            traces: Traces::default(),
-            frame_taker: keep.frames.map(FramesDue::new),
+            frames_due: keep.frames.map(FramesDue::new),
         }
     }
+}
 
-    fn run_through_window(
-        mut self,
-        by: Steps,
-        watch: Watch,
-        take: Take,
-    ) -> Result<EngineRun, Stop> {
-        let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
-        let (mut next_trace, mut next_balance) = (0.0, 0.0);
-        let mut trace_every = self.window.trace_every();
-        let (end, balance_every) = (self.window.most(), self.window.balance_every());
-        let mut at_rest = None;
-        loop {
-            let share = self.window.share(time, self.swing);
-            if steps % WATCH_EVERY == 0 && watch(share).is_break() {
-                return Err(Stop::Watched);
-            }
-            let now = self.forces(time);
-            let most = by.share * now.limit;
-            let before = step;
-            step = if steps == 0 {
-                most
-            } else {
-                most.min(GROWTH * before)
-            };
-            let kick = by.kick(before, step);
-            let forces = self.offer_readings(&now, time, before);
-            let settled = steps % WATCH_EVERY == 0 && self.settled(time);
-            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.sums.limit);
-            if now.sums.limit < least || self.extremes.shortening.value > FLAT {
-                self.extremes.flat_at = Some(time);
-            }
-            let last = time >= end || settled || self.extremes.flat_at.is_some();
-            let after = |every: f64| every * ((time / every).floor() + 1.0);
-            let trace = self.keep.traces && (time >= next_trace || last);
-            let balance = time >= next_balance || last;
-            if balance {
-                next_balance = after(balance_every);
-            }
-            if balance || trace {
-                self.take_balance(&now, kick);
-                if balance {
-                    self.audit();
-                }
-                if !self.energy.total().is_finite() {
-                    return Err(Stop::NotFinite { time, step: steps });
-                }
-            }
-            if trace {
-                self.take_trace(&now, time, forces);
-                if !last {
-                    self.window.thin(&mut self.traces, &mut trace_every);
-                }
-                next_trace = after(trace_every);
-            }
-            if !step.is_finite() || step <= 0.0 {
-                return Err(Stop::NotFinite { time, step: steps });
-            }
-            self.refuse_if_gone_through(time)?;
-            if last {
-                return Ok(self.finish(time, steps, settled && time < end));
-            }
-            step = step.min(end - time).max(f64::MIN_POSITIVE);
-            let kick = by.kick(before, step);
-            self.energy.lost += now.sums.loss * kick;
-            self.energy.lost_in_object += now.loss_in_object * kick;
-            if let Some(load) = &self.load {
-                let shell = self.state.shell.clone();
-                let speed: f64 = load
-                    .shares
-                    .iter()
-                    .zip(shell)
-                    .map(|(share, i)| {
-                        let after = kick * self.state.fx[i] * self.state.free_x[i];
-                        share * (self.state.vx[i] + 0.5 * after)
-                    })
-                    .sum();
-                self.energy.work += now.force * speed * kick;
-            }
-            self.cells.advance(&mut self.state, kick, step);
-            if let Some((_, projectile)) = &mut self.object {
-                self.energy.lost_in_object += projectile.advance(kick, step);
-            }
-            time += step;
-            steps += 1;
-            for frame in self.take_frames(time, step) {
-                if take(frame).is_break() {
-                    return Err(Stop::Watched);
-                }
-            }
-        }
+impl<C: Cells> Marching for Motion<'_, C> {
+    type Now = Instant;
+    type Run = EngineRun;
+
+    fn account(&self) -> &Account {
+        &self.account
     }
 
-    /// Forces of everything where it is now.
+    fn account_mut(&mut self) -> &mut Account {
+        &mut self.account
+    }
+
+    fn extremes(&self) -> &Extremes {
+        &self.extremes
+    }
+
+    fn extremes_mut(&mut self) -> &mut Extremes {
+        &mut self.extremes
+    }
+
     fn forces(&mut self, time: f64) -> Instant {
         let sums = self.cells.forces(&mut self.state);
         let at = self.state.shell.clone();
@@ -527,13 +353,19 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
-    /// of a time that was asked for.
-    fn settled(&mut self, time: f64) -> bool {
-        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
-            return false;
+    fn bounds(now: &Instant) -> Bounds {
+        Bounds {
+            all: now.limit,
+            cells: now.sums.limit,
         }
-        let over = match (&self.object, &self.load) {
+    }
+
+    fn offer_readings(&mut self, now: &Instant, (_, time): (usize, f64), step: f64) -> [f64; 4] {
+        self.read(now, time, step)
+    }
+
+    fn over(&self, time: f64) -> bool {
+        match (&self.object, &self.load) {
             (Some((object, projectile)), _) => {
                 let apex = self.state.shell.start;
                 let away = self.state.x[apex] - projectile.x[0] - object.reach();
@@ -545,21 +377,21 @@ impl<'a, C: Cells> Motion<'a, C> {
                 .iter()
                 .any(|s| s.piece == Piece::Nothing && time > s.start),
             _ => false,
-        };
-        // An eye that was let go swings back: its growth may begin only now.
-        let since = if over {
-            *self.over_since.get_or_insert(time)
-        } else {
-            self.over_since = None;
-            time
-        };
-        over && last_growth(&self.extremes).max(since) < time - self.swing
+        }
+    }
+
+    fn take_balance(&mut self, now: &Instant, kick: f64) {
+        self.balance(now, kick);
+    }
+
+    fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+        self.trace(now, time, node_force);
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
-    fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
+    fn gone_through(&self, _steps: usize, _last: bool) -> bool {
         let Some((object, projectile)) = &self.object else {
-            return Ok(());
+            return false;
         };
         let apex = self.state.x[self.state.shell.start];
         let centre = match object.outline {
@@ -568,10 +400,34 @@ impl<'a, C: Cells> Motion<'a, C> {
         };
         // What flattens the eye with no more than a point is on its way through.
         let narrow = object.outline.radius() < NARROW * self.eye.parameters.radius;
-        if centre > apex || narrow && self.extremes.flat_at.is_some() {
-            return Err(Stop::WentThrough(time));
+        centre > apex || narrow && self.extremes.flat_at.is_some()
+    }
+
+    fn advance(&mut self, now: &Instant, kick: f64, step: f64) {
+        let energy = &mut self.account.energy;
+        energy.lost += now.sums.loss * kick;
+        energy.lost_in_object += now.loss_in_object * kick;
+        if let Some(load) = &self.load {
+            let shell = self.state.shell.clone();
+            let speed: f64 = load
+                .shares
+                .iter()
+                .zip(shell)
+                .map(|(share, i)| {
+                    let after = kick * self.state.fx[i] * self.state.free_x[i];
+                    share * (self.state.vx[i] + 0.5 * after)
+                })
+                .sum();
+            energy.work += now.force * speed * kick;
         }
-        Ok(())
+        self.cells.advance(&mut self.state, kick, step);
+        if let Some((_, projectile)) = &mut self.object {
+            energy.lost_in_object += projectile.advance(kick, step);
+        }
+    }
+
+    fn take_frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
+        self.frames(time, step)
     }
 
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
@@ -582,11 +438,9 @@ impl<'a, C: Cells> Motion<'a, C> {
             .map(|(m, v)| m * v)
             .sum();
         let object = self.object.as_ref().map_or(0.0, |(_, f)| f.momentum());
-        if self.came > 0.0 {
-            self.extremes.energy_residual = self.missing / self.came;
-        }
+        self.extremes.energy_residual = self.account.residual();
         self.extremes.fold = self.fold.fold();
-        self.extremes.touching = self.energy.contact > 0.0;
+        self.extremes.touching = self.account.energy.contact > 0.0;
         self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         if self.extremes.missed() {
             // What an eye that nothing touched shows is rounding.
@@ -599,9 +453,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         EngineRun {
             extremes: self.extremes,
-            traces: self.keep.traces.then_some(self.traces),
+            traces: self.account.keep.traces.then_some(self.account.traces),
             frames: Vec::new(),
-            energy: self.energy,
+            energy: self.account.energy,
             momentum: eye + object,
             steps,
             simulated: time,

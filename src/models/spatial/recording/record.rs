@@ -16,13 +16,7 @@ const TURN_EVERY: usize = 16;
 impl<C: Cells> Motion<'_, C> {
     /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
     /// nodes.
-    pub fn offer_readings(
-        &mut self,
-        now: &Instant,
-        (steps, last): (usize, bool),
-        time: f64,
-        step: f64,
-    ) -> [f64; 4] {
+    pub fn read(&mut self, now: &Instant, (steps, time): (usize, f64), step: f64) -> [f64; 4] {
         let share = LowPass::share(step);
         let e = &mut self.extremes.common;
         e.force.offer(now.force, time);
@@ -55,9 +49,9 @@ impl<C: Cells> Motion<'_, C> {
             }
         }
         let moving = &self.flying.moving;
-        let kept = moving.kinetic(0.0) + moving.stored() + self.energy.lost_in_object;
+        let kept = moving.kinetic(0.0) + moving.stored() + self.account.energy.lost_in_object;
         let at_bone = now.push.map_or(0.0, |push| push.energy);
-        let given = self.energy_before - kept - now.touch.energy - at_bone;
+        let given = self.account.energy_before - kept - now.touch.energy - at_bone;
         e.energy_given.offer(given, time);
         e.intrusion.offer(self.flying.intrusion(&self.way), time);
         let volume = now.sums.volume / self.globe_volume;
@@ -79,7 +73,12 @@ impl<C: Cells> Motion<'_, C> {
             time,
             &mut self.extremes,
         );
-        self.offer_shape((steps, last), time);
+        if steps % SHAPE_EVERY == 0 {
+            self.read_shape(time);
+        }
+        if steps % TURN_EVERY == 0 {
+            self.read_turn(time);
+        }
         let (eye, balance, state) = (self.eye, &self.balance, &self.state);
         self.fold.record(
             time,
@@ -110,34 +109,33 @@ impl<C: Cells> Motion<'_, C> {
         forces
     }
 
-    /// The shape, now and then.
-    fn offer_shape(&mut self, (steps, last): (usize, bool), time: f64) {
-        if steps % SHAPE_EVERY == 0 || last {
-            self.shape = self.shapes.read(&self.state.at);
-            let (shape, e) = (self.shape, &mut self.extremes.common);
-            e.shortening.offer(shape.shortening, time);
-            e.equator_growth.offer(shape.width_growth, time);
-            e.shell_growth.offer(shape.shell_growth, time);
-            e.apex.offer(shape.apex, time);
-            e.lens.offer(shape.lens, time);
-        }
-        if steps % TURN_EVERY == 0 || last {
-            let (way, turn) = self.shapes.moved(&self.state.at);
-            let e = &mut self.extremes;
-            e.turn.offer(turn, time);
-            if way.norm() > e.way.value {
-                e.way.offer(way.norm(), time);
-                e.way_then = turned(way, self.up);
-            }
+    pub fn read_shape(&mut self, time: f64) {
+        self.shape = self.shapes.read(&self.state.at);
+        let (shape, e) = (self.shape, &mut self.extremes.common);
+        e.shortening.offer(shape.shortening, time);
+        e.equator_growth.offer(shape.width_growth, time);
+        e.shell_growth.offer(shape.shell_growth, time);
+        e.apex.offer(shape.apex, time);
+        e.lens.offer(shape.lens, time);
+    }
+
+    /// How the globe has moved and turned.
+    pub fn read_turn(&mut self, time: f64) {
+        let (way, turn) = self.shapes.moved(&self.state.at);
+        let e = &mut self.extremes;
+        e.turn.offer(turn, time);
+        if way.norm() > e.way.value {
+            e.way.offer(way.norm(), time);
+            e.way_then = turned(way, self.up);
         }
     }
 
-    pub fn take_balance(&mut self, now: &Instant, kick: f64) {
+    pub fn balance(&mut self, now: &Instant, kick: f64) {
         let (state, copies) = (&self.state, self.eye.copies());
         let stored = self.balance.energy(state) + now.shell;
-        self.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
-        self.energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
-        self.energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
+        self.account.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
+        self.account.energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
+        self.account.energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
                 let speed = state.speed[k][node];
@@ -145,27 +143,19 @@ impl<C: Cells> Motion<'_, C> {
             };
             0.5 * self.eye.mass[node] * (of(0) + of(1) + of(2))
         };
-        self.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
+        self.account.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
         let moving = &self.flying.moving;
-        self.energy.object = moving.kinetic(kick) + moving.stored();
-        let given = self.energy_before
-            - self.energy.object
-            - self.energy.lost_in_object
-            - self.energy.contact;
+        self.account.energy.object = moving.kinetic(kick) + moving.stored();
+        let given = self.account.energy_before
+            - self.account.energy.object
+            - self.account.energy.lost_in_object
+            - self.account.energy.contact;
         self.extremes.common.energy_imparted = given;
     }
 
-    /// Compares the energies of the last balance. How often that is done must not depend on what is
-    /// kept.
-    pub fn audit(&mut self) {
-        self.came = self.came.max(self.energy_before + self.energy.work.abs());
-        let missing = (self.energy.total() - self.energy_before).abs();
-        self.missing = self.missing.max(missing);
-    }
-
-    pub fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+    pub fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
         let shape = self.shapes.read(&self.state.at);
-        let t = &mut self.traces;
+        let t = &mut self.account.traces;
         t.time.push(time);
         t.load.push(now.force);
         for (trace, force) in t.force.iter_mut().zip(node_force) {
@@ -174,9 +164,9 @@ impl<C: Cells> Motion<'_, C> {
         t.apex.push(shape.apex);
         t.shell_growth.push(shape.shell_growth);
         t.meridian_growth.push(shape.width_growth);
-        t.kinetic.push(self.energy.kinetic);
-        t.elastic.push(self.energy.elastic);
-        t.dissipated.push(self.energy.lost);
+        t.kinetic.push(self.account.energy.kinetic);
+        t.elastic.push(self.account.energy.elastic);
+        t.dissipated.push(self.account.energy.lost);
         t.work.push(self.extremes.common.energy_imparted);
         t.pressure.push(self.filters[0].now);
         t.back_pressure.push(self.back_mean.now);

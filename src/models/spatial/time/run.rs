@@ -1,24 +1,20 @@
-//! Through the window: the leapfrog of the axisymmetric eye, in three dimensions.
+//! The eye in three dimensions and what hits it, through the window.
 //!
-//! v(n + 1/2) = v(n - 1/2) + a(x(n), v(n - 1/2)) (h(n-1) + h(n))/2, x(n + 1) = x(n) + v(n + 1/2)
-//! h(n), with steps that follow the bounds and grow by 5 % at most. The bound is the least of those
-//! of cells and their corners, of the shell, of contact, of bone and of the object's spring.
-//!
-//! A run without a set time ends when the object is on its way from the eye and nothing that is
-//! read has grown for a whole swing of the eye.
+//! The bound of the step is the least of those of cells and their corners, of the shell, of
+//! contact, of bone and of the object's spring.
 
-use crate::models::axisymmetric::forces::object::Object;
-use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::results::{self as axisymmetric, Energy};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::recording::results as axisymmetric;
 use crate::models::axisymmetric::recording::sensor::{
     BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
 };
-use crate::models::axisymmetric::time::run::{
-    CellLoop, FLAT, GONE, GROWTH, NARROW, PRESSED_TO_NOTHING, Steps, Stop, Take, WATCH_EVERY,
-    slowest_swing,
+use crate::models::axisymmetric::time::due::FramesDue;
+use crate::models::axisymmetric::time::march::{
+    Account, Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
+use crate::models::axisymmetric::time::run::slowest_swing;
 use crate::models::axisymmetric::time::until::Until;
-use crate::models::spatial::eye::SpatialEye;
+use crate::models::spatial::eye::{ShellQuad, SpatialEye};
 use crate::models::spatial::forces::bone::{Bone, Held};
 use crate::models::spatial::forces::contact::{Target, Touch, depth};
 use crate::models::spatial::forces::object::{Aim, MovingObject, touches};
@@ -27,13 +23,13 @@ use crate::models::spatial::forces::rim::{Push, Rim};
 use crate::models::spatial::forces::rows::CellRows;
 use crate::models::spatial::forces::shell::Shell;
 use crate::models::spatial::forces::state::{CellSums, Cells, NodeState, vector};
-use crate::models::spatial::recording::frames::FramesDue;
 use crate::models::spatial::recording::results::{EngineRun, Extremes};
+use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::recording::sensor::Accelerometers;
 use crate::models::spatial::recording::shape::{Shape, Shapes};
 use crate::models::spatial::recording::tissue::Tissues;
 use crate::run::fold::FoldWatch;
-use crate::run::kept::{Keep, Spacing, Traces};
+use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::watch::Watch;
 use fearless_simd::Level;
 use nalgebra::Vector3;
@@ -74,7 +70,7 @@ pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
         Keep::default(),
         Until::Time(1.0),
     );
-    motion.forces().limit
+    motion.forces(0.0).limit
 }
 
 /// Hits `eye` and follows it for `window` with such `steps`.
@@ -115,18 +111,15 @@ pub fn run_as(
     let run = match form {
         CellLoop::Plain => {
             let cells = PlainCells::new(eye);
-            Motion::new(eye, cells, Level::new(), blow, keep, window)
-                .run_through_window(steps, watch, take)
+            Motion::new(eye, cells, Level::new(), blow, keep, window).march(steps, watch, take)
         }
         CellLoop::Rows => {
             let cells = CellRows::new(eye);
-            Motion::new(eye, cells, Level::new(), blow, keep, window)
-                .run_through_window(steps, watch, take)
+            Motion::new(eye, cells, Level::new(), blow, keep, window).march(steps, watch, take)
         }
         CellLoop::Vectors(level) => {
             let cells = CellRows::with_level(eye, level);
-            Motion::new(eye, cells, level, blow, keep, window)
-                .run_through_window(steps, watch, take)
+            Motion::new(eye, cells, level, blow, keep, window).march(steps, watch, take)
         }
     };
     Ok(EngineRun { frames, ..run? })
@@ -151,7 +144,7 @@ pub fn run_through(
     let watch = &mut |_| ControlFlow::Continue(());
     let cells = CellRows::new(eye);
     Motion::new(eye, cells, Level::new(), blow, keep, window.into())
-        .run_through_window(steps.into(), watch, take)
+        .march(steps.into(), watch, take)
         .map(|_| ())
 }
 
@@ -188,8 +181,6 @@ pub(crate) struct Motion<'a, C> {
     pub shapes: Shapes,
     pub shape: Shape,
     pub globe_volume: f64,
-    /// s.
-    pub swing: f64,
     pub accelerometers: Accelerometers,
     pub tissues: Tissues,
     /// Quads of the shell near to where the blow enters.
@@ -202,23 +193,15 @@ pub(crate) struct Motion<'a, C> {
     pub stress: f64,
     /// Low passes of the mean pressure and of that at the back.
     pub filters: [LowPass; 2],
-    pub window: Until,
-    pub over_since: Option<f64>,
-    pub keep: Keep,
-    pub energy_before: f64,
+    pub account: Account,
     /// Work of the object on bone so far, J.
     pub at_bone: f64,
     /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
     pub lost: f64,
     pub kicked: f64,
-    /// Most energy that has come in, and most that the balance was off, J.
-    pub came: f64,
-    pub missing: f64,
-    pub energy: Energy,
     pub extremes: Extremes,
     pub fold: FoldWatch,
-    pub traces: Traces,
-    pub frame_taker: Option<FramesDue>,
+    pub frames_due: Option<(Section, FramesDue<Vector3<f64>>)>,
 }
 
 /// What all parts say at some instant.
@@ -232,13 +215,6 @@ pub(crate) struct Instant {
     /// Along the blow on the eye, N.
     pub force: f64,
     pub limit: f64,
-}
-
-/// When one of the readings, or a force or pressure that some of them are means of, last grew, in
-/// s.
-fn last_growth(extremes: &axisymmetric::Extremes) -> f64 {
-    let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
-    readings::of(extremes).last_peak().max(unfiltered)
 }
 
 impl<'a, C: Cells> Motion<'a, C> {
@@ -277,14 +253,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut state.clone()).volume;
         let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
-        let entry = touches(
-            crate::models::axisymmetric::forces::object::ObjectOutline::Sphere(0.0),
-            line,
-            Vector3::zeros(),
-            radius,
-        );
+        let entry = touches(ObjectOutline::Sphere(0.0), line, Vector3::zeros(), radius);
         let entry = entry.map_or(-way, |along| (passes + way * along).normalize());
-        let near = |quad: &crate::models::spatial::eye::ShellQuad| {
+        let near = |quad: &ShellQuad| {
             let at: Vector3<f64> = quad.corners.iter().map(|n| eye.mesh.at[*n]).sum();
             at.normalize().dot(&entry) > libm::cos(DENT_DEG.to_radians())
         };
@@ -305,121 +276,37 @@ impl<'a, C: Cells> Motion<'a, C> {
             way,
             up: blow.up,
             globe_volume,
-            swing: slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64),
-            energy_before: flying.moving.kinetic(0.0),
+            account: Account::new(
+                window,
+                slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64),
+                keep,
+                flying.moving.kinetic(0.0),
+            ),
             flying,
             force_mean: RunningMean::over(FORCE_MEAN_S),
             back_mean: RunningMean::over(BACK_MEAN_S),
             tension_passed: vec![LowPass::default(); eye.quads.len()],
             stress: 0.0,
             filters: [LowPass::default(); 2],
-            window,
-            over_since: None,
-            keep,
             at_bone: 0.0,
             lost: 0.0,
             kicked: 0.0,
-            came: 0.0,
-            missing: 0.0,
-            energy: Energy::default(),
             extremes,
             fold: FoldWatch::new(eye.cells.len()),
-            traces: Traces::default(),
-            frame_taker: keep
+            frames_due: keep
                 .frames
-                .map(|spacing| FramesDue::new(spacing, eye, blow)),
+                .map(|spacing| (Section::new(eye, blow), FramesDue::new(spacing))),
             state,
         }
     }
 
-    fn run_through_window(
-        mut self,
-        by: Steps,
-        watch: Watch,
-        take: Take,
-    ) -> Result<EngineRun, Stop> {
-        let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
-        let (mut next_trace, mut next_balance) = (0.0, 0.0);
-        let mut trace_every = self.window.trace_every();
-        let (end, balance_every) = (self.window.most(), self.window.balance_every());
-        let mut at_rest = None;
-        loop {
-            let share = self.window.share(time, self.swing);
-            if steps % WATCH_EVERY == 0 && watch(share).is_break() {
-                return Err(Stop::Watched);
-            }
-            let now = self.forces();
-            let copies = self.eye.copies();
-            self.lost += copies * now.sums.loss * 0.25 * self.kicked;
-            let most = by.share * now.limit;
-            let before = step;
-            step = if steps == 0 {
-                most
-            } else {
-                most.min(GROWTH * before)
-            };
-            let kick = by.kick(before, step);
-            let settled = steps % WATCH_EVERY == 0 && self.settled(time);
-            let ends = time >= end || settled;
-            let forces = self.offer_readings(&now, (steps, ends), time, before);
-            let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(now.sums.limit);
-            if now.sums.limit < least || self.extremes.common.shortening.value > FLAT {
-                self.extremes.common.flat_at = Some(time);
-            }
-            let last = ends || self.extremes.common.flat_at.is_some();
-            let after = |every: f64| every * ((time / every).floor() + 1.0);
-            let trace = self.keep.traces && (time >= next_trace || last);
-            let balance = time >= next_balance || last;
-            if balance {
-                next_balance = after(balance_every);
-            }
-            if balance || trace {
-                self.take_balance(&now, kick);
-                if balance {
-                    self.audit();
-                }
-                if !self.energy.total().is_finite() {
-                    return Err(Stop::NotFinite { time, step: steps });
-                }
-            }
-            if trace {
-                self.take_trace(&now, time, forces);
-                if !last {
-                    self.window.thin(&mut self.traces, &mut trace_every);
-                }
-                next_trace = after(trace_every);
-            }
-            if !step.is_finite() || step <= 0.0 {
-                return Err(Stop::NotFinite { time, step: steps });
-            }
-            if steps % LOOK_EVERY == 0 || last {
-                self.refuse_if_gone_through(time)?;
-            }
-            if last {
-                return Ok(self.finish(time, steps, settled && time < end));
-            }
-            step = step.min(end - time).max(f64::MIN_POSITIVE);
-            let kick = by.kick(before, step);
-            self.account(&now, kick);
-            self.state.advance(kick, step);
-            self.energy.lost_in_object += self.flying.moving.advance(kick, step);
-            time += step;
-            steps += 1;
-            for frame in self.take_frames(time, step) {
-                if take(frame).is_break() {
-                    return Err(Stop::Watched);
-                }
-            }
-        }
-    }
-
     /// Adds what is lost, done and pushed over a step that kicks for `kick` s.
-    fn account(&mut self, now: &Instant, kick: f64) {
+    fn add_up(&mut self, now: &Instant, kick: f64) {
         // Viscous forces follow the velocity at the beginning of a kick, and work along the mean of
         // that and the one at its end, which the next loss tells.
         self.lost += self.eye.copies() * now.sums.loss * 0.75 * kick;
         self.kicked = kick;
-        self.energy.lost_in_object += now.touch.loss * kick;
+        self.account.energy.lost_in_object += now.touch.loss * kick;
         self.extremes.impulse_on_eye += now.touch.force * kick;
         if let Some(push) = &now.push {
             self.extremes.impulse_on_bone -= push.force * kick;
@@ -430,10 +317,48 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Forces of everything where it is now.
-    fn forces(&mut self) -> Instant {
+    /// Largest depth of a node of the shell in the object, below 0 where it is clear, and the speed
+    /// at which that closes, m/s.
+    fn nearest(&self) -> (f64, f64) {
+        let (object, moving) = (&self.flying.object, &self.flying.moving);
+        let velocity = moving.velocity();
+        let mut nearest = (f64::NEG_INFINITY, 0.0);
+        for &(node, _) in self.shapes.shell() {
+            let (gap, normal) = depth(object, moving, vector(&self.state.at, node));
+            if gap > nearest.0 {
+                let speed = vector(&self.state.speed, node);
+                let own = velocity.dot(&normal).max(moving.speed[0].dot(&normal));
+                nearest = (gap, own - speed.dot(&normal).min(0.0));
+            }
+        }
+        nearest
+    }
+}
+
+impl<C: Cells> Marching for Motion<'_, C> {
+    type Now = Instant;
+    type Run = EngineRun;
+
+    fn account(&self) -> &Account {
+        &self.account
+    }
+
+    fn account_mut(&mut self) -> &mut Account {
+        &mut self.account
+    }
+
+    fn extremes(&self) -> &axisymmetric::Extremes {
+        &self.extremes.common
+    }
+
+    fn extremes_mut(&mut self) -> &mut axisymmetric::Extremes {
+        &mut self.extremes.common
+    }
+
+    fn forces(&mut self, _time: f64) -> Instant {
         self.state.release();
         let sums = self.cells.forces(&mut self.state);
+        self.lost += self.eye.copies() * sums.loss * 0.25 * self.kicked;
         let shell = self.shell.forces(&mut self.state);
         let (object, moving) = (&self.flying.object, &mut self.flying.moving);
         moving.inner();
@@ -463,44 +388,40 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
     }
 
-    /// Largest depth of a node of the shell in the object, below 0 where it is clear, and the speed
-    /// at which that closes, m/s.
-    fn nearest(&self) -> (f64, f64) {
-        let (object, moving) = (&self.flying.object, &self.flying.moving);
-        let velocity = moving.velocity();
-        let mut nearest = (f64::NEG_INFINITY, 0.0);
-        for &(node, _) in self.shapes.shell() {
-            let (gap, normal) = depth(object, moving, vector(&self.state.at, node));
-            if gap > nearest.0 {
-                let speed = vector(&self.state.speed, node);
-                let own = velocity.dot(&normal).max(moving.speed[0].dot(&normal));
-                nearest = (gap, own - speed.dot(&normal).min(0.0));
-            }
+    fn bounds(now: &Instant) -> Bounds {
+        Bounds {
+            all: now.limit,
+            cells: now.sums.limit,
         }
-        nearest
     }
 
-    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
-    /// of a time that was asked for.
-    fn settled(&mut self, time: f64) -> bool {
-        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
-            return false;
-        }
+    fn offer_readings(&mut self, now: &Instant, at: (usize, f64), step: f64) -> [f64; 4] {
+        self.read(now, at, step)
+    }
+
+    fn offer_last(&mut self, time: f64) {
+        self.read_shape(time);
+        self.read_turn(time);
+    }
+
+    fn over(&self, _time: f64) -> bool {
         let (depth, closing) = self.nearest();
-        let over = depth < -GONE && closing < 0.0;
-        // An eye that was let go swings back: its growth may begin only now.
-        let since = if over {
-            *self.over_since.get_or_insert(time)
-        } else {
-            self.over_since = None;
-            time
-        };
-        over && last_growth(&self.extremes.common).max(since) < time - self.swing
+        depth < -GONE && closing < 0.0
+    }
+
+    fn take_balance(&mut self, now: &Instant, kick: f64) {
+        self.balance(now, kick);
+    }
+
+    fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+        self.trace(now, time, node_force);
     }
 
     /// Whether the middle of the object lies within the shell.
-    fn refuse_if_gone_through(&self, time: f64) -> Result<(), Stop> {
-        use crate::models::axisymmetric::forces::object::ObjectOutline;
+    fn gone_through(&self, steps: usize, last: bool) -> bool {
+        if steps % LOOK_EVERY != 0 && !last {
+            return false;
+        }
         let flying = &self.flying;
         let centre = match flying.object.outline {
             ObjectOutline::Sphere(_) => flying.moving.at[0],
@@ -510,25 +431,31 @@ impl<'a, C: Cells> Motion<'a, C> {
         let radius = self.eye.parameters.radius;
         let narrow = flying.object.outline.radius() < NARROW * radius;
         if narrow && self.extremes.common.flat_at.is_some() {
-            return Err(Stop::WentThrough(time));
+            return true;
         }
-        let far = 1.5 * self.eye.parameters.radius;
         let middle = self.shapes.middle(&self.state.at);
-        if (centre - middle).norm() > far {
-            return Ok(());
+        if (centre - middle).norm() > 1.5 * radius {
+            return false;
         }
         // The shell closes around what lies within it, and around nothing else.
-        let seen = |quad: &crate::models::spatial::eye::ShellQuad| {
+        let seen = |quad: &ShellQuad| {
             let p = quad
                 .corners
                 .map(|node| vector(&self.state.at, node) - centre);
             solid_angle(p[0], p[1], p[2]) + solid_angle(p[0], p[2], p[3])
         };
         let around: f64 = self.eye.quads.iter().map(seen).sum();
-        if self.eye.copies() * around > TAU {
-            return Err(Stop::WentThrough(time));
-        }
-        Ok(())
+        self.eye.copies() * around > TAU
+    }
+
+    fn advance(&mut self, now: &Instant, kick: f64, step: f64) {
+        self.add_up(now, kick);
+        self.state.advance(kick, step);
+        self.account.energy.lost_in_object += self.flying.moving.advance(kick, step);
+    }
+
+    fn take_frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
+        self.frames(time, step)
     }
 
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
@@ -549,11 +476,9 @@ impl<'a, C: Cells> Motion<'a, C> {
             angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
         }
         e.rebound = Some(-moving.velocity().dot(&self.way));
-        if self.came > 0.0 {
-            e.energy_residual = self.missing / self.came;
-        }
+        e.energy_residual = self.account.residual();
         e.fold = self.fold.fold();
-        e.touching = self.energy.contact > 0.0;
+        e.touching = self.account.energy.contact > 0.0;
         if e.missed() {
             // What an eye that nothing touched shows is rounding.
             *e = axisymmetric::Extremes {
@@ -572,9 +497,9 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         EngineRun {
             extremes: self.extremes,
-            traces: self.keep.traces.then_some(self.traces),
+            traces: self.account.keep.traces.then_some(self.account.traces),
             frames: Vec::new(),
-            energy: self.energy,
+            energy: self.account.energy,
             momentum,
             angular_momentum: angular,
             steps,
