@@ -138,7 +138,7 @@ fn twenty_six_airsoft_tests_without_a_rupture_are_no_surprise() {
 fn one_run_for_each_input_tells_what_an_ensemble_draws() {
     let stop = AtomicBool::new(false);
     let (mut apart, mut all) = (Vec::new(), 0);
-    for name in ["squash-ball", "bb-56", "shuttlecock"] {
+    for name in ["squash-ball", "bb-56", "foam-dart", "shuttlecock"] {
         let scenario = preset(name, &[ROUND]).check().unwrap();
         let mut answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
         let inputs = InputQuery::of(&answer).estimate(&scenario, &stop, |_| {});

@@ -6,6 +6,7 @@
 //! Their weight falls linearly to nothing up to 16 mm, 20 degrees from straight on, and between
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
+use crate::scenario::direction::GLOBE_MM;
 use crate::scenario::{Geometry, Impact, Projectile, Scenario, Species, Surface};
 use std::f64::consts::FRAC_PI_4;
 
@@ -13,8 +14,6 @@ use std::f64::consts::FRAC_PI_4;
 const WIDTH_MM: (f64, f64) = (11.2, 16.0);
 /// The same of the angle from straight on, in degrees.
 const ANGLE_DEG: (f64, f64) = (10.0, 20.0);
-/// Radius of the globe, in mm.
-const GLOBE_MM: f64 = 12.0;
 /// Decimal logarithms of the surface's modulus in `MPa`, from as hard as those tested to unlike.
 const HARDNESS: (f64, f64) = (2.0, 1.0);
 /// Energy over area from which small hard objects were seen to go in, J/m2 (Marshall 2011: pigs'

@@ -204,7 +204,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     }
     if let Impact::Projectile(projectile) = &scenario.impact {
         let opening = model.gelatin_opening_deg;
-        let lands = projectile.lands_at_deg(GLOBE_MM);
+        let lands = projectile.lands_at_deg();
         if model.support == Support::Gelatin
             && scenario.geometry().is_some_and(Geometry::is_spatial)
             && lands.is_some_and(|lands| lands > opening - EDGE_DEG)
@@ -255,8 +255,6 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     problems
 }
 
-/// Radius of the globe, in mm.
-const GLOBE_MM: f64 = 12.0;
 /// This near to where gelatin begins, in degrees, a BB touches it.
 const EDGE_DEG: f64 = 8.0;
 /// A force at a greater angle would come from behind the equator.

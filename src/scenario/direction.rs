@@ -8,6 +8,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 /// Hours of a clock.
 pub const HOURS: f64 = 12.0;
+/// Radius of the globe, in mm.
+pub const GLOBE_MM: f64 = 12.0;
 /// The angle that a word alone stands for, in degrees.
 const USUAL_DEG: f64 = 30.0;
 
@@ -33,6 +35,14 @@ impl Side {
         match self {
             Self::Right => azimuth,
             Self::Left => -azimuth,
+        }
+    }
+
+    /// Its name, and what lies at the left and at the right of an examiner.
+    pub fn seen(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            Self::Right => ("right", "temple", "nose"),
+            Self::Left => ("left", "nose", "temple"),
         }
     }
 
@@ -104,10 +114,10 @@ impl Projectile {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
     }
 
-    /// The front angle of the place on a globe of this radius that its path enters at, in degrees;
+    /// The front angle of the place on the globe that its path enters at, in degrees;
     /// none if it goes past.
-    pub fn lands_at_deg(&self, radius_mm: f64) -> Option<f64> {
-        let inside = radius_mm * radius_mm - self.offset_mm * self.offset_mm;
+    pub fn lands_at_deg(&self) -> Option<f64> {
+        let inside = GLOBE_MM * GLOBE_MM - self.offset_mm * self.offset_mm;
         if inside < 0.0 {
             return None;
         }
@@ -124,7 +134,7 @@ impl Projectile {
             0.0
         };
         let x = back - cos * inside.sqrt();
-        Some(libm::acos((-x / radius_mm).clamp(-1.0, 1.0)).to_degrees())
+        Some(libm::acos((-x / GLOBE_MM).clamp(-1.0, 1.0)).to_degrees())
     }
 
     /// Where it comes from and what it aims at, in words; none if straight on.
@@ -243,7 +253,7 @@ mod tests {
                 offset_clock,
                 ..Projectile::default()
             };
-            object.lands_at_deg(12.0)
+            object.lands_at_deg()
         };
         let near = |a: Option<f64>, b: f64| assert!((a.unwrap() - b).abs() < 1e-9, "{a:?} {b}");
         near(at(30.0, 0.0, 12.0), 30.0);

@@ -69,10 +69,7 @@ pub fn figure(sectors: &Sectors, side: Side) -> Markup {
         let (x, y) = (NAMES * libm::sin(turn), 5.0 - NAMES * libm::cos(turn));
         html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill="#777" { (hour) } }
     });
-    let (eye, left, right) = match side {
-        Side::Right => ("right", "temple", "nose"),
-        Side::Left => ("left", "nose", "temple"),
-    };
+    let (eye, left, right) = side.seen();
     debug_assert_eq!(sectors.back.len(), QUADRANTS);
     html! {
         figure {

@@ -151,10 +151,7 @@ impl Fundus<'_> {
     /// Heading, sides and legend.
     fn words(&self, area: Rect, buffer: &mut Buffer) {
         let theme = self.theme();
-        let (eye, left, right) = match self.side {
-            Side::Right => ("right", "temple", "nose"),
-            Side::Left => ("left", "nose", "temple"),
-        };
+        let (eye, left, right) = self.side.seen();
         let hour = Sectors::strongest(&self.sectors.edge);
         let hour = self.side.hour(TAU * hour as f64 / HOURS as f64);
         let title = format!("Retina, {eye} eye, seen from in front; strain in %");
