@@ -8,8 +8,8 @@ use contrecoup::models::axisymmetric::forces::object::{
 };
 use contrecoup::models::axisymmetric::readings;
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
-use contrecoup::models::axisymmetric::time::march::{CellLoop, Scheme, Steps, Stop};
-use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, STEP_SHARE, run, run_as};
+use contrecoup::models::axisymmetric::time::march::{CellLoop, STEP_SHARE, Scheme, Steps, Stop};
+use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, run, run_as};
 use contrecoup::run::kept::{Keep, Spacing};
 use contrecoup::scenario::{FASTEST_M_S, ForcePulse, MOST_ENERGY_J};
 use std::ops::ControlFlow;

@@ -5,7 +5,8 @@ use contrecoup::models::axisymmetric::eye::mesh::Layers;
 use contrecoup::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use contrecoup::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
 use contrecoup::models::axisymmetric::recording::results::EngineRun;
-use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, STEP_SHARE, run};
+use contrecoup::models::axisymmetric::time::march::STEP_SHARE;
+use contrecoup::models::axisymmetric::time::run::{AxisymmetricLoad, run};
 use contrecoup::run::kept::Keep;
 use std::ops::ControlFlow;
 

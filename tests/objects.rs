@@ -2,7 +2,8 @@
 
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::axisymmetric::recording::results::{EngineRun, Extremes};
-use contrecoup::models::axisymmetric::time::run::{STEP_SHARE, run};
+use contrecoup::models::axisymmetric::time::march::STEP_SHARE;
+use contrecoup::models::axisymmetric::time::run::run;
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::{CheckedScenario, Impact, Model, Surface, library};
 use std::collections::BTreeMap;

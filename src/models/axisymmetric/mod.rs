@@ -25,9 +25,9 @@ pub use crate::models::axisymmetric::forces::object::{
 };
 pub use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
 pub use crate::models::axisymmetric::recording::sensor::monitored;
-pub use crate::models::axisymmetric::time::march::{CellLoop, Scheme, Steps, Stop};
+pub use crate::models::axisymmetric::time::march::{CellLoop, STEP_SHARE, Scheme, Steps, Stop};
 pub use crate::models::axisymmetric::time::run::{
-    AxisymmetricLoad, STEP_SHARE, run, run_as, run_through, step_limit,
+    AxisymmetricLoad, run, run_as, run_through, step_limit,
 };
 pub use crate::models::axisymmetric::time::until::Until;
 #[cfg(test)]

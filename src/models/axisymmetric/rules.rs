@@ -4,7 +4,7 @@
 //! follows the stability bound, so the step of a plan is that of the eye at rest. Semi-implicit
 //! Euler is there to be compared with.
 
-use crate::models::axisymmetric::time::run::STEP_SHARE;
+use crate::models::axisymmetric::time::march::STEP_SHARE;
 use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
 use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};

@@ -29,11 +29,10 @@ pub(crate) mod rules;
 mod run_tests;
 pub mod time;
 
+pub use crate::models::axisymmetric::time::march::STEP_SHARE;
 pub use crate::models::spatial::case::{Scene, SpatialCase};
 pub use crate::models::spatial::eye::mesh::Extent;
 pub use crate::models::spatial::eye::orbit::OrbitRim;
 pub use crate::models::spatial::forces::object::Aim;
 pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
-pub use crate::models::spatial::time::run::{
-    Blow, STEP_SHARE, run, run_as, run_through, step_limit,
-};
+pub use crate::models::spatial::time::run::{Blow, run, run_as, run_through, step_limit};

@@ -5,11 +5,12 @@
 //! differs is the mesh: level k has 2 k + 2 cells in half a side of its core, fewer than there, so
 //! results scatter more from level to level. Against the axisymmetric eye straight on, level 1 is
 //! within 3 % in pressure, 7 % in the stretch of the wall at the equator, 10 % at the retina's front
-//! edge, 12 % in the stress of the sclera 20 % in the stretch at the back, and up to 40 %
-//! off in what pulls on lens and iris, once the share that a mesh reads of it is put in: that comes late, in a vitreous that hardly holds it, and is not
-//! converged at level 3 either. Their mesh errors say so.
+//! edge, 12 % in the stress of the sclera, 20 % in the stretch at the back, and up to 40 % off in
+//! what pulls on lens and iris after a BB, once the share that a mesh reads of it is put in: that
+//! comes late, in a vitreous that hardly holds it, and is not converged at level 3 either. Their
+//! mesh errors say so.
 
-use crate::models::spatial::time::run::STEP_SHARE;
+use crate::models::axisymmetric::time::march::STEP_SHARE;
 use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
 use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};

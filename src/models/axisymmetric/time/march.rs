@@ -15,6 +15,9 @@ use crate::run::watch::Watch;
 use fearless_simd::Level;
 use std::ops::ControlFlow;
 
+/// Share of the stability bound that steps take unless asked otherwise. From 0.75 to 0.9 the
+/// results of objects change by less than their step errors.
+pub const STEP_SHARE: f64 = 0.9;
 /// Most a step grows.
 const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone

@@ -34,9 +34,6 @@ use crate::run::watch::Watch;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-/// Share of the stability bound that steps take unless asked otherwise.
-pub const STEP_SHARE: f64 = 0.75;
-
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisymmetricLoad {

@@ -36,9 +36,6 @@ use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// Share of the stability bound that steps take unless asked otherwise. From 0.4 to 0.9 results
-/// change by 0.1 to 0.5 %, and the balance of energy by as much.
-pub const STEP_SHARE: f64 = 0.75;
 /// Steps between two looks at whether the object is inside of the eye.
 const LOOK_EVERY: usize = 16;
 
