@@ -7,7 +7,7 @@
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
 use crate::scenario::direction::GLOBE_MM;
-use crate::scenario::{Geometry, Impact, Projectile, Scenario, Species, Surface};
+use crate::scenario::{Geometry, Impact, Model, Projectile, Scenario, Species, Support, Surface};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.
@@ -21,6 +21,9 @@ const HARDNESS: (f64, f64) = (2.0, 1.0);
 const GOES_IN: f64 = 43e3;
 /// Width of the orbit's opening, in mm.
 const ORBIT_MM: f64 = 40.0;
+/// Diameters up to which an object straight on is not changed by the shape of bone, and from which
+/// it is, in mm: a cork of 31 mm is not, a ball of 40 mm is.
+const MEETS_BONE_MM: (f64, f64) = (32.0, 40.0);
 
 /// What of a scenario its risks are read with.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -34,6 +37,8 @@ pub struct Blow {
     /// How far from straight on, 0 (10 degrees or less) to 1 (20 or more), where the places of the
     /// eye turn with the blow.
     pub aslant: f64,
+    /// How much its injuries hang on bone that is taken as a round rim, 0 to 1.
+    pub round_rim: f64,
     /// Whether such an object was seen to go into the eye.
     pub goes_in: bool,
     /// Whether it is an inflated ball wider than the orbit, which sucks as it leaves.
@@ -68,6 +73,15 @@ fn off_axis_deg(impact: &Impact) -> f64 {
     impact.angle_deg().abs() + beside.to_degrees()
 }
 
+/// Whether the orbit's rim is taken as round.
+fn in_round_orbit(scenario: &Scenario) -> bool {
+    let orbit = match &scenario.model {
+        Model::Physiological(model) => model.support == Support::Orbit,
+        Model::Paper => false,
+    };
+    orbit && scenario.geometry() == Some(Geometry::Axisymmetric)
+}
+
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
@@ -96,6 +110,11 @@ impl Blow {
             },
             wider,
             aslant,
+            round_rim: if in_round_orbit(scenario) {
+                ramp(object.diameter_mm, MEETS_BONE_MM)
+            } else {
+                0.0
+            },
             goes_in: wider == 0.0 && softness == 0.0 && energy >= GOES_IN,
             sucks: inflated && object.diameter_mm > ORBIT_MM,
         }

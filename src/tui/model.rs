@@ -15,7 +15,7 @@ use crate::tui::overlay::Overlay;
 use crate::tui::page::WritePage;
 use crate::tui::request::TaskQuestion as _;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::{Complete, Simulate};
+use crate::tui::simulation::{Complete, Simulate, first_estimate};
 use crate::tui::task::Task;
 use crate::tui::undo::History;
 use crate::tui::work::Work;
@@ -135,6 +135,11 @@ impl AppModel {
             .as_ref()
             .is_some_and(|typing| typing.error.is_some());
         let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
+        if self.shown.as_ref().is_some_and(|shown| {
+            other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
+        }) {
+            return Some("first estimate");
+        }
         if self.run.complaint.is_some() {
             return Some("last good result");
         }

@@ -7,7 +7,7 @@ use crate::answer::solve::{Answer, solve};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::{Impact, Scenario};
+use crate::scenario::{Geometry, Impact, Scenario};
 use crate::tui::idle;
 use crate::tui::request::TaskQuestion;
 use crate::tui::worker::run_watched;
@@ -31,6 +31,25 @@ impl TaskQuestion for Simulate {
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
         solve(&self.0.check()?, keep(&self.0), watch)
     }
+
+    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Answer)) -> Result<Answer, Refusal> {
+        if let Some(first) = first_estimate(&self.0) {
+            let first = Self(first).answer(&mut |_| watch(0.0));
+            if let Ok(first) = first {
+                show(first);
+            }
+        }
+        self.answer(watch)
+    }
+}
+
+/// What tells at once how a blow may end that takes the eye in three dimensions: the same at an eye
+/// and an orbit that are turned into its way. None where that eye does not take it, or is asked for.
+pub fn first_estimate(scenario: &Scenario) -> Option<Scenario> {
+    let mut first = scenario.clone();
+    first.numerics.geometry = Geometry::Axisymmetric;
+    let slow = scenario.geometry().is_some_and(Geometry::is_spatial);
+    (slow && first.check().is_ok()).then_some(first)
 }
 
 /// Asks for what the ranges of an answer do not hold yet.

@@ -26,6 +26,7 @@ use std::time::Duration;
 
 mod chosen;
 mod doubt;
+mod first_estimate;
 mod keys;
 mod map;
 mod mouse;

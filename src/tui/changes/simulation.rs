@@ -8,7 +8,7 @@ use crate::tui::ensemble::key;
 use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::{Complete, Simulate, is_alike};
+use crate::tui::simulation::{Complete, Simulate, first_estimate, is_alike};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.
 pub(crate) fn follow(model: &mut AppModel) {
@@ -33,6 +33,10 @@ pub(crate) fn start(model: &mut AppModel) {
 pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.take_report(report) {
         match outcome {
+            Some(answer) if model.run.job.is_some() => {
+                let first = first_estimate(&asked.0);
+                model.shown = first.map(|first| ShownAnswer::new(first, answer));
+            }
             Some(answer) => {
                 model.shown = Some(ShownAnswer::new(asked.0.clone(), answer));
                 follow(model);

@@ -1,0 +1,42 @@
+//! What is on show while the eye in three dimensions is computed.
+
+use crate::run::watch::unwatched;
+use crate::scenario::Geometry;
+use crate::scenario::library::find;
+use crate::scenario::set::set;
+use crate::tui::app::driven::{asked, opened};
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::request::{Report, TaskQuestion};
+use crate::tui::simulation::Simulate;
+
+#[test]
+fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_comes() {
+    let mut app = opened();
+    let mut scenario = find("bb-62").unwrap().scenario().unwrap();
+    for (field, value) in [("impact.angle_deg", "40"), ("window_ms", "0.05")] {
+        set(&mut scenario, field, value).unwrap();
+    }
+    app.model.work.scenario = scenario;
+    let effects = begin(&mut app);
+    let (ticket, question) = asked::<Simulate>(&effects).unwrap();
+    let mut parts = Vec::new();
+    let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part));
+    let first = parts.pop().unwrap();
+    assert!(parts.is_empty());
+    update(
+        &mut app,
+        Message::News(Report::so_far::<Simulate>(ticket, first)),
+    );
+    let geometry = |app: &crate::tui::app::App| {
+        let shown = app.model.shown.as_ref().unwrap();
+        shown.scenario.geometry().unwrap()
+    };
+    assert_eq!(geometry(&app), Geometry::Axisymmetric);
+    assert_eq!(app.model.stale(), Some("first estimate"));
+    update(
+        &mut app,
+        Message::News(Report::done::<Simulate>(ticket, whole)),
+    );
+    assert_eq!(geometry(&app), Geometry::Full);
+    assert_eq!(app.model.stale(), None);
+}
