@@ -97,3 +97,20 @@ fn neighbouring_angles_give_neighbouring_answers() {
         }
     }
 }
+
+#[test]
+fn what_does_not_fit_the_holder_of_the_gelatin_is_refused_by_the_eye_without_one() {
+    let changes = [("model.support", "Gelatin"), ("impact.angle_deg", "20")];
+    for (name, refused) in [
+        ("squash-ball", true),
+        ("champagne-cork", true),
+        ("paintball", false),
+    ] {
+        let problem = scene(name, &changes)
+            .check()
+            .err()
+            .map(|error| error.to_string());
+        let named = problem.is_some_and(|p| p.contains("impact.diameter_mm") && p.contains("25.7"));
+        assert_eq!(named, refused, "{name}");
+    }
+}

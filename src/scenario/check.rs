@@ -204,11 +204,24 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     }
     if let Impact::Projectile(projectile) = &scenario.impact {
         let opening = model.gelatin_opening_deg;
+        let in_holder = model.support == Support::Gelatin
+            && scenario.geometry().is_some_and(Geometry::is_spatial);
+        let fits_mm = 2.0 * HOLDER_MM * libm::sin(opening.min(90.0).to_radians());
+        if in_holder && projectile.diameter_mm > fits_mm {
+            let allowed = format!(
+                "up to {fits_mm:.1} mm, which fits the gelatin's opening, or support Orbit, or a \
+                 blow straight on at the axisymmetric eye"
+            );
+            let complaint = "would hit the holder of the gelatin, which this eye has not";
+            refuse(
+                "impact.diameter_mm",
+                &plain(projectile.diameter_mm),
+                complaint,
+                &allowed,
+            );
+        }
         let lands = projectile.lands_at_deg();
-        if model.support == Support::Gelatin
-            && scenario.geometry().is_some_and(Geometry::is_spatial)
-            && lands.is_some_and(|lands| lands > opening - EDGE_DEG)
-        {
+        if in_holder && lands.is_some_and(|lands| lands > opening - EDGE_DEG) {
             let most = plain(opening - EDGE_DEG);
             refuse(
                 "impact.angle_deg",
@@ -255,6 +268,8 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     problems
 }
 
+/// Inner radius of the holder of the gelatin, in mm.
+const HOLDER_MM: f64 = 20.0;
 /// This near to where gelatin begins, in degrees, a BB touches it.
 const EDGE_DEG: f64 = 8.0;
 /// A force at a greater angle would come from behind the equator.

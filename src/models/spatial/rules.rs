@@ -66,7 +66,7 @@ const AUTOMATIC: Automatic = Automatic {
     share: STEP_SHARE,
 };
 
-/// Read off eleven blows straight on at levels 1 and 2 beside the axisymmetric eye, see the guide.
+/// Read off nine blows straight on in gelatin at levels 1 and 2 beside the axisymmetric eye, see the guide.
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         // Accelerations over 20 us follow each wave, and each mesh has its own.
