@@ -17,8 +17,8 @@ use std::fs;
 use std::path::PathBuf;
 
 #[test]
-fn the_readmes_command_prints_every_result() {
-    program(&["run", "presets/paper-300n.ron"])
+fn every_result_is_printed_where_all_are_asked_for() {
+    program(&["run", "presets/paper-300n.ron", "--all"])
         .assert()
         .success()
         .stderr(is_empty())
@@ -46,9 +46,9 @@ fn the_readmes_command_prints_every_result() {
 fn text_fits_eighty_columns() {
     let presets = library::built_in();
     let quick = presets.iter().map(|p| vec!["run", &p.name, "--quick"]);
-    let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name]);
+    let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name, "--all"]);
     let aside = ["--set=impact.from=Temple", "--set=impact.offset_mm=3"];
-    let aside = [&["run", "bb-62", "--quick"][..], &aside].concat();
+    let aside = [&["run", "bb-62", "--quick", "--all"][..], &aside].concat();
     for arguments in quick.chain(whole).chain([aside]) {
         let output = program(&arguments).output().unwrap();
         assert!(output.status.success());
@@ -366,7 +366,7 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
     assert_eq!(short["scenario"]["window_ms"], 0.2);
     assert_eq!(simulated(&short), 0.2);
     assert!(short["at_least"].as_array().unwrap().len() > 3);
-    program(&["run", "bb-56"])
+    program(&["run", "bb-56", "--all"])
         .assert()
         .success()
         .stdout(contains("Stopped at 2.937 ms: what acted is gone"));
