@@ -43,18 +43,26 @@ fn every_result_is_printed_where_all_are_asked_for() {
 }
 
 #[test]
-fn text_fits_eighty_columns() {
+fn text_fits_eighty_columns_and_an_answer_one_screen() {
     let presets = library::built_in();
     let quick = presets.iter().map(|p| vec!["run", &p.name, "--quick"]);
     let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name, "--all"]);
+    let whole = whole.into_iter().chain([vec!["run", "champagne-cork"]]);
     let aside = ["--set=impact.from=Temple", "--set=impact.offset_mm=3"];
     let aside = [&["run", "bb-62", "--quick", "--all"][..], &aside].concat();
     for arguments in quick.chain(whole).chain([aside]) {
         let output = program(&arguments).output().unwrap();
         assert!(output.status.success());
-        for line in String::from_utf8(output.stdout).unwrap().lines() {
+        let text = String::from_utf8(output.stdout).unwrap();
+        for line in text.lines() {
             assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
         }
+        let is_short = text.lines().count() <= 24 && text.contains("not diagnosis");
+        assert_eq!(
+            is_short,
+            !arguments.contains(&"--all"),
+            "{arguments:?}: {text}"
+        );
     }
 }
 
