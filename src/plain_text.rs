@@ -22,7 +22,7 @@ pub const LONGEST_QUOTE: usize = 60;
 /// The longest message, in characters: a list of every field fits.
 const LONGEST_MESSAGE: usize = 1200;
 /// The most lines of one complaint.
-const MAX_LINES: usize = 20;
+pub const MAX_LINES: usize = 20;
 /// Combining marks on one letter: Hebrew and Vietnamese need three.
 const MAX_MARKS: usize = 3;
 
@@ -31,9 +31,11 @@ const MAX_MARKS: usize = 3;
 pub fn is_unprintable(c: char) -> bool {
     c.is_control()
         || matches!(c,
-            '\u{ad}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{180e}' | '\u{200b}'..='\u{200f}'
-            | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{feff}' | '\u{ffa0}'
-            | '\u{fff9}'..='\u{fffb}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e007f}')
+            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}'
+            | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}' | '\u{2800}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
+            | '\u{ffa0}' | '\u{fff9}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
+            | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
 }
 
 /// One line: the text with every unprintable character written out.
@@ -83,6 +85,38 @@ fn escaped(
 /// A piece of somebody else's text in a message: printable, and cut where it would swamp it.
 pub fn quoted(text: &str) -> String {
     cut(text, LONGEST_QUOTE)
+}
+
+/// A cell of CSV that no spreadsheet takes for a formula. CSV has no escapes, so what a terminal
+/// would obey is written out as well.
+#[cfg(feature = "app")]
+pub fn cell(text: &str) -> String {
+    let text = printable(text);
+    let is_number = text.parse::<f64>().is_ok();
+    if text.trim_start().starts_with(['=', '+', '-', '@']) && !is_number {
+        format!("'{text}")
+    } else {
+        text.into_owned()
+    }
+}
+
+/// Text that Markdown shows as it stands: no links, images, tables, or tags.
+#[cfg(feature = "app")]
+pub fn markdown(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in printable(text).chars() {
+        match c {
+            '<' => shown.push_str("&lt;"),
+            '&' => shown.push_str("&amp;"),
+            '|' | '[' | ']' | '!' | '*' | '`' | '\\' | '#' | '~' => shown.extend(['\\', c]),
+            _ => shown.push(c),
+        }
+    }
+    // An address is made a link even where it stands bare.
+    shown
+        .replace("://", "&#58;//")
+        .replace("www.", "www&#46;")
+        .replace('@', "&#64;")
 }
 
 /// A whole message of one line, printable and bounded.
@@ -142,7 +176,13 @@ mod tests {
     fn hostile() -> impl Iterator<Item = char> {
         ('\0'..='\u{1f}')
             .chain('\u{7f}'..='\u{9f}')
-            .chain(['\u{ad}', '\u{61c}', '\u{180e}', '\u{feff}'])
+            .chain([
+                '\u{ad}', '\u{34f}', '\u{61c}', '\u{17b4}', '\u{17b5}', '\u{2800}', '\u{feff}',
+            ])
+            .chain('\u{180b}'..='\u{180f}')
+            .chain('\u{fe00}'..='\u{fe0f}')
+            .chain('\u{1bca0}'..='\u{1bca3}')
+            .chain('\u{e0100}'..='\u{e01ef}')
             .chain('\u{200b}'..='\u{200f}')
             .chain('\u{2028}'..='\u{202e}')
             .chain('\u{2060}'..='\u{206f}')
@@ -180,6 +220,53 @@ mod tests {
         ] {
             assert_eq!(printable(text), text);
         }
+    }
+
+    #[test]
+    fn no_spreadsheet_takes_text_for_a_formula_and_numbers_stay() {
+        for text in [
+            "=cmd|' /C calc'!A0",
+            "+1+1",
+            "-2+3",
+            "@SUM(A1)",
+            " =1",
+            "\t=1",
+        ] {
+            let cell = cell(text);
+            assert!(
+                !cell.trim_start().starts_with(['=', '+', '-', '@']),
+                "{cell}"
+            );
+        }
+        for text in ["-2.5", "+3", "1e-5", "a=b", "bb-62"] {
+            assert_eq!(cell(text), text);
+        }
+    }
+
+    #[test]
+    fn no_link_image_or_tag_gets_into_markdown() {
+        for text in [
+            "![x](http://a.example/y.png)",
+            "[x](javascript:alert)",
+            "<img src=x>",
+            "https://a.example",
+            "www.a.example",
+            "me@a.example",
+            "a | b",
+            "`rm`",
+        ] {
+            let shown = markdown(text);
+            for live in ["](", "](", "<", "://", "www.", "@", " |", " `", "!["] {
+                let live_at = shown
+                    .match_indices(live)
+                    .any(|(at, _)| !shown[..at].ends_with('\\'));
+                assert!(!live_at, "{live} in {shown}");
+            }
+        }
+        assert_eq!(
+            markdown("300 N for 0.2 ms; 9.5 %"),
+            "300 N for 0.2 ms; 9.5 %"
+        );
     }
 
     #[test]

@@ -141,6 +141,9 @@ fn help_of_the_program_and_of_every_command() {
 fn the_results_of_a_blow() {
     says("run_pulse", &["run", "paper-300n"]);
     says("run_projectile", &["run", "bb-56"]);
+    says("run_pulse_all", &["run", "paper-300n", "--all"]);
+    says("run_projectile_all", &["run", "bb-56", "--all"]);
+    says("refused_one_alone", &["compare", "bb-56"]);
     says(
         "refused_object_at_paper",
         &["run", "bb-56", "--set", "model=Paper"],

@@ -360,6 +360,34 @@ fn completions_and_manual_pages_are_printed() {
 }
 
 #[test]
+fn one_line_installs_manual_pages_and_completions() {
+    let folder = tempfile::tempdir().unwrap();
+    let into = folder.path().join("share");
+    let into = into.to_str().unwrap();
+    for _ in 0..2 {
+        run(&["generate", "into", into])
+            .success()
+            .stdout(contains("man/man1/contrecoup-run.1"));
+    }
+    for (file, words) in [
+        ("man/man1/contrecoup.1", ".TH contrecoup 1"),
+        ("man/man1/contrecoup-compare.1", "FIELD=VALUE"),
+        ("bash-completion/completions/contrecoup", "complete -F"),
+        ("zsh/site-functions/_contrecoup", "#compdef contrecoup"),
+        (
+            "fish/vendor_completions.d/contrecoup.fish",
+            "complete -c contrecoup",
+        ),
+    ] {
+        let text = fs::read_to_string(format!("{into}/{file}")).unwrap();
+        assert!(text.contains(words), "{file}");
+    }
+    run(&["generate", "into", "/dev/null"])
+        .code(1)
+        .stderr(contains("cannot write"));
+}
+
+#[test]
 fn a_reader_that_stops_early_is_no_failure() {
     for arguments in [
         &["generate", "completions", "zsh"][..],

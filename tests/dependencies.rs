@@ -114,6 +114,7 @@ fn the_package_holds_what_the_program_is_built_from_and_no_more() {
     let files: Vec<&str> = files.lines().collect();
     for file in [
         "README.md",
+        "CHANGELOG.md",
         "LICENSE-MIT",
         "LICENSE-APACHE",
         "presets/paper-300n.ron",

@@ -207,6 +207,72 @@ fn a_torn_heading_is_written_again_and_another_file_is_left_alone() {
 }
 
 #[test]
+fn damaged_rows_are_computed_again_and_that_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("t.csv");
+    for form in ["--csv", "--json"] {
+        let _ = fs::remove_file(&table);
+        let small = [
+            "--vary",
+            "impact.force_n=100,200,300",
+            "--out",
+            "t.csv",
+            form,
+        ];
+        assert_eq!(sweep(folder.path(), &small).status.code(), Some(0));
+        let whole = fs::read_to_string(&table).unwrap();
+        let last = whole.lines().nth_back(1).unwrap();
+        for damaged in [
+            // Another value of the varied field, a figure that is none, a column less.
+            last.replacen("200", "250", 1),
+            last.replacen("0.", "x.", 1),
+            last.replacen(',', "", 1),
+        ] {
+            fs::write(&table, whole.replace(last, &damaged)).unwrap();
+            let output = sweep(folder.path(), &small);
+            assert_eq!(output.status.code(), Some(0), "{damaged}");
+            let said = text(&output.stderr);
+            assert!(
+                said.contains("is damaged: from there on"),
+                "{said} {damaged}"
+            );
+            assert_eq!(fs::read_to_string(&table).unwrap(), whole, "{damaged}");
+        }
+    }
+}
+
+#[test]
+fn a_curve_that_changed_is_another_sweep() {
+    let folder = tempfile::tempdir().unwrap();
+    let curve = folder.path().join("c.csv");
+    let vary = [
+        "--vary",
+        "impact.shape=Triangle,Csv(\"c.csv\")",
+        "--out",
+        "t.csv",
+    ];
+    fs::write(&curve, "0,0\n0.1,1\n0.2,0\n").unwrap();
+    let first = sweep(folder.path(), &vary);
+    assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
+    fs::write(&curve, "0,0\n0.1,2\n0.3,0\n").unwrap();
+    let other = sweep(folder.path(), &vary);
+    assert_eq!(other.status.code(), Some(2));
+    assert!(text(&other.stderr).contains("something else"));
+}
+
+#[test]
+fn two_runs_do_not_write_one_table_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut first = start(folder.path());
+    wait_for(|| lines(&folder.path().join("table.csv")) > 3);
+    let second = run(folder.path(), &LONG);
+    assert_eq!(second.status.code(), Some(1));
+    assert!(text(&second.stderr).contains("is being written by another run"));
+    first.kill().unwrap();
+    first.wait().unwrap();
+}
+
+#[test]
 fn bad_grids_are_refused_with_2() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, word) in [
@@ -341,7 +407,7 @@ fn bad_doubts_and_numbers_of_samples_are_refused_with_2() {
             "8..=65536",
         ),
         (
-            &["ensemble", "paper-300n", "--drives", "damage"],
+            &["ensemble", "paper-300n", "--drives", "damge"],
             "damage_percent",
         ),
         (

@@ -208,3 +208,57 @@ fn twenty_guests_at_once_stay_within_what_the_guide_says() {
     println!("20 guests: {megabytes:.0} MB and {seconds:.1} s of one core");
     assert!(megabytes < MEGABYTES && seconds < SECONDS);
 }
+
+#[test]
+fn a_guest_who_types_without_end_sees_frames_stays_small_and_leaves_at_once() {
+    const GUESTS: usize = 3;
+    let command = || support::app(&["tui", "--guest", "paper-300n"]);
+    let mut terms: Vec<Term> = (0..GUESTS).map(|_| Term::start(command())).collect();
+    for term in &terms {
+        term.wait_for("Index 26");
+    }
+    let kilobytes = |term: &Term| -> u64 {
+        let used = status(term.pid(), "VmRSS");
+        used.trim_end_matches(" kB").parse().unwrap()
+    };
+    let before: Vec<u64> = terms.iter().map(kilobytes).collect();
+    for term in &terms {
+        let keys = term.typist();
+        // Nobody waits for it: what is written to a terminal without a reader may take for ever.
+        std::thread::spawn(move || {
+            loop {
+                keys(&"\x1b[B\x1b[C\x1b[A".repeat(20));
+            }
+        });
+    }
+    std::thread::sleep(Duration::from_secs(2));
+    let frames = || terms.iter().map(|term| term.traffic().1);
+    let first: Vec<usize> = frames().collect();
+    std::thread::sleep(Duration::from_secs(2));
+    let drawn: Vec<usize> = frames().zip(first).map(|(now, then)| now - then).collect();
+    let grown = terms.iter().map(kilobytes).zip(&before);
+    let grown: Vec<u64> = grown.map(|(now, then)| now.saturating_sub(*then)).collect();
+    let is_there = |term: &Term| {
+        fs::read_to_string(format!("/proc/{}/stat", term.pid()))
+            .is_ok_and(|stat| !stat.contains(") Z "))
+    };
+    terms.iter().for_each(|term| term.signal("HUP"));
+    let begun = std::time::Instant::now();
+    while terms.iter().any(is_there) && begun.elapsed() < support::PATIENCE {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let left = begun.elapsed();
+    println!("frames {drawn:?} in 2 s, {grown:?} kB more, left after {left:?}");
+    assert!(
+        drawn.iter().all(|frames| *frames > 4),
+        "{drawn:?} frames in two seconds"
+    );
+    assert!(
+        grown.iter().all(|kilobytes| *kilobytes < 15_000),
+        "{grown:?} kB more"
+    );
+    assert!(left < Duration::from_secs(1), "left after {left:?}");
+    for term in &mut terms {
+        assert_eq!(term.exit_code(), 129);
+    }
+}

@@ -17,8 +17,8 @@ use std::fs;
 use std::path::PathBuf;
 
 #[test]
-fn the_readmes_command_prints_every_result() {
-    program(&["run", "presets/paper-300n.ron"])
+fn every_result_is_printed_where_all_are_asked_for() {
+    program(&["run", "presets/paper-300n.ron", "--all"])
         .assert()
         .success()
         .stderr(is_empty())
@@ -43,18 +43,26 @@ fn the_readmes_command_prints_every_result() {
 }
 
 #[test]
-fn text_fits_eighty_columns() {
+fn text_fits_eighty_columns_and_an_answer_one_screen() {
     let presets = library::built_in();
     let quick = presets.iter().map(|p| vec!["run", &p.name, "--quick"]);
-    let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name]);
+    let whole = ["squash-ball", "bb-62"].map(|name| vec!["run", name, "--all"]);
+    let whole = whole.into_iter().chain([vec!["run", "champagne-cork"]]);
     let aside = ["--set=impact.from=Temple", "--set=impact.offset_mm=3"];
-    let aside = [&["run", "bb-62", "--quick"][..], &aside].concat();
+    let aside = [&["run", "bb-62", "--quick", "--all"][..], &aside].concat();
     for arguments in quick.chain(whole).chain([aside]) {
         let output = program(&arguments).output().unwrap();
         assert!(output.status.success());
-        for line in String::from_utf8(output.stdout).unwrap().lines() {
+        let text = String::from_utf8(output.stdout).unwrap();
+        for line in text.lines() {
             assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
         }
+        let is_short = text.lines().count() <= 24 && text.contains("not diagnosis");
+        assert_eq!(
+            is_short,
+            !arguments.contains(&"--all"),
+            "{arguments:?}: {text}"
+        );
     }
 }
 
@@ -366,7 +374,7 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
     assert_eq!(short["scenario"]["window_ms"], 0.2);
     assert_eq!(simulated(&short), 0.2);
     assert!(short["at_least"].as_array().unwrap().len() > 3);
-    program(&["run", "bb-56"])
+    program(&["run", "bb-56", "--all"])
         .assert()
         .success()
         .stdout(contains("Stopped at 2.937 ms: what acted is gone"));

@@ -213,3 +213,27 @@ fn an_own_preset_opens_by_any_name_that_its_file_suggests() {
         Some(2)
     );
 }
+
+#[test]
+fn names_are_no_formulas_in_a_table_and_no_links_on_a_page() {
+    let named = OWN.replacen(
+        "name: \"",
+        "name: \"=cmd|' /C calc'!A0 ![x](http://a.example) ",
+        1,
+    );
+    let config = config_with(&[("mine.ron", &named)]);
+    let compared = |form: &str| {
+        let output = run(config.path(), &["compare", "mine", "paper-100n", form]);
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let csv = compared("--csv");
+    assert!(csv.contains("'=cmd"), "{csv}");
+    assert!(!csv.contains(",=") && !csv.contains(",\"="), "{csv}");
+    let report = run(config.path(), &["report", "mine", "-o", "mine.md"]);
+    assert!(report.status.success());
+    let page = fs::read_to_string(config.path().join("mine.md")).unwrap();
+    for text in [page, compared("--md")] {
+        assert!(!text.contains("](") && !text.contains("http://a"), "{text}");
+    }
+}

@@ -15,6 +15,7 @@
 use crate::answer::compiled::Compiled;
 use crate::answer::results::Results;
 use crate::answer::solve::solve_by;
+use crate::injury::PerInjury;
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
 use crate::run::model::Run;
@@ -42,6 +43,9 @@ pub struct BriefAnswer {
     pub flags: Vec<FlagKind>,
     /// The step error, where it was checked.
     pub check: Option<Check>,
+    /// The 80 % range of each risk, 0 to 1, with the step error alone, where that was checked and
+    /// the scene has risks.
+    pub ranges: Option<PerInjury<(f64, f64)>>,
 }
 
 /// What a check of the step error found, in %.
@@ -74,6 +78,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
             .map(|flag| flag.kind)
             .collect(),
         check: None,
+        ranges: None,
     }
 }
 
@@ -128,7 +133,9 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
             answer = solve_by(answer.case, plan, Keep::default(), watch)?;
         }
     }
+    let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();
     Ok(BriefAnswer {
+        ranges: ranges.try_into().ok(),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
         check: Some(Check {

@@ -29,10 +29,10 @@ use crate::run::ordered::until;
 use crate::run::quantity::Family;
 use crate::run::readings::PerQuantity;
 use crate::run::refusal::Refusal;
+use crate::run::threads::beside;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 
 /// Multiplies the difference of the two finer levels.
 const SAFETY: f64 = 2.0;
@@ -191,11 +191,11 @@ impl MeshQuery {
         };
         let stopped = AtomicBool::new(false);
         // The finer takes longer, so it is the one that is watched.
-        let (coarse, fine) = thread::scope(|scope| {
-            let coarse = scope.spawn(|| on(levels[0], &mut until(&stopped)));
+        let coarse = || on(levels[0], &mut until(&stopped));
+        let (coarse, fine) = beside(coarse, || {
             let fine = on(levels[1], watch);
             stopped.store(fine.is_err(), Ordering::Relaxed);
-            (coarse.join().unwrap_or(Err(Refusal::Cancelled)), fine)
+            fine
         });
         let (fine, coarse) = (fine?, coarse?);
         Ok(MeshError::of(

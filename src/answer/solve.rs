@@ -20,10 +20,10 @@ use crate::run::quantity::Quantity;
 use crate::run::raised::{TwoRuns, of_motion};
 use crate::run::refusal::Refusal;
 use crate::run::rules::next_share;
+use crate::run::threads::beside;
 use crate::run::watch::Watch;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// How far each result may be off.
@@ -382,15 +382,14 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     let (second, factor) = case.second_plan(plan);
     let abandoned = AtomicBool::new(false);
     // The second run needs nothing of the first, so both go side by side.
-    let (first, second, time) = thread::scope(|scope| {
-        let other = scope.spawn(|| case.run(&second, Keep::default(), &mut until(&abandoned)));
+    let other = || case.run(&second, Keep::default(), &mut until(&abandoned));
+    let (second, (first, time)) = beside(other, || {
         let first = case.run(plan, keep, watch);
         let time = started.elapsed();
         if first.is_err() {
             abandoned.store(true, Ordering::Relaxed);
         }
-        let second = other.join().unwrap_or(Err(Refusal::Cancelled));
-        (first, second, time)
+        (first, time)
     });
     let run = first?;
     let results = case.results(&run);

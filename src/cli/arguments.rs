@@ -4,12 +4,14 @@
 //! the same values with the same words.
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::str::FromStr;
 
 use clap::Args;
 use clap::error::{ContextKind, ContextValue};
 
 use crate::cli::CliError;
+use crate::many::threshold::usual;
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};
 use crate::scenario::Integrator;
@@ -18,13 +20,14 @@ use crate::scenario::library::resolve;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::{full_path, set};
+use crate::scenario::set::{full_path, model_first, set};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
 pub struct ScenarioArgs {
-    /// A preset's name, or a file if it ends in .ron or holds a path separator
+    /// A preset's name, or a file if it ends in .ron or holds a path separator; changed as in
+    /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron")]
     pub source: String,
     /// What is changed in it.
@@ -35,7 +38,8 @@ pub struct ScenarioArgs {
 /// What to simulate: several presets or files, all changed alike.
 #[derive(Debug, Args)]
 pub struct ScenariosArgs {
-    /// Presets' names, or files if they end in .ron or hold a path separator
+    /// Presets' names, or files if they end in .ron or hold a path separator; each changed as in
+    /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron", required = true)]
     pub sources: Vec<String>,
     /// What is changed in each.
@@ -124,12 +128,22 @@ impl ScenariosArgs {
 }
 
 impl Changes {
-    fn made_to(&self, source: &str) -> Result<CheckedScenario, CliError> {
+    fn made_to(&self, typed: &str) -> Result<CheckedScenario, CliError> {
+        let (source, own) = with_own_changes(typed);
         let mut scenario = resolve(source)?;
+        let set = self.assignments.iter().map(|Assignment { path, text }| {
+            (format!("--set {path}={text}"), path.as_str(), text.as_str())
+        });
+        let own = own.into_iter().map(|(path, text)| {
+            let path = if path == AT { usual(&scenario).0 } else { path };
+            (typed.to_owned(), path, text)
+        });
+        let mut asked: Vec<(String, &str, &str)> = set.chain(own).collect();
+        model_first(&scenario, &mut asked, |(_, path, _)| path);
         let mut changes = Vec::new();
-        for Assignment { path, text } in &self.assignments {
+        for (flag, path, text) in &asked {
             changes.push((full_path(&scenario, path), text.trim()));
-            assign(&mut scenario, &format!("--set {path}={text}"), path, text)?;
+            assign(&mut scenario, flag, path, text)?;
         }
         let short = [
             ("--level", "eye.level", &self.level),
@@ -162,13 +176,46 @@ impl ScenarioArgs {
         let set = |a: &Assignment| field.contains(&a.path);
         let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
             || self.changes.assignments.iter().any(set);
-        let path = std::path::Path::new(&self.source);
+        let source = with_own_changes(&self.source).0;
+        let path = Path::new(source);
         if by_flag || !path.is_file() {
             return None;
         }
         let text = read_text(path).ok()?;
         let (line, column) = locate(&text, field);
-        Some(format!("{}:{line}:{column}", printable(&self.source)))
+        Some(format!("{}:{line}:{column}", printable(source)))
+    }
+}
+
+/// Stands for the speed of an object, or the force of a pulse.
+const AT: &str = "@";
+
+/// A source and what it is changed by itself, as in `bb-62@40,offset_mm=3`. What is a file by its
+/// whole name is taken as one.
+fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
+    if Path::new(typed).is_file() {
+        return (typed, Vec::new());
+    }
+    // A comma begins a change where a field and its value follow; else it is part of a value.
+    let is_field = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | ' ');
+    let begins = |rest: &str| {
+        rest.split_once('=')
+            .is_some_and(|(field, _)| field.chars().all(is_field))
+    };
+    let commas = typed.match_indices(',').map(|(at, _)| at);
+    let mut ends: Vec<usize> = commas.filter(|at| begins(&typed[at + 1..])).collect();
+    ends.push(typed.len());
+    let parts = ends
+        .windows(2)
+        .filter_map(|at| typed[at[0] + 1..at[1]].split_once('='));
+    let head = &typed[..ends[0]];
+    match head.rsplit_once(AT) {
+        Some((name, speed))
+            if !name.is_empty() && speed.starts_with(|c: char| c.is_ascii_digit()) =>
+        {
+            (name, std::iter::once((AT, speed)).chain(parts).collect())
+        }
+        _ => (head, parts.collect()),
     }
 }
 
@@ -264,6 +311,17 @@ mod tests {
     use crate::cli::{Cli, Command};
     use crate::scenario::{Impact, Integrator};
 
+    impl Changes {
+        fn none() -> Self {
+            Self {
+                assignments: Vec::new(),
+                level: None,
+                integrator: None,
+                step_us: None,
+            }
+        }
+    }
+
     fn scenario(flags: &[&str]) -> Result<CheckedScenario, CliError> {
         let typed = ["contrecoup", "run", "paper-300n"];
         let cli = Cli::try_parse_from(typed.iter().chain(flags)).unwrap();
@@ -306,6 +364,58 @@ mod tests {
         let changed = scenario(&many).unwrap();
         assert_eq!(changed.name, "300 N for 0.2 ms; 9 fields set");
         changed.check().unwrap();
+    }
+
+    #[test]
+    fn a_source_may_carry_its_speed_and_changes_of_its_own() {
+        let split = |typed| with_own_changes(typed);
+        assert_eq!(split("bb-62"), ("bb-62", vec![]));
+        let both = ("bb-62", vec![("@", "40"), ("offset_mm", "3")]);
+        assert_eq!(split("bb-62@40,offset_mm=3"), both);
+        let group = (
+            "a.ron",
+            vec![("impact.surface", "Inflated(kpa:1, modulus_mpa:2)")],
+        );
+        assert_eq!(
+            split("a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)"),
+            group
+        );
+        for whole in ["@3", "me@home", "a,b", "a,b,c@d"] {
+            assert_eq!(split(whole), (whole, vec![]));
+        }
+        let (ball, pulse) = ("squash-ball@30", "paper-300n@90");
+        let speed = |source| Changes::none().made_to(source).unwrap().impact.clone();
+        assert!(matches!(speed(ball), Impact::Projectile(ball) if ball.speed_m_s == 30.0));
+        assert!(matches!(speed(pulse), Impact::ForcePulse(pulse) if pulse.force_n == 90.0));
+        let refused = Changes::none().made_to("squash-ball@900").unwrap_err();
+        assert!(
+            refused.to_string().starts_with("squash-ball@900: "),
+            "{refused}"
+        );
+    }
+
+    #[test]
+    fn a_word_for_a_side_means_that_of_the_eye_whichever_is_set_first() {
+        let (from, side) = ("impact.from=Nose", "eye_side=Left");
+        let hour = |sets: [&str; 2]| {
+            let cli = [
+                "contrecoup",
+                "run",
+                "bb-62",
+                "--set",
+                sets[0],
+                "--set",
+                sets[1],
+            ];
+            let Some(Command::Run(args)) = Cli::try_parse_from(cli).unwrap().command else {
+                panic!("run was asked for")
+            };
+            match &args.scenario.scenario().unwrap().impact {
+                Impact::Projectile(object) => object.angle_clock,
+                Impact::ForcePulse(_) => panic!("an object was asked for"),
+            }
+        };
+        assert_eq!((hour([from, side]), hour([side, from])), (9.0, 9.0));
     }
 
     #[test]

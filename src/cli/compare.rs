@@ -7,7 +7,7 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
 use crate::many::comparison::{ComparisonColumn, Entry, compare, leading, order};
-use crate::plain_text::write_json;
+use crate::plain_text::{quoted, write_json};
 use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
 use crate::run::refusal::Refusal;
@@ -38,6 +38,13 @@ pub(super) fn answered(
 /// Where a scenario is refused, the output cannot be written, or the work was interrupted.
 pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let asked = args.scenarios.scenarios()?;
+    if let [(only, _)] = &asked[..] {
+        return Err(CliError::Input(format!(
+            "{} alone compares with nothing: add another, or the same at another speed, as in \
+             `contrecoup compare bb-62 squash-ball squash-ball@30`",
+            quoted(only)
+        )));
+    }
     let by = args
         .sort
         .as_ref()

@@ -7,10 +7,11 @@ use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, EnsembleArgs};
 use crate::many::ensemble::run as run_samples;
+use crate::many::threshold::meant;
 use crate::plain_text::{quoted, write_json};
 use crate::report::ensemble::{json, text};
 use crate::run::quantity::Quantity;
-use crate::scenario::problem::suggestion;
+use crate::scenario::problem::five_nearest;
 
 /// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.
 ///
@@ -43,17 +44,13 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The result of this name.
-pub(super) fn result(flag: &str, key: &str) -> Result<Quantity, CliError> {
-    let all = Quantity::ALL;
-    let found = all.iter().copied().find(|quantity| quantity.key() == key);
-    found.ok_or_else(|| {
-        let keys: Vec<&str> = all.iter().map(|quantity| quantity.key()).collect();
-        let near = suggestion(key, keys.iter().copied());
+/// The result that is called so, see [`meant`].
+pub(super) fn result(flag: &str, name: &str) -> Result<Quantity, CliError> {
+    meant(name).ok_or_else(|| {
+        let near = five_nearest(name, Quantity::ALL.iter().map(|quantity| quantity.key()));
         CliError::Input(format!(
-            "{flag} {}: there is no such result{near} (allowed: {})",
-            quoted(key),
-            keys.join(", ")
+            "{flag} {}: there is no such result; the nearest: {near}; contrecoup run --json lists all",
+            quoted(name)
         ))
     })
 }

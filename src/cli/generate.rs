@@ -1,7 +1,9 @@
 //! `contrecoup generate`: the manual page and completions, made from the definition of the
 //! arguments, so that they cannot disagree with it.
 
-use std::io::Write;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use clap::builder::Resettable;
 use clap::{CommandFactory, Subcommand};
@@ -9,6 +11,8 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::cli::{Cli, CliError, example};
+use crate::plain_text::printable;
+use crate::whole_file;
 
 /// What is printed.
 #[derive(Debug, Subcommand)]
@@ -25,6 +29,14 @@ pub enum GenerateCommand {
         /// The command
         command: Option<String>,
     },
+    /// Write the manual pages and the completions of bash, zsh and fish into a folder such as
+    /// ~/.local/share, where shells look for them
+    #[command(after_help = example("generate into ~/.local/share"))]
+    Into {
+        /// The folder
+        #[arg(value_name = "FOLDER")]
+        folder: PathBuf,
+    },
 }
 
 /// Prints what was asked for.
@@ -35,7 +47,43 @@ pub fn run(what: &GenerateCommand, out: &mut dyn Write) -> Result<(), CliError> 
     match what {
         GenerateCommand::Completions { shell } => completions(*shell, out),
         GenerateCommand::Man { command } => man(command.as_deref(), out),
+        GenerateCommand::Into { folder } => into(folder, out),
     }
+}
+
+/// Where a shell looks for its script below a folder of shared files.
+const PLACES: [(Shell, &str); 3] = [
+    (Shell::Bash, "bash-completion/completions/contrecoup"),
+    (Shell::Zsh, "zsh/site-functions/_contrecoup"),
+    (Shell::Fish, "fish/vendor_completions.d/contrecoup.fish"),
+];
+
+fn into(folder: &Path, out: &mut dyn Write) -> Result<(), CliError> {
+    let mut files = Vec::new();
+    for (shell, place) in PLACES {
+        let mut script = Vec::new();
+        completions(shell, &mut script)?;
+        files.push((place.to_owned(), script));
+    }
+    let commands = Cli::command();
+    let names = commands
+        .get_subcommands()
+        .map(|command| Some(command.get_name().to_owned()));
+    for command in std::iter::once(None).chain(names) {
+        let mut page = Vec::new();
+        man(command.as_deref(), &mut page)?;
+        let end = command.map_or_else(String::new, |name| format!("-{name}"));
+        files.push((format!("man/man1/contrecoup{end}.1"), page));
+    }
+    for (place, text) in files {
+        let path = folder.join(place);
+        let said = printable(&path.display().to_string()).into_owned();
+        let failed = |error: io::Error| CliError::Failed(format!("cannot write {said}: {error}"));
+        fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(failed)?;
+        whole_file::write(&path, |file| file.write_all(&text)).map_err(failed)?;
+        writeln!(out, "{said}")?;
+    }
+    Ok(())
 }
 
 fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {

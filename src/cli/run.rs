@@ -8,7 +8,7 @@ use crate::answer::solve::{complete, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, RunArgs};
 use crate::plain_text::write_json;
-use crate::report::{json, text};
+use crate::report::{first_page, json, text};
 use crate::run::kept::Keep;
 use crate::run::refusal::Refusal;
 use crate::scenario::set::full_path;
@@ -49,8 +49,12 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
         return Ok(());
     }
     progress.clear();
-    text::results(&scenario, &answer, out)?;
-    text::trust(&answer, &reasons, out)?;
+    if args.all {
+        text::results(&scenario, &answer, out)?;
+        text::trust(&answer, &reasons, out)?;
+    } else {
+        first_page::write(&scenario, &answer, args.tolerance.is_some(), out)?;
+    }
     Ok(())
 }
 

@@ -15,7 +15,7 @@ use std::sync::atomic::Ordering;
 use crate::cli::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
-use crate::many::sweep::{Sweep, SweepAxis};
+use crate::many::sweep::{Sweep, SweepAxis, SweepRow};
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};
 use crate::report::sweep::SweepFormat;
@@ -83,7 +83,7 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         out.write_all(form.heading(&sweep).as_bytes())?;
         return work(&sweep, form, &rows, 0, &mut Unflushed(out));
     };
-    let (mut file, done) = open(path, &form.heading(&sweep), form, &rows)?;
+    let (mut file, done) = open(path, &sweep, form, &rows)?;
     let left = rows.len() - done;
     let said = |what: &str| format!("{}: {what}", printable(&path.display().to_string()));
     if left == 0 {
@@ -139,27 +139,33 @@ fn work(
     let (send, receive) = std::sync::mpsc::sync_channel(MAX_UNREAD);
     let mut written = done;
     let mut failed = None;
+    let stopped = &*stop;
+    let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stopped));
+    let mut put = |row: &SweepRow| {
+        if let Err(error) = sink.line(&form.row(sweep, row)) {
+            failed = Some(error);
+            stopped.store(true, Ordering::Relaxed);
+            return ControlFlow::Break(());
+        }
+        written += 1;
+        progress.count("rows", written, rows.len());
+        ControlFlow::Continue(())
+    };
     // The sink stays on this thread; rows come to it by channel, in their order.
     std::thread::scope(|scope| {
-        let stop = &stop;
-        scope.spawn(move || {
-            let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stop));
-            ordered::run((done, rows.len()), stop, job, |_, row| {
+        let helper = std::thread::Builder::new().spawn_scoped(scope, move || {
+            ordered::run((done, rows.len()), stopped, job, |_, row| {
                 match send.send(row) {
                     Ok(()) => ControlFlow::Continue(()),
                     Err(_) => ControlFlow::Break(()),
                 }
             });
         });
-        for row in receive {
-            if let Err(error) = sink.line(&form.row(sweep, &row)) {
-                failed = Some(error);
-                stop.store(true, Ordering::Relaxed);
-                break;
-            }
-            written += 1;
-            progress.count("rows", written, rows.len());
-        }
+        let alone = (done..rows.len()).map_while(|at| helper.is_err().then(|| job(at)).flatten());
+        let _ = receive
+            .into_iter()
+            .chain(alone)
+            .try_for_each(|row| put(&row));
     });
     progress.clear();
     if let Some(error) = failed {
@@ -174,13 +180,15 @@ fn work(
     Ok(())
 }
 
-/// Opens a file to append to, and how many of `rows` it holds already.
+/// Opens a file to append to, and how many of `rows` it holds already. From a damaged line on it is
+/// cut off, which is said.
 fn open(
     path: &Path,
-    heading: &str,
+    sweep: &Sweep,
     form: SweepFormat,
     rows: &[usize],
 ) -> Result<(File, usize), CliError> {
+    let heading = &form.heading(sweep);
     let name = printable(&path.display().to_string()).into_owned();
     let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
     let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));
@@ -235,9 +243,16 @@ fn open(
             break;
         }
         let text = String::from_utf8_lossy(&line);
-        let number = form.number(text.trim_end());
-        if number.is_none() || number != rows.get(done).copied() {
-            let line_number = heading.lines().count() + done + 1;
+        let line_number = heading.lines().count() + done + 1;
+        let Some(number) = form.number(sweep, text.trim_end()) else {
+            // Nobody is hurt if it is lost.
+            let _ = writeln!(
+                io::stderr(),
+                "{name}: line {line_number} is damaged: from there on rows are computed again"
+            );
+            break;
+        };
+        if Some(number) != rows.get(done).copied() {
             return Err(refused(format!(
                 "line {line_number}: {} is not the next row of this shard",
                 quoted(text.trim_end())

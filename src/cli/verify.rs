@@ -11,6 +11,7 @@ use crate::cli::progress::Progress;
 use crate::cli::{CliError, example};
 use crate::plain_text::write_json;
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
+use crate::run::threads;
 use crate::verify::claims::{FINEST_CHECKED, Study, check};
 use crate::verify::fit::fit;
 use crate::verify::hard_cases::{self, CaseVerdict};
@@ -106,6 +107,10 @@ fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
 /// be written.
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let json = args.json;
+    if !threads::pool_is_there() {
+        let why = "no thread can start here, and this check takes many";
+        return Err(CliError::Failed(why.to_owned()));
+    }
     let (study, scenes) = match &args.what {
         VerifyCommand::Steps(scenes) => (Study::Steps(Scenes::Pulses), scenes),
         VerifyCommand::Meshes { scenes, level } => (Study::Meshes(Scenes::Pulses, *level), scenes),

@@ -8,6 +8,9 @@
 use crate::injury::kind::{Injury, PerInjury};
 use std::fmt;
 
+/// What a BB is, said once beside its speeds.
+pub const A_BB: &str = "a BB is a steel ball of 4.5 mm, 0.345 g";
+
 /// Speeds of the table, m/s.
 pub const SPEEDS: [f64; 12] = [
     3.0, 5.0, 8.0, 12.0, 18.0, 26.0, 38.0, 56.0, 75.0, 100.0, 140.0, 190.0,

@@ -35,6 +35,11 @@ pub fn whole(risk: f64) -> String {
     }
 }
 
+/// Whether a risk as [`whole`] says it is neither none nor all.
+fn is_inner(risk: &str) -> bool {
+    risk.starts_with(|c: char| c.is_ascii_digit())
+}
+
 /// A range of risks from 0 to 1, in whole %, as in `27-94 %`.
 pub fn span((low, high): (f64, f64)) -> String {
     let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
@@ -84,16 +89,19 @@ impl Risk {
             return vec![short.clone(), short.clone(), short, self.percent()];
         }
         let risk = whole(self.risk);
-        let inner = risk.starts_with(|c: char| c.is_ascii_digit());
-        let about = if inner { "about " } else { "" };
-        // A middle that is sure reads oddly beside a range that is not.
-        let middle = if risk == self.percent() || self.is_unclear() && !inner {
+        let about = if is_inner(&risk) { "about " } else { "" };
+        let middle = if risk == self.percent() || !self.has_middle() {
             short.clone()
         } else {
             format!("{} ({about}{risk}, {})", self.word(), self.percent())
         };
         let equivalent = format!("{middle}, like {}", self.equivalent);
         vec![equivalent, middle, short, self.percent()]
+    }
+
+    /// Whether its middle is worth saying: one that is sure reads oddly beside a range that is not.
+    pub fn has_middle(&self) -> bool {
+        self.usable && (!self.is_unclear() || is_inner(&whole(self.risk)))
     }
 
     /// All that is said after the injury's name.

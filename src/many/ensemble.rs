@@ -22,6 +22,7 @@ use crate::injury::{Blow, Injury, PerInjury};
 use crate::many::statistics::median;
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
+use crate::run::threads;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -285,7 +286,7 @@ pub fn run(
                 wall: 0.0,
                 cores: 0.0,
                 single: None,
-                threads: rayon::current_num_threads(),
+                threads: threads::count(),
             },
         },
     };
@@ -430,6 +431,7 @@ mod tests {
         let sample = |first, tried, good_step| Sample {
             drawn: Vec::new(),
             outcome: Ok(BriefAnswer {
+                ranges: None,
                 values: Results::from_fn(|_| None),
                 flags: Vec::new(),
                 check: Some(Check {

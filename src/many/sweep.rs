@@ -12,7 +12,7 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::{full_path, set};
+use crate::scenario::set::{full_path, model_first, set};
 use crate::scenario::{CheckedScenario, Scenario, fields};
 
 /// Most rows of a grid.
@@ -83,6 +83,8 @@ impl SweepAxis {
 pub struct Sweep {
     scenario: Scenario,
     axes: Vec<SweepAxis>,
+    /// What files of curves held that stand by their names on an axis.
+    files: String,
 }
 
 /// One row.
@@ -103,7 +105,7 @@ impl Sweep {
     /// Where a field is not there or given twice, a value is not allowed by itself, or there are
     /// too many rows.
     pub fn new(scenario: Scenario, mut axes: Vec<SweepAxis>) -> Result<Self, ScenarioError> {
-        let mut rows = 1_usize;
+        let (mut rows, mut files) = (1_usize, String::new());
         for i in 0..axes.len() {
             let path = full_path(&scenario, &axes[i].path).to_owned();
             axes[i].path.clone_from(&path);
@@ -120,8 +122,9 @@ impl Sweep {
                     let mut again = scenario.clone();
                     set(&mut again, &path, plain).is_ok() && again == changed
                 };
-                if let Some(plain) = plain.filter(says_all) {
-                    *value = plain;
+                match plain.filter(says_all) {
+                    Some(plain) => *value = plain,
+                    None => files += &to_ron(&changed),
                 }
             }
             rows = rows.saturating_mul(axes[i].values.len());
@@ -136,7 +139,11 @@ impl Sweep {
             let message = format!("{counts} = {rows} rows are too many: allowed up to {MAX_ROWS}");
             return Err(Problem::new(paths, message).into());
         }
-        Ok(Self { scenario, axes })
+        Ok(Self {
+            scenario,
+            axes,
+            files,
+        })
     }
 
     /// The axes.
@@ -172,7 +179,9 @@ impl Sweep {
     /// Where the values together are not allowed.
     pub fn scenario(&self, row: usize) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
-        for (axis, value) in self.axes.iter().zip(self.values(row)) {
+        let mut changes: Vec<(&SweepAxis, &str)> = self.axes.iter().zip(self.values(row)).collect();
+        model_first(&scenario, &mut changes, |(axis, _)| &axis.path);
+        for (axis, value) in changes {
             set(&mut scenario, &axis.path, value)?;
         }
         scenario.check()
@@ -198,7 +207,7 @@ impl Sweep {
     /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and
     /// version.
     pub fn fingerprint(&self) -> u64 {
-        let mut text = to_ron(&self.scenario);
+        let mut text = to_ron(&self.scenario) + &self.files;
         for axis in &self.axes {
             let axis = format!("{}={:?}\n", axis.path, axis.values);
             text.push_str(&axis);

@@ -27,7 +27,7 @@ use crate::run::ordered::{self, until};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::fields::{Bounds, Field, Kind};
-use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
+use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain, suggestion};
 use crate::scenario::set::{full_path, set};
 use crate::scenario::{Impact, Model, Scenario, fields};
 
@@ -207,10 +207,10 @@ impl ThresholdSearch {
         let seen = self.run_grid(stop, &mut progress)?;
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
             let there = self.results_at(seen[0].0, stop)?;
-            let there: Vec<&str> = there.present().map(|(of, _)| of.key()).collect();
+            let there = there.present().map(|(of, _)| of.key());
             let message = format!(
-                "this scenario has no such result: allowed {}",
-                there.join(", ")
+                "this scenario has no such result; the nearest that it has: {}",
+                five_nearest(self.quantity.key(), there)
             );
             return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
         }
@@ -500,7 +500,7 @@ fn bare(name: &str) -> String {
 }
 
 /// The result that is called so: by its key, with or without the unit, or as people read it.
-fn meant(name: &str) -> Option<Quantity> {
+pub fn meant(name: &str) -> Option<Quantity> {
     let name = bare(name);
     let called = |quantity: &&Quantity| {
         let (key, label) = (quantity.key(), bare(quantity.label()));
@@ -666,7 +666,7 @@ mod tests {
             .unwrap_err();
         let error = error.to_string();
         assert!(
-            error.contains("has no such result: allowed damage_percent, "),
+            error.contains("the nearest that it has: peak_force_") && error.len() < 250,
             "{error}"
         );
     }

@@ -1,5 +1,7 @@
 //! The command that repeats a blow: what it began as, and every field that is not as it was there.
 
+use std::borrow::Cow;
+
 use crate::scenario::Scenario;
 use crate::scenario::fields::FIELDS;
 use crate::scenario::set::set;
@@ -30,7 +32,17 @@ pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Opti
 /// The whole command as a shell takes it.
 pub fn line(subcommand: &str, arguments: &[String]) -> String {
     let words = ["contrecoup", subcommand].into_iter();
-    shell_words::join(words.chain(arguments.iter().map(String::as_str)))
+    let words = words.chain(arguments.iter().map(String::as_str));
+    words.map(quoted).collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a shell takes it: braces, which some of them expand, are quoted too.
+fn quoted(word: &str) -> Cow<'_, str> {
+    let quoted = shell_words::quote(word);
+    if quoted == word && word.contains(['{', '}', '~', '!', '^']) {
+        return Cow::Owned(format!("'{word}'"));
+    }
+    quoted
 }
 
 #[cfg(test)]
@@ -67,6 +79,10 @@ mod tests {
         let bb = find("bb-56").unwrap().scenario().unwrap();
         let said = arguments("my blow.ron", &bb, &bb).unwrap();
         assert_eq!(line("run", &said), "contrecoup run 'my blow.ron'");
+        assert_eq!(
+            line("run", &["{a,b}.ron".to_owned()]),
+            "contrecoup run '{a,b}.ron'"
+        );
     }
 
     #[test]

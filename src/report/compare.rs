@@ -9,9 +9,9 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::SIGNS;
+use crate::injury::{A_BB, SIGNS};
 use crate::many::comparison::Entry;
-use crate::plain_text::printable;
+use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{CUT, Figure};
 use crate::report::format::{WIDTH, paragraph, percent};
 use crate::report::json::cut;
@@ -44,11 +44,6 @@ fn cell(answer: &Answer, of: Quantity) -> String {
     cell.unwrap_or_else(|| "-".to_owned())
 }
 
-/// Text escaped for a table of Markdown.
-pub fn escaped(text: &str) -> String {
-    text.replace('|', "\\|").replace('<', "&lt;")
-}
-
 impl Table {
     /// The table of these columns.
     pub fn of(entries: &[Entry], columns: &[Quantity]) -> Self {
@@ -68,7 +63,7 @@ impl Table {
                     cells
                 }
             };
-            (printable(&entry.name).into_owned(), cells)
+            (entry.name.clone(), cells)
         };
         let remark = |entry: &Entry| {
             let remarks = match entry.answer() {
@@ -81,7 +76,7 @@ impl Table {
                     std::iter::once(first).chain(flags).collect::<Vec<_>>()
                 }
             };
-            let name = printable(&entry.name).into_owned();
+            let name = entry.name.clone();
             remarks
                 .into_iter()
                 .map(move |remark| format!("{name}: {remark}"))
@@ -93,9 +88,11 @@ impl Table {
         let cut =
             |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
+        let told = answers.iter().any(|(_, answer)| answer.silence().is_none());
+        let bb = told.then(|| A_BB.to_owned());
         Self {
             rows: entries.iter().map(row).collect(),
-            notes: cut.into_iter().collect(),
+            notes: cut.into_iter().chain(bb).collect(),
             remarks: entries.iter().flat_map(remark).collect(),
             units,
             heads,
@@ -162,12 +159,12 @@ impl Table {
         writeln!(out, "| blow | {} |", heads.join(" | "))?;
         writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
         for (name, cells) in &self.rows {
-            let cells: Vec<String> = cells.iter().map(|cell| escaped(cell)).collect();
-            writeln!(out, "| {} | {} |", escaped(name), cells.join(" | "))?;
+            let cells: Vec<String> = cells.iter().map(|cell| markdown(cell)).collect();
+            writeln!(out, "| {} | {} |", markdown(name), cells.join(" | "))?;
         }
         writeln!(out)?;
         for remark in self.notes.iter().chain(&self.remarks) {
-            writeln!(out, "- {}", escaped(&printable(remark)))?;
+            writeln!(out, "- {}", markdown(remark))?;
         }
         writeln!(out, "\n{SIGNS}")
     }
@@ -192,9 +189,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     head.extend(["at_least", "not_final", "flags", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
     for entry in entries {
-        // CSV has no escapes: a file name that a terminal would obey is written out.
-        let source = printable(&entry.name);
-        let mut record = vec![source.into_owned(), entry.scenario.name.clone()];
+        let mut record = vec![cell_text(&entry.name), cell_text(&entry.scenario.name)];
         let plain = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
         let answer = entry.answer();
         for &of in Quantity::ALL {
@@ -209,7 +204,7 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
         let flags = answer.map_or(&[][..], |answer| &answer.flags);
         let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
         record.push(flags.join(" "));
-        record.push(entry.refused().unwrap_or_default().to_owned());
+        record.push(cell_text(entry.refused().unwrap_or_default()));
         writer.write_record(&record)?;
     }
     writer.flush()

@@ -11,6 +11,8 @@ use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
+/// So many samples leave little scatter in the bands.
+const MANY: usize = 1000;
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
 
@@ -219,7 +221,16 @@ fn cost(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
             single * 1e3
         )?;
     }
-    writeln!(out)
+    writeln!(out)?;
+    let done = ensemble.samples.len();
+    if done < MANY && !ensemble.stopped() {
+        let wall = (timing.wall * MANY as f64 / done.max(1) as f64).max(1.0);
+        writeln!(
+            out,
+            "More samples, steadier bands: --samples {MANY} (about {wall:.0} s)"
+        )?;
+    }
+    Ok(())
 }
 
 fn band(ensemble: &Ensemble, of: Quantity) -> Value {

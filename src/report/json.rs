@@ -13,8 +13,11 @@ use crate::run::flags::Flag;
 use crate::run::fold::Fold;
 use crate::run::quantity::Quantity;
 use crate::run::rules::Element;
-use crate::scenario::Scenario;
+use crate::scenario::{Impact, Scenario};
 use serde_json::{Map, Value, json};
+
+/// How the key of a direction about the eye's axis ends.
+pub(super) const AZIMUTH: &str = "_azimuth_deg";
 
 /// A number for each result that there is, by its key.
 pub fn by_result(values: &Results) -> Value {
@@ -133,8 +136,17 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "signs": SIGNS,
     });
     object["results"]["peak_time_ms_by_result"] = peak_times(answer);
+    let side = scenario.eye_side();
     for detail in &answer.run.details {
         object["results"][detail.key] = json!(detail.value);
+        if let Some(place) = detail.key.strip_suffix(AZIMUTH) {
+            let hour = side.hour(detail.value.to_radians());
+            object["results"][format!("{place}_clock_h")] = json!(hour);
+        }
+    }
+    if let Impact::Projectile(object_of) = &scenario.impact {
+        let direction = object_of.direction(side);
+        object["direction"] = json!(direction.unwrap_or_else(|| "straight on".to_owned()));
     }
     object
 }

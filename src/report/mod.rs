@@ -8,6 +8,7 @@ pub mod ensemble;
 pub mod errors;
 pub mod experiments;
 pub mod figure;
+pub mod first_page;
 pub mod format;
 pub mod hard_cases;
 pub mod json;

@@ -1,7 +1,7 @@
 //! The answer first: one line an injury, in text and as JSON, and what it rests on.
 
 use crate::answer::solve::Answer;
-use crate::injury::{AT_LEAST, Blow, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
+use crate::injury::{A_BB, AT_LEAST, Blow, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
 use crate::report::figure::Figure;
 use crate::report::format::{block, paragraph};
 use crate::run::quantity::Quantity;
@@ -69,7 +69,7 @@ pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     if answer.silence().is_none() {
         let missing = uncounted(answer);
         let missing = missing.map_or_else(String::new, |missing| format!(", without {missing}"));
-        paragraph(&format!("(ranges of 80 %{missing})"), out)?;
+        paragraph(&format!("(ranges of 80 %{missing}; {A_BB})"), out)?;
     }
     paragraph(SIGNS, out)
 }

@@ -2,6 +2,7 @@
 //! errors, flags.
 
 use crate::answer::solve::Answer;
+use crate::injury::A_BB;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, causes, unusable};
 use crate::report::risks::first_line;
@@ -33,7 +34,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
     format!(
         "{name}: {verdict}\n\
          {index}{figures} (±: {causes})\n\
-         {flags}; research and education, not diagnosis\n{command}"
+         {flags}; {A_BB}; research and education, not diagnosis\n{command}"
     )
 }
 

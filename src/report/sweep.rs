@@ -1,6 +1,8 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
+use crate::injury::Injury;
 use crate::many::sweep::{Sweep, SweepRow};
+use crate::plain_text::cell;
 use crate::run::quantity::Quantity;
 use crate::scenario::fields;
 use serde_json::{Map, Value, json};
@@ -14,7 +16,12 @@ pub enum SweepFormat {
     Json,
 }
 
-/// Columns after the results.
+/// The columns of the range of a risk.
+fn range_keys(injury: Injury) -> [String; 2] {
+    ["low", "high"].map(|end| format!("{}_{end}_percent", injury.key()))
+}
+
+/// Columns after the results and the ranges of risks.
 const LAST: [&str; 3] = ["step_error_percent", "flags", "refused"];
 
 fn csv(cells: &[String]) -> String {
@@ -34,6 +41,7 @@ impl SweepFormat {
                 let mut columns = vec!["row".to_owned()];
                 columns.extend(paths.iter().map(|path| (*path).to_owned()));
                 columns.extend(Quantity::ALL.iter().map(|of| of.key().to_owned()));
+                columns.extend(Injury::ALL.iter().flat_map(|injury| range_keys(*injury)));
                 columns.extend(LAST.map(str::to_owned));
                 let rows = sweep.rows();
                 format!(
@@ -56,15 +64,23 @@ impl SweepFormat {
         let error = point.and_then(|p| p.check).map(|check| check.last);
         let value = |of: Quantity| point?.values[of].filter(|v| v.is_finite());
         let refused = row.outcome.as_ref().err();
+        let range = |injury: Injury| match point.and_then(|point| point.ranges) {
+            Some(ranges) => {
+                let (low, high) = ranges[injury as usize];
+                [Some(100.0 * low), Some(100.0 * high)]
+            }
+            None => [None; 2],
+        };
         match self {
             Self::Csv => {
                 let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
                 let mut cells = vec![row.number.to_string()];
-                cells.extend(row.values.iter().cloned());
+                cells.extend(row.values.iter().map(|value| cell(value)));
                 cells.extend(Quantity::ALL.iter().map(|of| number(value(*of))));
+                cells.extend(Injury::ALL.iter().flat_map(|of| range(*of).map(number)));
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
-                cells.push(refused.map_or_else(String::new, |why| why.replace('\n', "; ")));
+                cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
                 csv(&cells)
             }
             Self::Json => {
@@ -75,6 +91,11 @@ impl SweepFormat {
                 let mut results = Map::new();
                 for &quantity in Quantity::ALL {
                     results.insert(quantity.key().to_owned(), json!(value(quantity)));
+                }
+                for &injury in Injury::ALL {
+                    for (key, end) in range_keys(injury).into_iter().zip(range(injury)) {
+                        results.insert(key, json!(end));
+                    }
                 }
                 let object = json!({
                     "row": row.number,
@@ -89,13 +110,48 @@ impl SweepFormat {
         }
     }
 
-    /// The number of the row that a complete line holds.
-    pub fn number(self, line: &str) -> Option<usize> {
+    /// The number of the row that a line holds; none of a line that is damaged: its columns, varied
+    /// values and figures must be those of such a row.
+    pub fn number(self, sweep: &Sweep, line: &str) -> Option<usize> {
         match self {
-            Self::Csv => line.split(',').next()?.parse().ok(),
+            Self::Csv => {
+                let mut reader = csv::ReaderBuilder::new();
+                let reader = reader.has_headers(false).from_reader(line.as_bytes());
+                let [record] = &reader.into_records().collect::<Result<Vec<_>, _>>().ok()?[..]
+                else {
+                    return None;
+                };
+                let varied = sweep.axes().len();
+                let figures = Quantity::ALL.len() + 2 * Injury::ALL.len() + 1;
+                let number = record
+                    .get(0)?
+                    .parse()
+                    .ok()
+                    .filter(|row| *row < sweep.rows())?;
+                let same = |(text, value): (&str, &str)| text == cell(value);
+                let values = record.iter().skip(1).zip(sweep.values(number));
+                let is_figure = |text: &str| text.is_empty() || text.parse::<f64>().is_ok();
+                let whole = record.len() == 1 + varied + figures + LAST.len() - 1
+                    && values.into_iter().all(same)
+                    && record.iter().skip(1 + varied).take(figures).all(is_figure);
+                whole.then_some(number)
+            }
             Self::Json => {
                 let object: Value = serde_json::from_str(line).ok()?;
-                usize::try_from(object.get("row")?.as_u64()?).ok()
+                let number = usize::try_from(object.get("row")?.as_u64()?).ok();
+                let number = number.filter(|row| *row < sweep.rows())?;
+                let axes = sweep.axes().iter().zip(sweep.values(number));
+                let varied = axes.map(|(axis, text)| (axis.path.clone(), typed(&axis.path, text)));
+                let figure = |value: &Value| value.is_null() || value.is_number();
+                let results = match object.get("results")? {
+                    Value::Object(results) => {
+                        results.len() == Quantity::ALL.len() + 2 * Injury::ALL.len()
+                            && results.values().all(figure)
+                    }
+                    other => other.is_null() && object.get("refused")?.is_string(),
+                };
+                let same = object.get("varied")? == &Value::Object(varied.collect());
+                (same && results).then_some(number)
             }
         }
     }

@@ -4,17 +4,29 @@ use crate::report::figure::{
     CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
 };
 use crate::report::format::{WIDTH, block, capital, paragraph, percent, significant};
+use crate::report::json::AZIMUTH;
 use crate::report::{errors, limit};
 
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
 use crate::plain_text::printable;
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::model::Shown;
+use crate::run::model::{Detail, Shown};
 use crate::run::quantity::Quantity;
+use crate::run::result_trace::Group;
+use crate::scenario::direction::o_clock;
 use crate::scenario::problem::plain;
 use crate::scenario::{Impact, Projectile, Scenario};
 use std::io::{self, Write};
+
+/// Results under headings, by what their traces are shown with.
+const GROUPS: [(&str, &[Group]); 5] = [
+    ("Motion and energy", &[Group::Motion, Group::Energies]),
+    ("Pressure and stress", &[Group::Inside]),
+    ("Tissues", &[Group::Tissues]),
+    ("The object", &[Group::Projectile]),
+    ("Forces of single nodes", &[Group::NodeForces]),
+];
 
 /// Prints the results of an answer.
 ///
@@ -40,10 +52,26 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of) && !of.is_risk();
-    for &quantity in Quantity::ALL.iter().filter(listed) {
-        if let (Some(peak), Some(figure)) = (answer.peak(quantity), Figure::of(answer, quantity)) {
-            let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(answer, quantity));
-            row(&capital(quantity.row().label), &figure, &when, out)?;
+    for (title, groups) in GROUPS {
+        let mut lines = Vec::new();
+        for &quantity in Quantity::ALL.iter().filter(listed) {
+            let group = quantity.row().trace.map(|trace| trace.place.0);
+            if group.is_some_and(|group| groups.contains(&group))
+                && let (Some(peak), Some(figure)) =
+                    (answer.peak(quantity), Figure::of(answer, quantity))
+            {
+                let when = remark(scenario, answer, quantity);
+                let when = format!("at {:.3} ms{when}", peak.time * 1e3);
+                row(&capital(quantity.row().label), &figure, &when, &mut lines)?;
+            }
+        }
+        if groups.contains(&Group::Projectile) {
+            rebound(scenario, answer, &mut lines)?;
+        }
+        if !lines.is_empty() {
+            writeln!(out, "{title}")?;
+            out.write_all(&lines)?;
+            writeln!(out)?;
         }
     }
     signs(answer, out)?;
@@ -52,25 +80,34 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
             writeln!(out, "{label:<18} {:>9} {words}", significant(detail.value))?;
         }
     }
-    rebound(scenario, answer, out)?;
     crate::report::risks::evidence(answer, out)?;
     Ok(())
 }
 
-/// The words behind a peak and its time.
-fn remark(answer: &Answer, of: Quantity) -> String {
+/// The words behind a peak and its time, with the clock hour where the place has one.
+pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> String {
     if of == Quantity::Pressure {
         return ", mean of the globe".to_owned();
     }
-    let mut behind = answer
+    let behind = |detail: &Detail| match &detail.shown {
+        Shown::Behind(result, words) if *result == of => {
+            let place = detail
+                .key
+                .trim_end_matches(AZIMUTH)
+                .trim_end_matches("_angle_deg");
+            let around = answer.run.detail(&format!("{place}{AZIMUTH}"));
+            let hour = around.map(|around| scenario.eye_side().hour(around.to_radians()));
+            let hour = hour.map_or_else(String::new, |hour| format!(" ({})", o_clock(hour)));
+            Some(format!(", {words}{hour}"))
+        }
+        _ => None,
+    };
+    answer
         .run
         .details
         .iter()
-        .filter_map(|detail| match &detail.shown {
-            Shown::Behind(result, words) if *result == of => Some(format!(", {words}")),
-            _ => None,
-        });
-    behind.next().unwrap_or_default()
+        .find_map(behind)
+        .unwrap_or_default()
 }
 
 /// Prints how fast the object goes on or back.
@@ -98,7 +135,7 @@ fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Res
 }
 
 /// A row of a result: its name, the figure, and what else is to be said.
-fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
     let line = format!(
         "{name:<19} {:>8} {:<3} {:<8} {more}",
         figure.cell(),
@@ -109,7 +146,7 @@ fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Resu
     match line.split_once(", ") {
         // Where it happened may need a line of its own.
         Some((when, place)) if line.chars().count() > WIDTH => {
-            writeln!(out, "{when},\n{:20}{place}", "")
+            writeln!(out, "{when},\n{:12}{place}", "")
         }
         _ => writeln!(out, "{line}"),
     }

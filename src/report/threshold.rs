@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::injury::{SIGNS, whole};
+use crate::injury::{A_BB, SIGNS, whole};
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit as united};
@@ -109,7 +109,11 @@ pub fn text(
                 None => "range not known".to_owned(),
             };
             block(&holds, "  ", "    ", out)?;
-            let words = format!("there {}: {}", there.risk.injury.name(), there.risk.words());
+            let words = format!(
+                "there {}: {}; {A_BB}",
+                there.risk.injury.name(),
+                there.risk.words()
+            );
             block(&words, "  ", "    ", out)?;
         }
         for flag in &crossing.flags {

@@ -104,4 +104,30 @@ impl FlagKind {
             Self::ContactCut => "contact_cut",
         }
     }
+
+    /// What to do about it.
+    pub fn next_step(self) -> &'static str {
+        match self {
+            Self::MeshFolded | Self::NotPredictable => "try a smaller blow",
+            Self::MeshNearlyFolded => "a little more folds it: take no more than this",
+            Self::FinerMeshFolds => "trust the mesh error less",
+            Self::EnergyImbalance | Self::Unconverged => "try a shorter step, as --step-us sets it",
+            Self::LostInRounding => "try a larger blow",
+            Self::WindowShort | Self::WindowCapped | Self::PulseCut | Self::ContactCut => {
+                "set a longer window_ms"
+            }
+            Self::ArcUnresolved => "try a finer mesh, as --level sets it",
+            Self::BoneShields => "aim nearer to the front",
+            Self::SurfaceCrushed | Self::EyeFlat | Self::BeyondTests => {
+                "believe no more than `at least`, or try a smaller blow"
+            }
+            Self::WentPast => "aim nearer to the middle",
+            Self::RimStops => {
+                "vary the rim, model.rim, or the angle: bone takes a part of the blow"
+            }
+            Self::BoneMayBreak => "think of a fracture too: it is not in the model",
+            Self::EyeMissed => "change angle or offset for a blow that meets the eye",
+            Self::AngleBeyondTrust => "turn the blow nearer to the front",
+        }
+    }
 }

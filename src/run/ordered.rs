@@ -1,9 +1,10 @@
 //! Numbered jobs on all cores whose results come in their order.
 //!
-//! Each thread of the present pool takes the next number that nobody has. A result waits until all
+//! Each thread of the present pool, or the calling one where none can start, takes the next number that nobody has. A result waits until all
 //! before it are there, so whoever receives them sees the same sequence for any number of threads,
 //! and a run that is stopped gives its beginning.
 
+use crate::run::threads;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -60,6 +61,9 @@ pub fn run<T: Send>(
             }
         }
     };
+    if !threads::pool_is_there() {
+        return work();
+    }
     rayon::scope(|scope| {
         for _ in 0..rayon::current_num_threads() {
             scope.spawn(|_| work());

@@ -262,7 +262,11 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     let (level, finest) = (scenario.eye.level, scenario.finest_level());
     if level > finest {
         let allowed = format!("whole numbers 1 to {finest}");
-        let complaint = "is out of range for this eye";
+        let complaint = if scenario.geometry().is_some_and(Geometry::is_spatial) {
+            "is too fine for the eye in three dimensions, which numerics.geometry chooses"
+        } else {
+            "is out of range for this eye"
+        };
         refuse("eye.level", &level.to_string(), complaint, &allowed);
     }
     problems

@@ -13,7 +13,7 @@ use std::fmt;
 use serde::Deserializer;
 use serde::de::{Error, MapAccess, Visitor};
 
-use crate::plain_text::quoted;
+use crate::plain_text::{MAX_LINES, quoted};
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::{Scenario, fields};
@@ -121,13 +121,21 @@ pub(super) fn tidy(scenario: &mut Scenario, path: &str) {
 
 /// Everything that is wrong with the doubts, in the order of their paths.
 pub(super) fn check(scenario: &Scenario) -> Vec<Problem> {
-    let problem = |(path, doubt): (&String, &f64)| check_one(scenario, path, *doubt);
-    scenario.doubt.iter().filter_map(problem).collect()
+    let mut problems = Vec::new();
+    for (path, doubt) in &scenario.doubt {
+        // Nobody reads more proposals than there are lines.
+        let proposes = problems.len() < MAX_LINES;
+        problems.extend(check_one(scenario, path, *doubt, proposes));
+    }
+    problems
 }
 
-fn check_one(scenario: &Scenario, path: &str, doubt: f64) -> Option<Problem> {
+fn check_one(scenario: &Scenario, path: &str, doubt: f64, proposes: bool) -> Option<Problem> {
     let whole = format!("doubt.{path}");
     let Some(field) = fields::find(path) else {
+        if !proposes {
+            return Some(Problem::new(whole, "there is no such field"));
+        }
         let numbers = fields::FIELDS
             .iter()
             .filter(|field| matches!(field.kind, Kind::Number(..)))

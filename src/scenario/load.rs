@@ -5,6 +5,7 @@
 
 use std::path::Path;
 
+use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
@@ -42,7 +43,8 @@ fn parse_with_base(text: &str, origin: &str, base: &PathBase) -> Result<Scenario
     let scenario: Scenario =
         with_files(base, || read(text, "")).map_err(|error: ScenarioError| error.of(origin))?;
     let checked = scenario.check().map_err(|mut error| {
-        for problem in &mut error.problems {
+        // Each place is looked for from the beginning, and no more of them are ever read.
+        for problem in error.problems.iter_mut().take(MAX_LINES) {
             let (line, column) = locate(text, &problem.field);
             (problem.line, problem.column) = (Some(line), Some(column));
         }
@@ -90,6 +92,17 @@ mod tests {
             "x.ron:4:12: impact.force_n: -5 is out of range: allowed 0 to 100000 N"
         );
         assert!(lines[2].starts_with("x.ron:6:13: window_ms: NaN is not a finite number"));
+    }
+
+    #[test]
+    fn ten_thousand_unknown_fields_are_refused_in_no_time() {
+        let doubts: String = (0..10_000)
+            .map(|i| format!("\"impact.farce_{i}\": 1.0, "))
+            .collect();
+        let text = format!("(name: \"x\", impact: ForcePulse(), doubt: {{{doubts}}})");
+        let begun = std::time::Instant::now();
+        assert!(complaint(&text).contains("and 9980 more like these"));
+        assert!(begun.elapsed().as_millis() < 500, "{:?}", begun.elapsed());
     }
 
     #[test]

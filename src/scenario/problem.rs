@@ -134,15 +134,27 @@ pub const ALIKE: f64 = 0.8;
 
 /// Up to three candidates that resemble a mistyped name, the nearest first.
 pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let alike = by_likeness(typed, candidates).into_iter();
+    let alike = alike.take_while(|(score, _)| *score > ALIKE).take(3);
+    alike.map(|(_, candidate)| candidate).collect()
+}
+
+/// The five candidates that are most like a name, however little, in words.
+pub fn five_nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> String {
+    let nearest = by_likeness(typed, candidates).into_iter().take(5);
+    let names: Vec<&str> = nearest.map(|(_, candidate)| candidate).collect();
+    names.join(", ")
+}
+
+/// Candidates with their likeness to a name, the nearest first.
+fn by_likeness<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<(f64, &'a str)> {
     // Long enough to be told apart, short enough that a pasted novel costs nothing.
     let typed: String = typed.chars().take(LONGEST_QUOTE).collect();
     let mut scored: Vec<(f64, &str)> = candidates
         .map(|candidate| (likeness(&typed, candidate), candidate))
-        .filter(|(score, _)| *score > ALIKE)
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
-    scored.truncate(3);
-    scored.into_iter().map(|(_, candidate)| candidate).collect()
+    scored
 }
 
 /// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by

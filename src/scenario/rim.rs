@@ -21,14 +21,41 @@ pub struct Around {
     pub temple: f64,
 }
 
-/// Where the rim lies.
+/// Where the rim lies. A file gives its lengths, or says whose it is, as in `rim: EastAsian`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(from = "Written")]
 pub struct Rim {
     /// Behind the plane through the apex of the cornea.
     pub depth_mm: Around,
     /// Between globe and rim, radially.
     pub gap_mm: Around,
+}
+
+/// As a file has it. The reader of RON tells a word from lengths only to an untagged enum.
+#[derive(Deserialize)]
+#[serde(
+    untagged,
+    expecting = "expected Caucasian, EastAsian, or (depth_mm: (...), gap_mm: (...))"
+)]
+enum Written {
+    Named(Named),
+    Lengths { depth_mm: Around, gap_mm: Around },
+}
+
+#[derive(Deserialize)]
+enum Named {
+    Caucasian,
+    EastAsian,
+}
+
+impl From<Written> for Rim {
+    fn from(written: Written) -> Self {
+        match written {
+            Written::Named(Named::Caucasian) => Self::CAUCASIAN,
+            Written::Named(Named::EastAsian) => Self::EAST_ASIAN,
+            Written::Lengths { depth_mm, gap_mm } => Self { depth_mm, gap_mm },
+        }
+    }
 }
 
 const fn around(above: f64, nose: f64, below: f64, temple: f64) -> Around {
@@ -107,5 +134,37 @@ impl Choices for Rims {
             }
             _ => false,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::load::{parse, to_ron};
+
+    #[test]
+    fn a_file_says_whose_rim_it_is_or_gives_its_lengths() {
+        let file = |rim: &str| {
+            let text = format!(
+                "(name: \"x\", model: Physiological(rim: {rim}), impact: Projectile(mass_g: 1, \
+                 diameter_mm: 6, speed_m_s: 9))"
+            );
+            parse(&text, "x.ron")
+        };
+        let rim = |scenario: Scenario| match scenario.model {
+            Model::Physiological(model) => model.rim,
+            Model::Paper => panic!("not asked for"),
+        };
+        let asian = file("EastAsian").unwrap();
+        assert_eq!(
+            rim(parse(&to_ron(&asian), "y.ron").unwrap()),
+            Rim::EAST_ASIAN
+        );
+        assert_eq!(rim(asian), Rim::EAST_ASIAN);
+        let lengths = "(depth_mm: (above: 1, nose: 2.5, below: 3, temple: 4), \
+                       gap_mm: (above: 1, nose: 2, below: 3, temple: 4))";
+        assert_eq!(rim(file(lengths).unwrap()).depth_mm.nose, 2.5);
+        let refused = file("Martian").unwrap_err().to_string();
+        assert!(refused.contains("EastAsian"), "{refused}");
     }
 }

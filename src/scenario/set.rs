@@ -118,6 +118,12 @@ pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
     }
 }
 
+/// Puts changes of the model before all others, which else keep their order: a word such as the
+/// nose means a place of the eye that is meant in the end.
+pub fn model_first<T>(scenario: &Scenario, changes: &mut [T], path: impl Fn(&T) -> &str) {
+    changes.sort_by_key(|change| !full_path(scenario, path(change)).starts_with("model"));
+}
+
 fn is_group(path: &str) -> bool {
     GROUPS.iter().any(|group| group.path == path)
 }
@@ -222,7 +228,10 @@ fn forget_doubts(scenario: &mut Scenario, had: &[&str]) {
 
 fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
     let done = match &field.kind {
-        Kind::Number(_, place) => store((place.get_mut)(scenario), number(text)),
+        Kind::Number(_, place) => {
+            let hour = (field.unit == "h").then(|| clock(text)).flatten();
+            store((place.get_mut)(scenario), hour.or_else(|| number(text)))
+        }
         Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), optional(text).ok()),
         Kind::Integer(_, _, place) => store((place.get_mut)(scenario), text.parse().ok()),
         Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
@@ -271,6 +280,13 @@ fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {
 
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().or_else(|| read(text, "").ok())
+}
+
+/// An hour as a clock shows it: 7.5 of `7:30`.
+fn clock(text: &str) -> Option<f64> {
+    let (hour, minutes) = text.split_once(':')?;
+    let (hour, minutes): (u8, u8) = (hour.trim().parse().ok()?, minutes.trim().parse().ok()?);
+    (minutes < 60).then(|| f64::from(hour) + f64::from(minutes) / 60.0)
 }
 
 fn optional(text: &str) -> Result<Option<f64>, ScenarioError> {

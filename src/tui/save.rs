@@ -165,7 +165,11 @@ fn save_by(
     check_name(name)?;
     let failed = |error: io::Error| SaveError::Failed(error.to_string());
     fs::create_dir_all(folder).map_err(failed)?;
-    let path = folder.join(format!("{name}.ron"));
+    let mut path = folder.join(format!("{name}.ron"));
+    if replace {
+        // What a link leads to is replaced, and the link stays.
+        path = whole_file::resolved(&path);
+    }
     let mut file = whole_file::beside(&path).map_err(failed)?;
     // On an error the temporary file goes when it is dropped.
     fill(file.as_file_mut()).map_err(failed)?;
@@ -194,6 +198,24 @@ mod tests {
             .collect();
         names.sort();
         names
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn saving_over_a_linked_preset_follows_the_link() {
+        let (presets, elsewhere) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let (link, target) = (
+            presets.path().join("a.ron"),
+            elsewhere.path().join("own.ron"),
+        );
+        fs::write(&target, "old").unwrap();
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        let taken = save(presets.path(), "a", "new", false);
+        assert_eq!(taken, Err(SaveError::Exists("a".to_owned())));
+        save(presets.path(), "a", "new", true).unwrap();
+        assert!(link.symlink_metadata().unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(&target).unwrap(), "new");
+        assert_eq!(names(elsewhere.path()), ["own.ron"]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! It does one request and holds at most one more; a newer request takes the place of the held one
 //! and stops the running one.
 
+use std::io;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -39,20 +40,23 @@ pub struct Worker(Arc<Shared>);
 impl Worker {
     /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is
     /// stopped. One that `is_idle` gives way to all other work of the machine.
+    ///
+    /// # Errors
+    /// Where no thread can start.
     pub fn start(
         limit: Option<Duration>,
         is_idle: bool,
         say: impl Fn(Report) + Send + 'static,
-    ) -> Self {
+    ) -> io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let own = Arc::clone(&shared);
-        thread::spawn(move || {
+        thread::Builder::new().spawn(move || {
             if is_idle {
                 idle::give_way();
             }
             work(&own, limit, &say);
-        });
-        Self(shared)
+        })?;
+        Ok(Self(shared))
     }
 
     /// Hands in a request. Tickets must rise.
@@ -189,7 +193,7 @@ mod tests {
         let worker = Worker::start(None, false, move |report| {
             let _ = say.send(report);
         });
-        (worker, reports)
+        (worker.unwrap(), reports)
     }
 
     fn submit(worker: &Worker, ticket: Ticket, scenario: Scenario) {
@@ -257,6 +261,7 @@ mod tests {
         let worker = Worker::start(Some(Duration::from_millis(300)), false, move |report| {
             let _ = say.send(report);
         });
+        let worker = worker.unwrap();
         submit(&worker, 1, long());
         assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 2, Scenario::default());

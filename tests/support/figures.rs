@@ -67,9 +67,13 @@ const WIRE: [&str; 5] = [
 pub static FIGURES: &[Figures] = &[
     Figures {
         name: "run",
-        command: "contrecoup run presets/paper-300n.ron",
-        form: Form::Of("contrecoup run presets/paper-300n.ron"),
-        excerpt: |text| without(&before(text, "\nSolved"), "Pain, "),
+        command: "contrecoup run squash-ball",
+        form: Form::Of("contrecoup run squash-ball"),
+        excerpt: |text| {
+            only(text, |line| {
+                !line.starts_with("Pain, ") && !line.starts_with("today; ")
+            })
+        },
     },
     Figures {
         name: "coverage",
@@ -158,7 +162,7 @@ pub static FIGURES: &[Figures] = &[
     },
     Figures {
         name: "doubt",
-        command: "contrecoup ensemble paper-300n --set 'impact.force_n=300 +- 20'",
+        command: "contrecoup ensemble paper-300n --set 'impact.force_n=300 +- 20' --samples 1000",
         form: Form::Of(
             "contrecoup ensemble paper-300n --set 'impact.force_n=300 +- 20' --samples 16",
         ),
@@ -202,13 +206,6 @@ pub fn printed(command: &str) -> String {
         .unwrap();
     assert!(output.status.success(), "{command}: {output:?}");
     String::from_utf8(output.stdout).unwrap()
-}
-
-/// A text without the paragraph's rest that begins with `first`: the README says it elsewhere.
-fn without(text: &str, first: &str) -> String {
-    let split = text.split_once(first);
-    let split = split.and_then(|(head, rest)| Some((head, rest.split_once("\n\n")?.1)));
-    split.map_or_else(|| text.to_owned(), |(head, rest)| format!("{head}\n{rest}"))
 }
 
 /// What stands before the first line that begins with `end`, which is led by a line break.

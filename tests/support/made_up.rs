@@ -369,6 +369,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                 .map(|(input, u)| input.value(*u))
                 .collect(),
             outcome: Ok(BriefAnswer {
+                ranges: None,
                 values: nominal.map(|of, value| {
                     let most = if of.is_risk() { 100.0 } else { f64::INFINITY };
                     value.map(|value| (value * factor).min(most))

@@ -203,6 +203,14 @@ impl Term {
         writer.flush().unwrap();
     }
 
+    /// What types on another thread, whether or not anybody reads it any more.
+    pub fn typist(&self) -> impl Fn(&str) + Send + use<> {
+        let writer = Arc::clone(&self.writer);
+        move |keys| {
+            let _ = writer.lock().unwrap().write_all(keys.as_bytes());
+        }
+    }
+
     /// Changes the size of the terminal.
     pub fn resize(&self, columns: u16, rows: u16) {
         let mut seen = self.seen.lock().unwrap();

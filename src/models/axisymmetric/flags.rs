@@ -50,6 +50,11 @@ pub(crate) struct Asked {
     pub rim: &'static str,
 }
 
+/// A number to its second digit.
+fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
 /// Flags that every eye of cells can raise.
 pub(crate) fn of_blow(
     asked: &Asked,
@@ -64,8 +69,8 @@ pub(crate) fn of_blow(
             force.time,
             FlagKind::RimStops,
             format!(
-                "{rim} met the projectile at {at:.3} ms, with {:.1e} N",
-                force.value
+                "{rim} met the projectile at {at:.3} ms, with {} N",
+                plain(two_digits(force.value))
             ),
         );
         if extremes.missed() {

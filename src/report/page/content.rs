@@ -6,6 +6,7 @@ use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_word};
 use crate::report::format::{capital, percent};
+use crate::report::text::remark;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
@@ -88,7 +89,7 @@ pub(super) struct ResultRow {
     pub(super) mesh: String,
 }
 
-pub(super) fn rows(answer: &Answer) -> Vec<ResultRow> {
+pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<ResultRow> {
     let errors = &answer.errors;
     let row = |(of, _): (Quantity, f64)| {
         let mesh = errors.mesh.as_ref();
@@ -98,7 +99,7 @@ pub(super) fn rows(answer: &Answer) -> Vec<ResultRow> {
             value: value(answer, of),
             unit: of.row().unit,
             at: match answer.peak(of) {
-                Some(peak) => format!("{:.3} ms", peak.time * 1e3),
+                Some(peak) => format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)),
                 None => String::new(),
             },
             step: known(errors.time_step[of]),
@@ -135,7 +136,9 @@ pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
 
 /// What the mesh is, in words.
 pub(super) fn mesh(answer: &Answer, scenario: &Scenario) -> String {
-    let model = find("model").and_then(|field| field.text(scenario));
-    let model = model.unwrap_or_default();
-    format!("{model} model, mesh level {}", answer.case.level())
+    format!(
+        "{}; mesh level {}",
+        scenario.description(),
+        answer.case.level()
+    )
 }

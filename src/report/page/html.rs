@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::injury::SIGNS;
+use crate::injury::{A_BB, SIGNS};
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
@@ -19,6 +19,7 @@ use crate::report::page::fundus;
 use crate::report::risks::{first_line, lines};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
+use crate::scenario::Scenario;
 use crate::scenario::load::to_ron;
 
 /// Nothing is loaded from anywhere, whatever a name holds.
@@ -118,7 +119,7 @@ fn blow(entry: &Entry) -> Markup {
                     @let motion = charts::motion(answer);
                     div.columns {
                         div { (eye(answer)) (asked(entry)) }
-                        div { (results(answer)) }
+                        div { (results(scenario, answer)) }
                     }
                     div.charts {
                         @if let Some(sectors) = &answer.run.sectors {
@@ -168,14 +169,14 @@ fn asked(entry: &Entry) -> Markup {
     }
 }
 
-fn results(answer: &Answer) -> Markup {
+fn results(scenario: &Scenario, answer: &Answer) -> Markup {
     let balance = percent(answer.errors.energy_balance);
     html! {
         table {
             thead { tr {
                 th { "result" } th { "value" } th {} th { "at" } th { "step ±" } th { "mesh ±" }
             } }
-            tbody class=[answer.spoiled().map(|_| "raw")] { @for row in rows(answer) {
+            tbody class=[answer.spoiled().map(|_| "raw")] { @for row in rows(scenario, answer) {
                 tr {
                     th { (row.name) } td { (row.value) } td.unit { (row.unit) } td { (row.at) }
                     td { (row.step) } td { (row.mesh) }
@@ -196,6 +197,6 @@ fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
             p { "The same again: " code { (command) } }
         }
         ol { @for source in sources(entries) { li { (source) } } }
-        p { (version()) ". " (SIGNS) }
+        p { (version()) ". " (capital(A_BB)) ". " (SIGNS) }
     }
 }

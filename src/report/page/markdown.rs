@@ -2,11 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::injury::SIGNS;
+use crate::injury::{A_BB, SIGNS};
 use crate::many::comparison::{Entry, leading};
-use crate::plain_text::printable;
-use crate::report::compare::{Table, escaped};
+use crate::plain_text::markdown;
+use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
+use crate::report::format::capital;
 use crate::report::limit;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::risks::lines;
@@ -27,41 +28,41 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
     }
     writeln!(out, "## Sources\n")?;
     for source in sources(entries) {
-        writeln!(out, "- {}", escaped(source))?;
+        writeln!(out, "- {}", markdown(source))?;
     }
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    writeln!(out, "\n{}. {SIGNS}", version())
+    writeln!(out, "\n{}. {}. {SIGNS}", version(), capital(A_BB))
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "# {}\n", escaped(&printable(&entry.scenario.name)))?;
+    writeln!(out, "# {}\n", markdown(&entry.scenario.name))?;
     let Some(answer) = entry.answer() else {
-        let why = printable(entry.refused().unwrap_or_default());
-        return writeln!(out, "No answer: {}\n", escaped(&why));
+        let why = markdown(entry.refused().unwrap_or_default());
+        return writeln!(out, "No answer: {why}\n");
     };
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
     for (name, words) in lines(answer) {
-        writeln!(out, "- **{name}**: {}", escaped(&words))?;
+        writeln!(out, "- **{name}**: {}", markdown(&words))?;
     }
     if let Some(why) = unusable(answer) {
-        writeln!(out, "- {}", escaped(&why))?;
+        writeln!(out, "- {}", markdown(&why))?;
     }
     for flag in &answer.flags {
         writeln!(
             out,
             "- FLAG `{}`: {}",
             flag.kind.name(),
-            escaped(&flag.whole())
+            markdown(&flag.whole())
         )?;
     }
     writeln!(
         out,
         "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|"
     )?;
-    for row in rows(answer) {
-        let (step, mesh) = (escaped(&row.step), escaped(&row.mesh));
+    for row in rows(&entry.scenario, answer) {
+        let (step, mesh) = (markdown(&row.step), markdown(&row.mesh));
         writeln!(
             out,
             "| {} | {} | {} | {} | {step} | {mesh} |",
@@ -70,11 +71,11 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
     if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
-        writeln!(out, "\nDamage index: {}.", escaped(&limit))?;
+        writeln!(out, "\nDamage index: {}.", markdown(&limit))?;
     }
     writeln!(out, "\n| input | value |\n|---|---|")?;
     for (label, text) in inputs(&entry.scenario) {
-        writeln!(out, "| {label} | {} |", escaped(&text))?;
+        writeln!(out, "| {label} | {} |", markdown(&text))?;
     }
     writeln!(out)
 }

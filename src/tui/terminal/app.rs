@@ -5,7 +5,7 @@
 
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 use ratatui::buffer::Buffer;
@@ -19,7 +19,7 @@ use crate::tui::guest::LONGEST_ANSWER;
 use crate::tui::outbox::Effect;
 use crate::tui::save::{SaveError, page, remove, rename, save};
 use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
-use crate::tui::terminal::event::Event;
+use crate::tui::terminal::event::{Event, leaving};
 use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::jobs::Jobs;
 use crate::tui::terminal::pacer::{Cause, Pacer};
@@ -37,6 +37,9 @@ pub struct Settings {
     pub guest_limit: Option<Duration>,
 }
 
+/// Events that wait at most: who types faster than is done is held up, not remembered.
+const QUEUE: usize = 8;
+
 /// The largest screen that is drawn; a terminal that claims more shows a part.
 const LARGEST: (u16, u16) = (500, 200);
 
@@ -45,10 +48,10 @@ const LARGEST: (u16, u16) = (500, 200);
 /// # Errors
 /// Where the terminal fails.
 pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
-    let (send, events) = channel();
+    let (send, events) = sync_channel(QUEUE);
     let signals = system::signals()?;
     let session = Session::enter()?;
-    system::listen(&send, signals);
+    system::listen(&send, signals)?;
     let mut event_loop = EventLoop {
         jobs: Jobs::new(send, settings.guest_limit.map(|_| LONGEST_ANSWER)),
         app,
@@ -135,8 +138,12 @@ impl EventLoop {
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return Ok(1),
             }
-            // All that has come so far goes into one frame.
-            while let Ok(event) = self.events.try_recv() {
+            // All that has come so far goes into one frame, unless it takes longer than a frame may.
+            let until = Instant::now() + self.frame_time;
+            while self.exit.is_none()
+                && Instant::now() < until
+                && let Ok(event) = self.events.try_recv()
+            {
                 self.handle(event)?;
             }
             self.flush_escape()?;
@@ -234,6 +241,10 @@ impl EventLoop {
             Event::Bytes(bytes) => {
                 let inputs = self.parser.feed(&bytes);
                 for input in inputs {
+                    if let Some(code) = leaving() {
+                        self.exit = Some(code);
+                        break;
+                    }
                     self.handle_input(input)?;
                 }
                 self.escape_since = self.parser.is_waiting().then(Instant::now);
@@ -319,6 +330,10 @@ impl EventLoop {
         let until = Instant::now() + self.pacer.farewell();
         while self.pacer.awaits() {
             let left = until.saturating_duration_since(Instant::now());
+            // A flood of keys always has one more.
+            if left.is_zero() {
+                break;
+            }
             let Ok(event) = self.events.recv_timeout(left) else {
                 break;
             };
@@ -380,7 +395,7 @@ impl EventLoop {
                 Effect::Mouse(listen) => self.session.listen_to_mouse(listen)?,
                 Effect::Repaint => self.repaint(),
                 Effect::Quit(code) => self.exit = Some(code),
-                Effect::Start(request) => self.jobs.start(request),
+                Effect::Start(request) => self.jobs.start(request)?,
                 Effect::Stop(ticket) => self.jobs.stop(ticket),
             }
         }

@@ -1,5 +1,7 @@
 //! What comes from outside.
 
+use std::sync::atomic::{AtomicI32, Ordering};
+
 use crate::tui::app::update::Message;
 use crate::tui::keys::press::SUSPEND;
 use crate::tui::terminal::input::TerminalInput;
@@ -22,9 +24,26 @@ pub(super) enum Event {
     News(Message),
 }
 
+/// The exit code that the app must leave with, below 0 as long as it may stay.
+static LEAVING: AtomicI32 = AtomicI32::new(-1);
+
+/// The exit code that the app must leave with, if it must.
+pub(super) fn leaving() -> Option<u8> {
+    u8::try_from(LEAVING.load(Ordering::Relaxed)).ok()
+}
+
 impl Event {
     /// The terminal is gone.
-    pub(super) const HANGUP: Self = Self::End(129);
+    pub(super) fn hangup() -> Self {
+        Self::end(129)
+    }
+
+    /// The app must leave with this exit code, from now on: whoever still has much to do looks at
+    /// [`leaving`] meanwhile.
+    pub(super) fn end(code: u8) -> Self {
+        LEAVING.store(i32::from(code), Ordering::Relaxed);
+        Self::End(code)
+    }
 
     /// Whether the app must leave.
     pub(super) fn is_end(&self) -> bool {
@@ -51,7 +70,7 @@ mod tests {
         let ctrl_z = key(KeyCode::Char('z'), KeyModifiers::CONTROL);
         assert!(ctrl_z.is_suspend() && !ctrl_z.is_end());
         assert!(!key(KeyCode::Char('z'), KeyModifiers::NONE).is_suspend());
-        assert!(Event::HANGUP.is_end());
+        assert!(Event::End(129).is_end());
         assert!(!Event::Continued.is_end() && !Event::Resized.is_end());
     }
 }

@@ -2,7 +2,9 @@
 
 use std::any::TypeId;
 use std::collections::HashMap;
-use std::sync::mpsc::Sender;
+use std::collections::hash_map::Entry;
+use std::io;
+use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
 use crate::tui::app::update::Message;
@@ -12,7 +14,7 @@ use crate::tui::worker::Worker;
 
 /// One thread a kind of question.
 pub(super) struct Jobs {
-    send: Sender<Event>,
+    send: SyncSender<Event>,
     /// How long one answer may take.
     limit: Option<Duration>,
     workers: HashMap<(TypeId, bool), Worker>,
@@ -21,7 +23,7 @@ pub(super) struct Jobs {
 impl Jobs {
     /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is
     /// stopped.
-    pub(super) fn new(send: Sender<Event>, limit: Option<Duration>) -> Self {
+    pub(super) fn new(send: SyncSender<Event>, limit: Option<Duration>) -> Self {
         let workers = HashMap::new();
         Self {
             send,
@@ -31,17 +33,24 @@ impl Jobs {
     }
 
     /// Hands a request to the thread of its kind.
-    pub(super) fn start(&mut self, request: Request) {
+    ///
+    /// # Errors
+    /// Where no thread can start.
+    pub(super) fn start(&mut self, request: Request) -> io::Result<()> {
         let (send, limit) = (&self.send, self.limit);
         let kind = request.kind();
-        let worker = self.workers.entry(kind).or_insert_with(|| {
-            let send = send.clone();
-            Worker::start(limit, kind.1, move |report| {
-                // Nobody listens once the app is leaving.
-                let _ = send.send(Event::News(Message::News(report)));
-            })
-        });
+        let worker = match self.workers.entry(kind) {
+            Entry::Occupied(there) => there.into_mut(),
+            Entry::Vacant(none) => {
+                let send = send.clone();
+                none.insert(Worker::start(limit, kind.1, move |report| {
+                    // Nobody listens once the app is leaving.
+                    let _ = send.send(Event::News(Message::News(report)));
+                })?)
+            }
+        };
         worker.submit(request);
+        Ok(())
     }
 
     /// Stops the request of a ticket, whichever thread has it.

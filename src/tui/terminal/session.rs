@@ -108,7 +108,7 @@ fn is_entered() -> bool {
 #[cfg(unix)]
 pub(super) fn abandon(code: i32) -> ! {
     // The app may be held up in a write, so this one must not be waited for.
-    thread::spawn(|| {
+    let _ = thread::Builder::new().spawn(|| {
         if let Ok(out) = system::out() {
             leave(&out);
         }

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::os::fd::AsFd;
-use std::sync::mpsc::Sender;
+use std::sync::mpsc::SyncSender;
 use std::thread;
 use std::time::Duration;
 
@@ -103,9 +103,12 @@ pub(super) fn signals() -> io::Result<Signals> {
 }
 
 /// Sends what is typed and which signals come.
-pub(super) fn listen(send: &Sender<Event>, Signals(mut signals): Signals) {
+///
+/// # Errors
+/// Where no thread can start.
+pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) -> io::Result<()> {
     let sender = send.clone();
-    thread::spawn(move || {
+    thread::Builder::new().spawn(move || {
         let mut told = false;
         for signal in signals.forever() {
             let event = match signal {
@@ -119,31 +122,36 @@ pub(super) fn listen(send: &Sender<Event>, Signals(mut signals): Signals) {
                         session::abandon(code);
                     }
                     told = true;
-                    thread::spawn(move || {
+                    // Without a thread for it the app has all the time it takes.
+                    let _ = thread::Builder::new().spawn(move || {
                         thread::sleep(LAST_CALL);
                         session::abandon(code);
                     });
-                    Event::End(u8::try_from(code).unwrap_or(1))
+                    Event::end(u8::try_from(code).unwrap_or(1))
                 }
             };
             if sender.send(event).is_err() {
                 return;
             }
         }
-    });
+    })?;
     let sender = send.clone();
-    thread::spawn(move || read_keyboard(&sender));
+    thread::Builder::new().spawn(move || read_keyboard(&sender))?;
+    Ok(())
 }
 
-fn read_keyboard(send: &Sender<Event>) {
+/// So many bytes are read at once: what is typed faster than it is done waits in the terminal.
+const BITE: usize = 256;
+
+fn read_keyboard(send: &SyncSender<Event>) {
     let mut keyboard = io::stdin().lock();
-    let mut bytes = [0; 4096];
+    let mut bytes = [0; BITE];
     loop {
         let event = match keyboard.read(&mut bytes) {
-            Ok(0) => Event::HANGUP,
+            Ok(0) => Event::hangup(),
             Ok(count) => Event::Bytes(bytes[..count].to_vec()),
             Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(_) => Event::HANGUP,
+            Err(_) => Event::hangup(),
         };
         let over = event.is_end();
         if send.send(event).is_err() || over {

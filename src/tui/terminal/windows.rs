@@ -4,7 +4,7 @@
 //! its programs. Pasted text comes as keys.
 
 use std::io;
-use std::sync::mpsc::Sender;
+use std::sync::mpsc::SyncSender;
 use std::thread;
 
 use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
@@ -63,9 +63,12 @@ pub(super) fn signals() -> io::Result<Signals> {
 }
 
 /// Sends what is typed and when the window changes.
-pub(super) fn listen(send: &Sender<Event>, _: Signals) {
+///
+/// # Errors
+/// Where no thread can start.
+pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
     let send = send.clone();
-    thread::spawn(move || {
+    thread::Builder::new().spawn(move || {
         loop {
             let event = match console::read() {
                 Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
@@ -75,14 +78,15 @@ pub(super) fn listen(send: &Sender<Event>, _: Signals) {
                 Ok(console::Event::Paste(text)) => Event::Input(TerminalInput::Paste(text)),
                 Ok(console::Event::Resize(..)) => Event::Resized,
                 Ok(_) => continue,
-                Err(_) => Event::HANGUP,
+                Err(_) => Event::hangup(),
             };
             let over = event.is_end();
             if send.send(event).is_err() || over {
                 return;
             }
         }
-    });
+    })?;
+    Ok(())
 }
 
 /// Nothing to stop for; no key asks for it.

@@ -11,12 +11,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::injury::{Blow, Injury, Known, whole as whole_percent};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
+use crate::scenario::set::put_number;
 use crate::tui::model::AppModel;
 use crate::tui::screens::map::state::{Map, rounded};
 use crate::tui::view::chart::axis_lines;
@@ -279,6 +281,25 @@ fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mu
     put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
 }
 
+/// The range of a risk under the cursor: of curves, eyes and what a map may be off by.
+fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
+    let (injury, (x, y), (a, b)) = (Injury::of(of)?, map.spans?, map.values()?);
+    let measure = injury.measure();
+    let felt = map
+        .reading(grid, measure)
+        .filter(|felt| !felt.folded)?
+        .value?;
+    let mut there = model.work.scenario.clone();
+    put_number(&mut there, x.field, a);
+    put_number(&mut there, y.field, b);
+    let known = Known {
+        value: felt / measure.row().factor,
+        error: 0.01 * MAPPED,
+        ..Known::default()
+    };
+    Some(injury.assess(&Blow::of(&there), known).percent())
+}
+
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
     let Some((a, b)) = map.values() else {
@@ -297,12 +318,14 @@ fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
             return "not allowed".to_owned();
         };
         let row = quantity.row();
-        // A map has no ranges: they take more runs than one.
-        let about = if reading.exact && !row.risk {
-            ""
-        } else {
-            "about "
-        };
+        if let Some(range) = risk_there(map, grid, quantity, model) {
+            return format!(
+                "{} about {}, {range}",
+                row.label,
+                whole_percent(0.01 * value)
+            );
+        }
+        let about = if reading.exact { "" } else { "about " };
         let folded = if reading.folded {
             ", but the mesh folded"
         } else {

@@ -1,0 +1,267 @@
+//! An answer on one screen of a terminal: what hit what, six injuries, five figures with their
+//! errors, what limits them and what to do about it, and how to see more.
+
+use crate::answer::solve::Answer;
+use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
+use crate::plain_text::printable;
+use crate::report::figure::{CUT, Figure, SCALE, causes, unusable};
+use crate::report::format::{WIDTH, capital, wrapped};
+use crate::report::risks::uncounted;
+use crate::report::text::row;
+use crate::run::flags::Flag;
+use crate::run::quantity::Quantity;
+use crate::scenario::problem::plain;
+use crate::scenario::{Impact, Scenario};
+use std::io::{self, Write};
+
+/// Lines of the page at most.
+pub const LINES: usize = 24;
+/// Figures of the page: the first so many of [`LEADING`] that the scene has.
+const FIGURES: usize = 5;
+const LEADING: [Quantity; 9] = [
+    Quantity::Damage,
+    Quantity::Apex,
+    Quantity::Pressure,
+    Quantity::Contact,
+    Quantity::Shortening,
+    Quantity::ForceCentre,
+    Quantity::ForceFront,
+    Quantity::ForceRight,
+    Quantity::ForceTop,
+];
+const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
+
+/// Prints the page. Numerics that were chosen for a tolerance are said if `chosen`.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write(
+    scenario: &Scenario,
+    answer: &Answer,
+    chosen: bool,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let what = what(scenario);
+    let (injuries, notes) = injuries(answer);
+    let figures = figures(answer, chosen)?;
+    let signs = wrapped(SIGNS, WIDTH);
+    let taken = what.len() + injuries.len() + figures.len() + signs.len() + 1;
+    let mut notes = wrapped(&notes, WIDTH);
+    let mut left = LINES.saturating_sub(taken);
+    // A line at least stays for what limits the results.
+    notes.truncate(left.saturating_sub(usize::from(!answer.flags.is_empty())));
+    left -= notes.len().min(left);
+    let flags = flags(&answer.flags, left);
+    left -= flags.len().min(left);
+    let parts = [what, [injuries, notes].concat(), figures, flags, signs];
+    for (i, part) in parts.iter().filter(|part| !part.is_empty()).enumerate() {
+        if i > 0 && left > 0 {
+            left -= 1;
+            writeln!(out)?;
+        }
+        for line in part {
+            writeln!(out, "{line}")?;
+        }
+    }
+    writeln!(out, "{MORE}")
+}
+
+/// What hit what, in lines.
+fn what(scenario: &Scenario) -> Vec<String> {
+    let object = match &scenario.impact {
+        Impact::Projectile(object) => format!(
+            "{} g, {} mm, {} m/s; ",
+            plain(object.mass_g),
+            plain(object.diameter_mm),
+            plain(object.speed_m_s)
+        ),
+        Impact::ForcePulse(_) => String::new(),
+    };
+    let text = format!("{object}{}", scenario.description());
+    let name = wrapped(&printable(&scenario.name), WIDTH)
+        .into_iter()
+        .take(1);
+    name.chain(wrapped(&text, WIDTH)).collect()
+}
+
+/// The injuries as a table, and what is to be said of them.
+fn injuries(answer: &Answer) -> (Vec<String>, String) {
+    if let Some(silence) = answer.silence() {
+        return (
+            wrapped(&format!("injuries: {silence}"), WIDTH),
+            String::new(),
+        );
+    }
+    let line = |name: &str, [word, middle, range, bb]: [&str; 4]| {
+        format!("{name:<19} {word:<26} {middle:>9} {range:>13} {bb:>9}")
+    };
+    let heads = ["how likely", "about", "80 % range", "like a BB"];
+    let mut lines = vec![line("injury", heads)];
+    let risks = answer.risks();
+    for risk in &risks {
+        let speed = risk.equivalent.speed();
+        let bb = match risk.equivalent {
+            Equivalent::Under(_) => format!("< {speed:.0} m/s"),
+            Equivalent::At(_) => format!("{speed:.0} m/s"),
+            Equivalent::Over(_) => format!("> {speed:.0} m/s"),
+        };
+        let (word, range) = (risk.word(), risk.percent());
+        let middle = if risk.has_middle() {
+            whole(risk.risk)
+        } else {
+            "-".to_owned()
+        };
+        let bb = if risk.usable { &bb } else { "-" };
+        lines.push(line(risk.injury.name(), [&word, &middle, &range, bb]));
+    }
+    (lines, notes(answer, &risks))
+}
+
+/// What is to be said of the injuries, each once with the names that it is said of.
+fn notes(answer: &Answer, risks: &[Risk]) -> String {
+    let mut said: Vec<(&str, Vec<&str>)> = Vec::new();
+    for risk in risks {
+        let burst = risk.bursts().then_some(BURST);
+        for note in burst.into_iter().chain(risk.notes.iter().copied()) {
+            match said.iter_mut().find(|(known, _)| *known == note) {
+                Some((_, names)) => names.push(risk.injury.word()),
+                None => said.push((note, vec![risk.injury.word()])),
+            }
+        }
+    }
+    let note = |(note, names): (&str, Vec<&str>)| match names.len() {
+        all if all == risks.len() => note.to_owned(),
+        _ => format!("{}: {note}", names.join(", ")),
+    };
+    let without = uncounted(answer).map(|missing| format!("ranges without {missing}"));
+    let parts = said.into_iter().map(note).chain(without);
+    parts
+        .chain([A_BB.to_owned()])
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
+/// The figures that lead, with their errors.
+fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
+    let mut text = Vec::new();
+    let shown = LEADING
+        .iter()
+        .filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
+    let mut cut = false;
+    for (of, figure) in shown.take(FIGURES) {
+        cut |= figure.cut.is_some();
+        let more = match answer.peak(of) {
+            Some(peak) => format!("at {:.3} ms", peak.time * 1e3),
+            None if unusable(answer).is_some() => "not usable".to_owned(),
+            None => SCALE.to_owned(),
+        };
+        row(&capital(of.row().label), &figure, &more, &mut text)?;
+    }
+    let mut lines: Vec<String> = String::from_utf8_lossy(&text)
+        .lines()
+        .map(str::to_owned)
+        .collect();
+    let chosen = if chosen {
+        let integrator = answer.plan.integrator.name();
+        format!(", {integrator}, steps of {:.4} us", answer.step * 1e6)
+    } else {
+        String::new()
+    };
+    let (causes, level) = (causes(&answer.errors), answer.case.level());
+    let trust = format!("±: {causes}; mesh level {level}{chosen}");
+    lines.extend(wrapped(&trust, WIDTH));
+    if cut {
+        lines.push(CUT.to_owned());
+    }
+    Ok(lines)
+}
+
+/// What limits the results with the next step, in so many lines; how many are left out.
+fn flags(flags: &[Flag], room: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (i, flag) in flags.iter().enumerate() {
+        let (name, next) = (flag.kind.name(), flag.kind.next_step());
+        let own = wrapped(&format!("FLAG {name}: {}; {next}", flag.message), WIDTH);
+        let last = i + 1 == flags.len();
+        if lines.len() + own.len() + usize::from(!last) > room {
+            let (name, more) = (flags[i].kind.name(), flags.len() - i - 1);
+            let more = if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            };
+            lines.push(format!("FLAG {name}{more}: see --all"));
+            break;
+        }
+        lines.extend(own);
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::run::flags::FlagKind;
+    use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
+    use crate::scenario::library::find;
+    use crate::scenario::set::set;
+
+    fn page(preset: &str, changes: &[(&str, &str)], more: &[FlagKind]) -> String {
+        let mut scenario = find(preset).unwrap().scenario().unwrap();
+        for (path, value) in changes {
+            set(&mut scenario, path, value).unwrap();
+        }
+        let scenario = scenario.check().unwrap();
+        let mut answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        answer.flags.extend(more.iter().map(|kind| Flag {
+            kind: *kind,
+            message: "what happened is said in words that take a line of their own".to_owned(),
+            detail: None,
+            time: None,
+        }));
+        let mut out = Vec::new();
+        write(&scenario, &answer, true, &mut out).unwrap();
+        let page = String::from_utf8(out).unwrap();
+        assert!(page.lines().count() <= LINES, "{page}");
+        assert!(
+            page.lines().all(|line| line.chars().count() <= WIDTH),
+            "{page}"
+        );
+        assert!(page.contains("not diagnosis"), "{page}");
+        assert!(page.ends_with(&format!("{MORE}\n")), "{page}");
+        page
+    }
+
+    #[test]
+    fn a_blow_with_everything_to_be_said_of_it_is_told_on_one_screen() {
+        let aside = [
+            ("impact.angle_deg", "20"),
+            ("numerics.geometry", "Axisymmetric"),
+            ("impact.speed_m_s", "150"),
+            ("impact.diameter_mm", "9"),
+            ("window_ms", "0.2"),
+        ];
+        let page = page("bb-92", &aside, &[FlagKind::BoneMayBreak; 6]);
+        assert!(page.contains("more: see --all"), "{page}");
+    }
+
+    #[test]
+    fn what_hit_six_injuries_five_figures_and_flags_with_a_next_step_are_there() {
+        let page = page("squash-ball", &[], &[]);
+        assert!(page.starts_with("Squash ball at 40 m/s\n24 g, 40 mm, 40 m/s; Physiological"));
+        assert_eq!(page.matches(" m/s").count(), 2 + 6, "{page}");
+        let words = page.replace('\n', " ");
+        assert!(words.contains("a BB is a steel ball"), "{page}");
+        assert_eq!(page.matches("±").count(), FIGURES + 1, "{page}");
+        assert!(page.contains("FLAG rim_stops: "), "{page}");
+        assert!(page.contains("model.rim"), "{page}");
+    }
+
+    #[test]
+    fn a_pulse_says_why_there_are_no_injuries() {
+        let paper = page("paper-300n", &[], &[]);
+        assert!(paper.contains("injuries: not told"), "{paper}");
+    }
+}

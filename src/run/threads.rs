@@ -1,0 +1,65 @@
+//! Work on more than one thread, where the system lets threads start; else on the calling one.
+//!
+//! A container or a limit (`ulimit -u`) may refuse them: then everything takes longer and gives the
+//! same.
+
+use std::error::Error;
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::thread;
+
+use rayon::ThreadPoolBuilder;
+
+/// Does `other` beside `own`, or after it where no thread can start.
+pub fn beside<A: Send, B>(other: impl FnOnce() -> A + Send, own: impl FnOnce() -> B) -> (A, B) {
+    // Whoever comes first takes it.
+    let other = Mutex::new(Some(other));
+    let take = || {
+        let job = other.lock().unwrap_or_else(PoisonError::into_inner).take();
+        job.map(|job| job())
+    };
+    thread::scope(|scope| {
+        let helper = thread::Builder::new().spawn_scoped(scope, take);
+        let own = own();
+        let other = match helper {
+            Ok(helper) => helper
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            Err(_) => take(),
+        };
+        (other.expect("is taken once"), own)
+    })
+}
+
+/// Whether rayon has threads for the caller: a pool that it runs in, or the common one, which is
+/// begun here.
+pub fn pool_is_there() -> bool {
+    static COMMON: OnceLock<bool> = OnceLock::new();
+    // An error without a cause says that somebody has begun it already.
+    let begun = || match ThreadPoolBuilder::new().build_global() {
+        Ok(()) => true,
+        Err(error) => error.source().is_none(),
+    };
+    rayon::current_thread_index().is_some() || *COMMON.get_or_init(begun)
+}
+
+/// Threads that work on many runs.
+pub fn count() -> usize {
+    if pool_is_there() {
+        rayon::current_num_threads()
+    } else {
+        1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_jobs_give_both_of_their_results() {
+        let (mut own, other) = (1, String::from("other"));
+        let both = beside(|| other.len(), || own += 1);
+        assert_eq!((both.0, own), (5, 2));
+        assert!(count() > 0);
+    }
+}
