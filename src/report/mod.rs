@@ -14,6 +14,7 @@ pub mod json;
 pub mod limit;
 pub mod pace;
 pub mod page;
+pub mod picture;
 pub mod risks;
 pub mod summary;
 pub mod sweep;
