@@ -26,6 +26,8 @@ use crate::run::quantity::Quantity;
 const PER_M: f64 = 2e4;
 /// The smallest thing that shows, in m.
 const GRAIN_M: f64 = 0.15e-3;
+/// Points of the globe's outline, about: every one is sent for every frame.
+const OUTLINE: usize = 100;
 /// The field from low to high, as on the screens.
 const FIELD: [&str; STEPS] = [
     "#5f005f", "#5f0087", "#5f5f87", "#005f87", "#0087af", "#008787", "#00af87", "#5faf87",
@@ -45,6 +47,9 @@ pub const STYLE: &str = ".eye path{stroke:none}.eye .sky{fill:#fff}\
 /// Coordinates in all frames at most: a finer mesh has fewer frames, but not fewer than this.
 const MOST: f64 = 8e4;
 const FEWEST: f64 = 20.0;
+
+/// The sign that stands for 0.
+const ZERO: i64 = 93;
 
 /// The picture of an answer with its frames.
 pub struct Picture<'a> {
@@ -114,6 +119,7 @@ impl<'a> Picture<'a> {
         let detail = Detail {
             grain: GRAIN_M,
             zoom: 1.0,
+            points: OUTLINE,
         };
         self.anatomy.layers(&self.drawing, frame, detail)
     }
@@ -207,7 +213,7 @@ impl<'a> Picture<'a> {
 
 /// The first of several lists of numbers, and of each other one by how much it differs from the
 /// one before, if that is as long.
-fn moves(lists: &[Vec<i64>]) -> Vec<Vec<i64>> {
+fn moves(lists: &[Vec<i64>]) -> Vec<String> {
     let by = |pair: &[Vec<i64>]| {
         if pair[0].len() != pair[1].len() {
             return pair[1].clone();
@@ -215,7 +221,21 @@ fn moves(lists: &[Vec<i64>]) -> Vec<Vec<i64>> {
         pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect()
     };
     let first = lists.first().cloned().into_iter();
-    first.chain(lists.windows(2).map(by)).collect()
+    first.chain(lists.windows(2).map(by)).map(|list| packed(&list)).collect()
+}
+
+/// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
+fn packed(numbers: &[i64]) -> String {
+    let sign = |number: i64| char::from(u8::try_from(number + ZERO).unwrap_or(b'!'));
+    numbers.iter().fold(String::new(), |mut text, &number| {
+        if (-32..=33).contains(&number) {
+            text.push(sign(number));
+        } else {
+            // A string takes whatever it is given.
+            let _ = write!(text, "!{number};");
+        }
+        text
+    })
 }
 
 fn whole(at: Point2<f64>) -> [i64; 2] {
@@ -305,9 +325,17 @@ mod tests {
         );
         assert_eq!(apart(picture.frames[picture.peak]), 0.0);
         let motion = picture.motion();
+        // As the script reads it.
         let numbers = |list: &Value| -> Vec<i64> {
-            let list = list.as_array().unwrap().iter();
-            list.map(|number| number.as_i64().unwrap()).collect()
+            let mut text = list.as_str().unwrap();
+            let mut numbers = Vec::new();
+            while let Some(sign) = text.chars().next() {
+                let end = if sign == '!' { text.find(';').unwrap() } else { 0 };
+                let large = || text[1..end].parse().unwrap();
+                numbers.push(if sign == '!' { large() } else { i64::from(sign as u32) - ZERO });
+                text = &text[end + 1..];
+            }
+            numbers
         };
         let last = picture.frames[picture.frames.len() - 1];
         let mut now = vec![0; picture.nodes.len() * 2];
@@ -319,6 +347,6 @@ mod tests {
         assert_eq!(now, picture.places(last));
         assert_eq!(motion["steps"].as_array().unwrap().len(), picture.frames.len());
         assert_eq!(motion["shapes"].as_array().unwrap().len(), picture.layers(last).len());
-        assert!(motion.to_string().len() < 400_000);
+        assert!(motion.to_string().len() < 230_000);
     }
 }

@@ -1,9 +1,20 @@
 "use strict";
 for (const box of document.querySelectorAll(".replay")) {
   const motion = JSON.parse(box.querySelector("script").textContent);
+  const unpacked = (text) => {
+    const numbers = [];
+    for (let i = 0; i < text.length; i += 1) {
+      if (text[i] === "!") {
+        const end = text.indexOf(";", i);
+        numbers.push(Number(text.slice(i + 1, end)));
+        i = end;
+      } else numbers.push(text.charCodeAt(i) - 93);
+    }
+    return numbers;
+  };
   const summed = (lists) => {
     let now = [];
-    return lists.map((list) => (now = list.length === now.length ? list.map((by, i) => now[i] + by) : list));
+    return lists.map(unpacked).map((list) => (now = list.length === now.length ? list.map((by, i) => now[i] + by) : list));
   };
   const shapes = motion.shapes.map((rings) => rings.map(summed));
   const places = summed(motion.places);

@@ -95,6 +95,8 @@ pub struct Detail {
     pub grain: f64,
     /// How many times displacement is shown.
     pub zoom: f64,
+    /// Points of the globe's outline, about.
+    pub points: usize,
 }
 
 impl Detail {
@@ -117,7 +119,9 @@ const NERVE_M: f64 = 1.9e-3;
 /// Thickness of the iris, in m.
 const IRIS_M: f64 = 0.55e-3;
 /// Corners of a curve that is drawn as many short lines.
-const SIDES: usize = 64;
+const SIDES: usize = 48;
+/// Points of a globe's outline where they cost nothing.
+pub const POINTS: usize = 200;
 
 /// What an eye has in every picture of it: points that move with its tissue.
 #[derive(Debug, Clone)]
@@ -152,7 +156,7 @@ impl Anatomy {
             lens: held(lens.collect()),
             iris: [1.0, -1.0].map(iris),
             ciliary: [1.0, -1.0].map(ciliary),
-            rest: Outline::new(drawing, |node| drawing.at_rest(&drawing.nodes[node])),
+            rest: Outline::new(drawing, POINTS, |node| drawing.at_rest(&drawing.nodes[node])),
         }
     }
 
@@ -163,13 +167,13 @@ impl Anatomy {
 
     /// All layers of a frame, the later over the earlier.
     pub fn layers(&self, drawing: &Drawing, frame: &Frame, detail: Detail) -> Vec<Shape> {
-        let Detail { grain, zoom } = detail;
+        let Detail { grain, zoom, .. } = detail;
         let place = |node: usize| drawing.place(frame, node, zoom);
         let moved = |held: &[Held]| -> Vec<Point2<f64>> {
             let places = held.iter().map(|held| drawing.moved(frame, held, zoom));
             places.collect()
         };
-        let outline = Outline::new(drawing, place);
+        let outline = Outline::new(drawing, detail.points, place);
         let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
         let mut layers = Vec::new();
         let ball = object::Hitting::of(drawing, frame, &outline);
@@ -180,7 +184,7 @@ impl Anatomy {
         if let (Some(fat), Some(bone)) = (self.fat(drawing, &place, &outline, &wall), bone(&wall)) {
             layers.extend([fat, bone]);
             if drawing.outlines.bone {
-                let back = (outline.points[outline.back()], self.rest.points[outline.back()]);
+                let back = (outline.points[outline.back()], self.rest.points[self.rest.back()]);
                 layers.push(nerve(back, wall[wall.len() / 2]));
             }
         }
@@ -200,7 +204,7 @@ impl Anatomy {
 
     /// The sides of the object's outline in a frame, before anything cuts it.
     pub fn object(&self, drawing: &Drawing, frame: &Frame) -> Vec<(Point2<f64>, Point2<f64>)> {
-        let outline = Outline::new(drawing, |node| drawing.place(frame, node, 1.0));
+        let outline = Outline::new(drawing, POINTS, |node| drawing.place(frame, node, 1.0));
         let ball = object::Hitting::of(drawing, frame, &outline);
         let ring = ball.map_or_else(Vec::new, |ball| ball.ring(0.0));
         let next = ring.iter().cycle().skip(1);
@@ -242,7 +246,7 @@ impl Anatomy {
         let behind = |i: usize| front(i) >= RETINA.0;
         let mut shapes = Vec::new();
         if !small {
-            let thick = RETINA.1.max(0.8 * detail.grain);
+            let thick = RETINA.1.max(1.1 * detail.grain);
             shapes.push(band(Part::Retina, &behind, 1.0, 1.0, thick));
         }
         let sclera = |i: usize| front(i) >= limbus && !(small && behind(i));

@@ -6,8 +6,6 @@ use nalgebra::{Point2, Vector2};
 use crate::report::picture::{Part, Shape, left};
 use crate::run::drawing::Drawing;
 
-/// Points of the curve, about.
-const POINTS: usize = 200;
 /// How many times as thick as it is the shell is drawn.
 const THICKER: f64 = 2.2;
 
@@ -26,11 +24,11 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// Through the places that nodes have now.
-    pub fn new(drawing: &Drawing, place: impl Fn(usize) -> Point2<f64>) -> Self {
+    /// Through the places that nodes have now, of about so many points.
+    pub fn new(drawing: &Drawing, points: usize, place: impl Fn(usize) -> Point2<f64>) -> Self {
         let shell = &drawing.outlines.shell;
         let count = shell.len();
-        let split = (POINTS / count.max(1)).max(1);
+        let split = (points / count.max(1)).max(1);
         let at = |i: usize| place(shell[i % count]);
         let knots: Vec<_> = (0..count).map(at).collect();
         let knot = |i: usize| knots[i % count];

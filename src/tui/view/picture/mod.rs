@@ -13,7 +13,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
 use crate::report::picture::field::{Field, STEPS, step};
-use crate::report::picture::{Detail, Part, in_globe, moment};
+use crate::report::picture::{Detail, POINTS, Part, in_globe, moment};
 use crate::run::drawing::shares;
 use crate::run::kept::Frame;
 use crate::tui::look::Look;
@@ -26,7 +26,7 @@ use cells::{Tint, octant, one, two};
 use samples::Samples;
 use window::Window;
 
-/// From so many columns on a field changes by whole cells, and the fat has no dots while it moves.
+/// From so many columns on a field changes by whole cells, as it does while it moves.
 const LARGE: u16 = 100;
 /// Columns from which on a moment is said in several words.
 const WORDY: u16 = 44;
@@ -91,11 +91,12 @@ impl Anatomical<'_> {
         let detail = Detail {
             grain: window.grain(),
             zoom: f64::from(self.zoom),
+            points: POINTS,
         };
         let shown = self.shown;
         let layers = shown.anatomy.layers(&shown.drawing, self.frame, detail);
         let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts = if self.lean || area.width >= LARGE { 1 } else { 2 };
+        let parts = if self.lean || self.playing || area.width >= LARGE { 1 } else { 2 };
         let steps = self.steps(area, window, parts);
         let tint = |i: usize| {
             let (x, y) = (i % wide, i / wide);
@@ -170,7 +171,7 @@ impl Anatomical<'_> {
                     own[i].part == Part::Lens && near.iter().any(other)
                 };
                 let ghost = dots[y * usize::from(area.width) + x];
-                let lattice = (column + 2 * row) % 4 == 0 && !(self.playing && area.width >= LARGE);
+                let lattice = (column + 2 * row) % 4 == 0 && !self.playing;
                 let (symbol, style) = match (self.look.symbols, self.look.depth) {
                     (Symbols::Ascii, _) => ascii(one(&own), ghost, lattice, theme),
                     (_, Depth::Mono) => mono(self.look, &own, edge, ghost, lattice),
@@ -372,3 +373,6 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
     let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
     (sign, style.patch(bold))
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,6 +10,7 @@ use crate::tui::terminal::caps::Symbols;
 /// A picture with fewer mm a column than this shows all; else the globe with little around.
 const WHOLE_M: f64 = 1.25e-3;
 const GLOBE_M: (f64, f64) = (29e-3, 26e-3);
+const NEAR_M: f64 = 1.1e-3;
 
 /// From metres to cells.
 #[derive(Debug, Clone, Copy)]
@@ -41,14 +42,19 @@ impl Window {
         let (low, high) = drawing.extent();
         let way = drawing.object.map_or(1.0, |object| object.direction.x);
         let fits = |wide: f64, tall: f64| (wide / columns).max(tall / (2.0 * rows));
-        let whole = fits(high.x - low.x, high.y - low.y);
-        let (column, right, middle) = if whole < WHOLE_M {
-            // What is left over is room for the object.
-            let spare = whole * columns - (high.x - low.x);
-            (whole, high.x + if way < 0.5 { 0.5 * spare } else { 0.0 }, 0.5 * (low.y + high.y))
+        let (wide, tall) = (high.x - low.x, high.y - low.y);
+        let whole = fits(wide, tall);
+        let (column, middle) = if whole < WHOLE_M {
+            (whole, 0.5 * (low.y + high.y))
         } else {
-            let column = fits(GLOBE_M.0, GLOBE_M.1);
-            (column, 0.5 * column * columns + 1e-3, 0.0)
+            (fits(GLOBE_M.0, GLOBE_M.1).max((0.75 * whole).min(NEAR_M)), 0.0)
+        };
+        // What is left over is room for the object; where room lacks, the back of the orbit goes.
+        let spare = column * columns - wide;
+        let right = high.x + match way {
+            ..0.5 => 0.5 * spare,
+            _ if spare < 0.0 => 0.75 * spare,
+            _ => 0.0,
         };
         Self {
             left: right - column * columns,
