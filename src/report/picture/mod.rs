@@ -182,11 +182,12 @@ impl Anatomy {
             layers.extend(object::hidden(&wall, &outline, ball.direction()));
         }
         if let (Some(fat), Some(bone)) = (self.fat(drawing, &place, &outline, &wall), bone(&wall)) {
-            layers.extend([fat, bone]);
+            layers.push(fat);
             if drawing.outlines.bone {
                 let back = (outline.points[outline.back()], self.rest.points[self.rest.back()]);
                 layers.push(nerve(back, wall[wall.len() / 2]));
             }
+            layers.push(bone);
         }
         layers.push(Shape::new(Part::Globe, outline.points.clone()));
         if !detail.is_small() {

@@ -66,9 +66,12 @@ impl Outline {
         all
     }
 
-    /// Where a node of the shell lies on the curve.
+    /// Where on the curve a node rests, or the node of the shell next to it.
     pub fn index(&self, drawing: &Drawing, node: usize) -> Option<usize> {
-        let place = drawing.outlines.shell.iter().position(|other| *other == node)?;
+        let rest = |node: usize| drawing.at_rest(&drawing.nodes[node]);
+        let apart = |other: &usize| (rest(*other) - rest(node)).norm();
+        let shell = drawing.outlines.shell.iter().map(apart).enumerate();
+        let (place, _) = shell.min_by(|a, b| a.1.total_cmp(&b.1))?;
         Some(place * self.split)
     }
 

@@ -156,7 +156,12 @@ impl Theme {
         if risk.is_unclear() {
             return self.text();
         }
-        self.grave(gravity(risk.range.1))
+        self.likelihood(risk.range.1)
+    }
+
+    /// A risk from 0 to 1 that is known.
+    pub fn likelihood(self, risk: f64) -> Style {
+        self.grave(gravity(risk))
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.

@@ -122,7 +122,7 @@ mod tests {
         let (a, b, _) = two(&[fat, globe, sky, globe]);
         assert!([a, b].contains(&globe) && a != b);
         assert_eq!(two(&[fat; 4]).2, 0);
-        assert_eq!(one(&[globe, sclera, globe, globe]), sclera);
+        assert_eq!(one(&[globe, sclera, globe, sclera]), sclera);
         assert_eq!(one(&[globe, globe, globe, fat]), globe);
     }
 

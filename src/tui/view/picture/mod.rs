@@ -210,7 +210,7 @@ impl Anatomical<'_> {
         let (said, brief) = moment::said(&self.shown.answer, self.time);
         let said = if area.width < WORDY { brief } else { &said };
         let play = if self.playing { " ▶" } else { "" };
-        let words = [format!(" {said}{zoom}{play}"), format!(" {said}{zoom}"), format!("{zoom}"), String::new()];
+        let words = [format!(" {said}{zoom}{play}"), format!(" {said}{zoom}"), zoom, String::new()];
         let (field, largest) = self.field;
         let end = format!(" {}", field.figure(largest));
         let ramp = match self.look.depth {
@@ -225,7 +225,7 @@ impl Anatomical<'_> {
             _ => [format!("{} 0 ", field.name()), field.name().to_owned() + " "],
         };
         let legend = |start: &str| width(start) + ramp + width(&end);
-        let room = area.width.saturating_sub(x + 1);
+        let room = area.width.saturating_sub(x + 2);
         let least = legend(&starts[1]).min(room);
         let words = longest_fitting(&words, room - least);
         x = put(buffer, row, (x, 0), words, theme.text());

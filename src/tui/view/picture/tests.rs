@@ -57,7 +57,12 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
     let lines = &drawing.outlines;
     let mut all = vec![places(&lines.shell)];
     if let (Some(first), Some(last)) = (lines.free[0].last(), lines.free[1].last()) {
-        let place = |node: &usize| lines.shell.iter().position(|other| other == node).unwrap();
+        let rest = |node: usize| drawing.at_rest(&drawing.nodes[node]);
+        let place = |node: &usize| {
+            let apart = |i: &usize| (rest(lines.shell[*i]) - rest(*node)).norm();
+            let nodes = 0..lines.shell.len();
+            nodes.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
+        };
         let mut fat = places(&lines.wall);
         fat.extend(places(&lines.free[1]));
         fat.extend(places(&lines.shell[place(first)..=place(last)]).iter().rev());
@@ -85,6 +90,7 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
         if let Impact::Projectile(object) = &mut aside.impact {
             (object.angle_deg, object.angle_clock, object.offset_mm) = (angle, clock, offset);
         }
+        aside.window_ms = Some(1.5);
         scenarios.push(aside);
         from_aside += 1;
     }
@@ -163,7 +169,7 @@ fn text(buffer: &Buffer) -> String {
             styles.push(style);
             styles.len() - 1
         });
-        let letter = if style == (Color::Reset, Color::Reset) { b' ' } else { b'a' + place as u8 % 26 };
+        let letter = if style == (Color::Reset, Color::Reset) { b' ' } else { b'!' + place as u8 % 94 };
         letters.push(char::from(letter));
     }
     let coloured = styles.len() > 1;
