@@ -121,6 +121,7 @@ fn the_package_holds_what_the_program_is_built_from_and_no_more() {
         "src/main.rs",
         "src/guide/install.md",
         "tests/pictures/main.svg",
+        "tests/pictures/moments.svg",
     ] {
         assert!(files.contains(&file), "{file} is missing");
     }

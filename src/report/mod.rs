@@ -15,6 +15,7 @@ pub mod json;
 pub mod limit;
 pub mod pace;
 pub mod page;
+pub mod picture;
 pub mod risks;
 pub mod summary;
 pub mod sweep;

@@ -1,5 +1,6 @@
 //! What a picture of an eye is made of, whatever its model: nodes, lines between them with the
-//! part that they draw, the loaded arc and the object's outline, each at rest and in any frame.
+//! part that they draw, what bounds its parts, the loaded arc and the object, each at rest and in
+//! any frame.
 //!
 //! Places are those of the section: x from the cornea to the back, y up, in m. An axisymmetric eye
 //! is drawn as a whole section: its half, the mirror image of that, and both turned to where the
@@ -10,8 +11,12 @@ use crate::run::kept::Frame;
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector2};
 
-/// Sides of the polygon that stands for a circle.
-const SIDES: u32 = 48;
+/// Room beyond the wall for the bone as it is drawn, in m.
+const BONE_M: Vector2<f64> = Vector2::new(4.4e-3, 3.2e-3);
+/// From the middle of the globe to where the object still has room, in m.
+const BEFORE_M: f64 = 24e-3;
+/// How far beyond a triangle a point that it holds may lie, as a share of it.
+const BEYOND: f64 = 0.6;
 /// Room around the outermost part, as a share.
 pub(crate) const MARGIN: f64 = 1.03;
 
@@ -47,6 +52,30 @@ pub struct DrawnCell {
     pub(crate) of: usize,
 }
 
+/// The lines that bound the parts of an eye, as nodes in their order.
+#[derive(Debug, Clone, Default)]
+pub struct Outlines {
+    /// The shell all around, once: from the front over one side to the back and on.
+    pub shell: Vec<usize>,
+    /// Its thickness at each of them, in m.
+    pub thickness: Vec<f64>,
+    /// Front angle at which the cornea ends, in rad.
+    pub limbus: f64,
+    /// The wall from its front edge on the first side around the back to that on the other.
+    pub wall: Vec<usize>,
+    /// The free surface of what holds the globe, on each side from the wall to the shell.
+    pub free: [Vec<usize>; 2],
+    /// Whether the wall is bone and not a holder of a laboratory.
+    pub bone: bool,
+}
+
+/// A point of the tissue between three nodes.
+#[derive(Debug, Clone, Copy)]
+pub struct Held {
+    nodes: [usize; 3],
+    shares: [f64; 3],
+}
+
 /// An eye as it is drawn.
 #[derive(Debug, Clone)]
 pub struct Drawing {
@@ -54,8 +83,10 @@ pub struct Drawing {
     pub nodes: Vec<DrawnNode>,
     /// All lines.
     pub lines: Vec<Line>,
-    /// Cells that have a pressure of their own, where the eye is made of such.
+    /// Cells between nodes; those of some models have a pressure of their own.
     pub cells: Vec<DrawnCell>,
+    /// What bounds its parts.
+    pub outlines: Outlines,
     /// The nodes nearest to the four monitored places.
     pub monitors: [usize; 4],
     /// Pieces of the shell that a pulse loads; both ends are the same where it loads one node.
@@ -66,18 +97,34 @@ pub struct Drawing {
     pub reach: (f64, f64),
     /// Which way a blow goes, if the frame's axes lie along it.
     pub(crate) along: Option<Vector2<f64>>,
-    pub(crate) object: Option<DrawnObject>,
+    /// What hits it.
+    pub object: Option<DrawnObject>,
 }
 
 /// The object that hits the eye.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct DrawnObject {
+pub struct DrawnObject {
     /// Radius in m.
     pub radius: f64,
     /// Radius of the rounded edge of a cylinder, in m; none of a sphere.
     pub edge: Option<f64>,
     /// Unit vector of its way.
     pub direction: Vector2<f64>,
+}
+
+impl DrawnCell {
+    /// The two triangles that it consists of.
+    pub fn triangles(&self) -> [[usize; 3]; 2] {
+        let [a, b, c, d] = self.corners;
+        [[a, b, c], [a, c, d]]
+    }
+}
+
+/// The shares of the corners of a triangle that make up a place; negative where it lies outside.
+pub fn shares([a, b, c]: [Point2<f64>; 3], at: Point2<f64>) -> Option<[f64; 3]> {
+    let whole = (b - a).perp(&(c - a));
+    let of = |p: Point2<f64>, q: Point2<f64>| (p - at).perp(&(q - at)) / whole;
+    (whole != 0.0).then(|| [of(b, c), of(c, a), of(a, b)])
 }
 
 impl Drawing {
@@ -112,40 +159,46 @@ impl Drawing {
         frame.cells.get(cell.of).copied().unwrap_or_default()
     }
 
-    /// The outline of the object in a frame: a closed polygon.
-    pub fn object(&self, frame: &Frame) -> Option<Vec<Point2<f64>>> {
-        let DrawnObject {
-            radius,
-            edge,
-            direction,
-        } = self.object?;
-        let centre = self.turned(frame.projectile?);
-        let sideways = Vector2::new(-direction.y, direction.x);
-        Some(match edge {
-            None => {
-                // A soft object is squeezed along its way; how it bulges is left out.
-                let along = direction * (radius - 0.5 * frame.squeezed);
-                let across = sideways * radius;
-                let corner = |i: u32| {
-                    let angle = std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-                    centre + along * libm::cos(angle) + across * libm::sin(angle)
-                };
-                (0..SIDES).map(corner).collect()
-            }
-            Some(edge) => {
-                // Its length is not known: it is drawn as long as half of its width.
-                let edges = [
-                    (0.0, radius - edge),
-                    (-0.3 * edge, radius - 0.3 * edge),
-                    (-edge, radius),
-                    (-radius.max(edge), radius),
-                ];
-                let below = edges.iter().rev().map(|&(x, y)| (x, -y));
-                (edges.iter().copied().chain(below))
-                    .map(|(x, y)| centre + direction * x + sideways * y)
-                    .collect()
-            }
-        })
+    /// The point of the tissue that rests nearest to a place inside the globe.
+    pub fn held(&self, at: Point2<f64>) -> Option<Held> {
+        let rest: Vec<_> = self.nodes.iter().map(|node| self.at_rest(node)).collect();
+        let triangles = self.cells.iter().flat_map(|cell| cell.triangles());
+        // Just outside of all cells it is the one that has to reach least beyond itself.
+        let worth = |nodes: [usize; 3]| {
+            let shares = shares(nodes.map(|node| rest[node]), at)?;
+            Some((shares.into_iter().fold(1.0, f64::min), Held { nodes, shares }))
+        };
+        let all = triangles.filter_map(worth);
+        let best = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (best.0 > -BEYOND).then_some(best.1)
+    }
+
+    /// Where a point of the tissue is in a frame, with its displacement shown `zoom` times.
+    pub fn moved(&self, frame: &Frame, held: &Held, zoom: f64) -> Point2<f64> {
+        let parts = held.nodes.iter().zip(held.shares);
+        let sum = parts.map(|(node, share)| self.place(frame, *node, zoom).coords * share);
+        Point2::from(sum.sum::<Vector2<f64>>())
+    }
+
+    /// The object that hits the eye, and in a frame the middle of what is left of it: of a
+    /// cylinder the middle of its face.
+    pub fn object(&self, frame: &Frame) -> Option<(DrawnObject, Point2<f64>)> {
+        Some((self.object?, self.turned(frame.projectile?)))
+    }
+
+    /// The corners of what a picture shows of all that ever moves: the eye, the bone around it and
+    /// room for the object to come from.
+    pub fn extent(&self) -> (Point2<f64>, Point2<f64>) {
+        let nodes = self.outlines.wall.iter().chain(&self.outlines.shell);
+        let places = nodes.map(|node| self.at_rest(&self.nodes[*node]));
+        let (mut low, mut high) = (Point2::origin(), Point2::origin());
+        for at in places {
+            (low, high) = (low.inf(&at), high.sup(&at));
+        }
+        let way = self.object.map_or(Vector2::x(), |object| object.direction);
+        let from = Point2::from(way * -BEFORE_M);
+        let (low, high) = (low - BONE_M, high + BONE_M);
+        (low.inf(&from), high.sup(&from))
     }
 
     fn turned(&self, at: Point2<f64>) -> Point2<f64> {

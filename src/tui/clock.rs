@@ -13,35 +13,26 @@ const SPEEDS: [f64; 13] = [
 /// How many times displacement may be shown.
 const ZOOMS: [u32; 4] = [1, 2, 5, 10];
 
-/// How much of the mesh is drawn.
+/// How the eye is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshDetail {
-    /// The springs.
+    /// The springs or the sides of cells.
     Edges,
     /// The nodes.
     Nodes,
-    /// Shell, lens and orbit.
-    Outline,
+    /// No mesh: filled anatomy.
+    Anatomy,
 }
 
 impl MeshDetail {
     /// A word for the screen.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Edges => "edges",
+            Self::Edges => "mesh",
             Self::Nodes => "nodes",
-            Self::Outline => "outline",
+            Self::Anatomy => "anatomy",
         }
     }
-}
-
-/// What colours the eye.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Colouring {
-    /// The forces on its nodes.
-    Force,
-    /// The pressure in its cells, where it has any.
-    Pressure,
 }
 
 /// Which moment is shown.
@@ -62,10 +53,10 @@ pub struct Clock {
     pub playing: bool,
     speed: usize,
     zoom: usize,
-    /// How much of the mesh is drawn.
-    pub detail: MeshDetail,
-    /// What colours the eye.
-    pub colouring: Colouring,
+    /// How many forms of the eye before the one on show.
+    detail: usize,
+    /// How many fields before the one on show.
+    field: usize,
 }
 
 impl Default for Clock {
@@ -75,8 +66,8 @@ impl Default for Clock {
             playing: false,
             speed: 5,
             zoom: 0,
-            detail: MeshDetail::Edges,
-            colouring: Colouring::Force,
+            detail: 0,
+            field: 0,
         }
     }
 }
@@ -154,21 +145,30 @@ impl Clock {
         self.zoom = (self.zoom + 1) % ZOOMS.len();
     }
 
-    /// The next detail.
-    pub fn change_detail(&mut self) {
-        self.detail = match self.detail {
-            MeshDetail::Edges => MeshDetail::Nodes,
-            MeshDetail::Nodes => MeshDetail::Outline,
-            MeshDetail::Outline => MeshDetail::Edges,
-        };
+    /// How an eye is drawn: of what an object hits the anatomy first, of others the mesh.
+    pub fn detail(&self, is_hit: bool) -> MeshDetail {
+        let forms = [MeshDetail::Anatomy, MeshDetail::Edges, MeshDetail::Nodes];
+        forms[(self.detail + usize::from(!is_hit)) % forms.len()]
     }
 
-    /// The other colouring.
-    pub fn change_colouring(&mut self) {
-        self.colouring = match self.colouring {
-            Colouring::Force => Colouring::Pressure,
-            Colouring::Pressure => Colouring::Force,
-        };
+    /// The next detail.
+    pub fn change_detail(&mut self) {
+        self.detail += 1;
+    }
+
+    /// What fills the eye, of several things.
+    pub fn field<T: Copy>(&self, all: &[T]) -> Option<T> {
+        all.get(self.field % all.len().max(1)).copied()
+    }
+
+    /// The next thing that fills the eye; of a mesh on show its anatomy comes first.
+    pub fn change_field(&mut self, is_hit: bool) {
+        if self.detail(is_hit) == MeshDetail::Anatomy {
+            self.field += 1;
+        }
+        while self.detail(is_hit) != MeshDetail::Anatomy {
+            self.change_detail();
+        }
     }
 
     /// Jumps to the next peak after the time shown, or to the one before, of the results that are

@@ -12,7 +12,7 @@
 pub mod app;
 mod changes;
 pub mod choices;
-pub(crate) mod clock;
+pub mod clock;
 pub mod config;
 pub mod ensemble;
 pub mod form;

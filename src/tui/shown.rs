@@ -4,9 +4,11 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
+use crate::report::picture::Anatomy;
+use crate::report::picture::field::Field;
 use crate::run::drawing::Drawing;
 use crate::scenario::Scenario;
-use crate::tui::view::heat::{highest, hottest};
+use crate::tui::view::heat::hottest;
 
 /// An answer with what every picture of it needs.
 #[derive(Debug, Clone)]
@@ -17,20 +19,26 @@ pub struct ShownAnswer {
     pub answer: Arc<Answer>,
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
-    /// The largest pressure in any cell in any frame, in Pa, if it has cells.
-    pub highest: Option<f64>,
+    /// What can fill the globe, each with the end of its scale, what tells most first.
+    pub fields: Vec<(Field, f64)>,
     /// What pictures are made of.
     pub drawing: Drawing,
+    /// What moves with its tissue in them.
+    pub anatomy: Anatomy,
 }
 
 impl ShownAnswer {
     /// The answer to a scenario.
     pub fn new(scenario: Scenario, answer: Answer) -> Self {
+        let drawing = answer.case.eye.drawing();
+        let frames = &answer.run.frames;
+        let fields = Field::all(&drawing, frames).into_iter();
         Self {
             scenario,
             hottest: hottest(&answer),
-            highest: highest(&answer),
-            drawing: answer.case.eye.drawing(),
+            fields: fields.map(|field| (field, field.largest(&drawing, frames))).collect(),
+            anatomy: Anatomy::of(&drawing),
+            drawing,
             answer: Arc::new(answer),
         }
     }

@@ -32,7 +32,7 @@ use super::{made_up, made_up_accuracy};
 /// The smallest that the app draws on, the usual, and a large one.
 pub const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
 
-fn look(depth: Depth) -> Look {
+pub fn look(depth: Depth) -> Look {
     Look {
         depth,
         symbols: Symbols::Braille,

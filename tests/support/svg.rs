@@ -112,14 +112,27 @@ fn dots(symbol: char) -> Option<Vec<(u16, u16)>> {
 /// its height.
 fn strokes(symbol: char) -> Option<(&'static [[f64; 4]], f64)> {
     const ACROSS: [f64; 4] = [0.0, 0.5, 1.0, 0.5];
+    const HALF: [f64; 4] = [0.0, 0.5, 0.5, 0.5];
     const DOWN: [f64; 4] = [0.5, 0.0, 0.5, 1.0];
     match symbol {
         '─' => Some((&[ACROSS], 0.06)),
         '│' => Some((&[DOWN], 0.06)),
         '█' => Some((&[ACROSS], 0.8)),
         '░' => Some((&[ACROSS], 0.2)),
+        '━' => Some((&[ACROSS], 0.12)),
+        '╸' => Some((&[HALF], 0.12)),
         _ => None,
     }
+}
+
+/// The quarters of a block that are filled, as columns and rows of 2 x 2.
+fn quarters(symbol: char) -> Option<Vec<(u16, u16)>> {
+    const SIGNS: [char; 15] = [
+        ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟',
+    ];
+    let mask = SIGNS[1..].iter().position(|sign| *sign == symbol)? + 1;
+    let set = (0..4).filter(|bit| mask >> bit & 1 == 1);
+    Some(set.map(|bit: u16| (bit % 2, bit / 2)).collect())
 }
 
 /// Draws a buffer.
@@ -130,7 +143,9 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
         f64::from(area.height) * CELL.1,
     );
     let mut paths: BTreeMap<(String, String, bool), String> = BTreeMap::new();
-    let (mut papers, mut texts) = (String::new(), String::new());
+    let (mut papers, mut blocks): (BTreeMap<String, String>, BTreeMap<String, String>) =
+        Default::default();
+    let mut texts = String::new();
     for y in 0..area.height {
         let top = f64::from(y) * CELL.1;
         let mut x = 0;
@@ -153,6 +168,14 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
                         let _ = write!(path, "M{:.0} {:.1}h0", at.0, at.1);
                     }
                     run.push(' ');
+                } else if let Some(quarters) = quarters(symbol) {
+                    let path = blocks.entry(own.ink.clone()).or_default();
+                    for (column, row) in quarters {
+                        let (wide, high) = (CELL.0 / 2.0, CELL.1 / 2.0);
+                        let at = (left + f64::from(column) * wide, top + f64::from(row) * high);
+                        let _ = write!(path, "M{} {}h{wide}v{high}h-{wide}z", at.0, at.1);
+                    }
+                    run.push(' ');
                 } else if let Some((lines, thick)) = strokes(symbol) {
                     let key = (own.ink.clone(), format!("{:.1}", thick * CELL.1), own.dim);
                     let path = paths.entry(key).or_default();
@@ -170,15 +193,14 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
             }
             let (left, width) = (f64::from(begin) * CELL.0, f64::from(x - begin) * CELL.0);
             if own.paper != PAPER {
-                let _ = writeln!(
-                    papers,
-                    r#"<path fill="{}" d="M{left} {top}h{width}v{}h-{width}z"/>"#,
-                    own.paper, CELL.1
-                );
+                let path = papers.entry(own.paper.clone()).or_default();
+                let _ = write!(path, "M{left} {top}h{width}v{}h-{width}z", CELL.1);
             }
             texts += &words(&run, &own, left, top);
         }
     }
+    let filled = |(colour, path)| format!("<path fill=\"{colour}\" d=\"{path}\"/>\n");
+    let filled: String = papers.into_iter().chain(blocks).map(filled).collect();
     let mut drawn = String::new();
     for ((ink, thick, dim), path) in paths {
         // Bars and lines meet their neighbours; dots are round.
@@ -197,7 +219,9 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
         r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="-8 -8 {} {}" role="img">
 <title>{title}</title>
 <rect x="-8" y="-8" width="{}" height="{}" rx="6" fill="{PAPER}"/>
-{papers}{drawn}<g font-family="ui-monospace, Menlo, Consolas, 'DejaVu Sans Mono', monospace" font-size="13" xml:space="preserve">
+<g shape-rendering="crispEdges">
+{filled}</g>
+{drawn}<g font-family="ui-monospace, Menlo, Consolas, 'DejaVu Sans Mono', monospace" font-size="13" xml:space="preserve">
 {texts}</g>
 </svg>
 "#,

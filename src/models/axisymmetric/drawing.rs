@@ -10,7 +10,9 @@ use crate::models::axisymmetric::eye::mesh::Block;
 use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::axisymmetric::recording::sensor::monitored;
 use crate::models::axisymmetric::time::run::AxisymmetricLoad;
-use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
+use crate::run::drawing::{
+    Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines,
+};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::{BTreeMap, BTreeSet};
@@ -64,8 +66,10 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         let corners = cell.corners;
         [corners, corners.map(|node| image[node])].map(|corners| DrawnCell { corners, of })
     });
+    let outlines = outlines(eye, &image);
     let mut drawing = Drawing {
         cells: cells.collect(),
+        outlines,
         monitors: monitored(eye),
         loaded: loaded.flat_map(|ends| [ends, mirrored(ends)]).collect(),
         loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
@@ -91,6 +95,34 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
     });
     drawing
+}
+
+/// What bounds the parts of the whole section, of whose nodes `image` has the mirror images.
+fn outlines(eye: &AxisymmetricEye, image: &[usize]) -> Outlines {
+    let mesh = &eye.mesh;
+    // Both halves have the nodes on the axis.
+    let around = |half: &[usize], ends: usize| {
+        let other = half[..half.len() - 1].iter().skip(ends).rev();
+        half.iter().copied().chain(other.map(|node| image[*node])).collect()
+    };
+    let shell: Vec<usize> = around(&mesh.shell, 1);
+    let thickness = |node: &usize| {
+        let (x, r) = eye.at(*node);
+        eye.parameters.shell.at(libm::atan2(r, -x)).0
+    };
+    let half: Vec<f64> = mesh.shell.iter().map(thickness).collect();
+    let other = half[1..half.len() - 1].iter().rev().copied();
+    let free: Vec<usize> = mesh.blocks.get(2).map_or_else(Vec::new, |block| {
+        block.nodes.iter().step_by(block.columns).rev().copied().collect()
+    });
+    Outlines {
+        thickness: half.iter().copied().chain(other).collect(),
+        shell,
+        limbus: eye.parameters.shell.limbus,
+        wall: if mesh.wall.is_empty() { Vec::new() } else { around(&mesh.wall, 0) },
+        free: [free.clone(), free.into_iter().map(|node| image[node]).collect()],
+        bone: eye.parameters.surround.is_some_and(|around| around.wall.is_bone()),
+    }
 }
 
 /// The lines of the half section, and the nodes at which those of its cells cross.
@@ -201,16 +233,11 @@ mod tests {
             assert!(has(region), "{region:?}");
         }
         // The object comes from 30 degrees above the front and lies outside of the globe.
-        let outline = drawing.object(first).unwrap();
-        let nearest = outline.iter().map(|p| p.coords.norm());
-        let touch = outline
-            .iter()
-            .zip(nearest)
-            .min_by(|a, b| a.1.total_cmp(&b.1));
-        let (at, distance) = touch.unwrap();
-        assert!((distance - 12e-3).abs() < 1e-4, "{distance}");
-        let angle = at.y.atan2(-at.x).to_degrees();
-        assert!((angle - 30.0).abs() < 4.0, "{angle}");
+        let (object, core) = drawing.object(first).unwrap();
+        let gap = core.coords.norm() - object.radius - 12e-3;
+        assert!(gap.abs() < 1e-4, "{gap}");
+        let angle = core.y.atan2(-core.x).to_degrees();
+        assert!((angle - 30.0).abs() < 1e-3, "{angle}");
         // Every line has a mirror image about the line of the blow.
         let along = Vector2::new(30f64.to_radians().cos(), -30f64.to_radians().sin());
         let across = |p: Point2<f64>| p.coords.perp(&along);

@@ -7,8 +7,9 @@ use crate::models::paper::case::PaperCase;
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::mesh::Node;
 use crate::models::paper::eye::springs::{Spring, SpringKind};
-use crate::run::drawing::{Drawing, DrawnNode, Line, MARGIN};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, MARGIN, Outlines};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
+use std::f64::consts::TAU;
 
 /// The drawing of a case.
 pub(crate) fn of(case: &PaperCase) -> Drawing {
@@ -39,10 +40,44 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
             .map(|(&a, &b)| (a, if loaded(b) { b } else { a }))
             .collect(),
         loaded_until: case.system.load().pulse.duration(),
-        cells: Vec::new(),
+        cells: (eye.quads.iter().enumerate())
+            .map(|(of, &corners)| DrawnCell { corners, of })
+            .collect(),
+        outlines: outlines(eye),
         reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
         along: None,
         object: None,
+    }
+}
+
+/// What bounds the parts; its shell has no thickness, so it is drawn with a mean one.
+fn outlines(eye: &Eye) -> Outlines {
+    const THICKNESS_M: f64 = 0.5e-3;
+    const LIMBUS_DEG: f64 = 33.0;
+    let around = |node: usize| eye.nodes[node].front_angle().rem_euclid(TAU);
+    let ring = |of: fn(Region) -> bool| {
+        let nodes = (0..eye.nodes.len()).filter(|node| of(eye.nodes[*node].region));
+        let mut nodes: Vec<usize> = nodes.collect();
+        nodes.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
+        nodes
+    };
+    let (shell, wall) = (ring(Region::on_shell), ring(|region| region == Region::Orbit));
+    // What is free of the fat is a straight line from the wall's edge.
+    let free = [wall.first(), wall.last()].map(|edge| {
+        let apart = |node: usize, edge: usize| (around(node) - around(edge)).abs();
+        let nearest = |edge: usize| {
+            let by = |a: &&usize, b: &&usize| apart(**a, edge).total_cmp(&apart(**b, edge));
+            shell.iter().min_by(by).copied()
+        };
+        edge.into_iter().flat_map(|&edge| [Some(edge), nearest(edge)]).flatten().collect()
+    });
+    Outlines {
+        thickness: vec![THICKNESS_M; shell.len()],
+        shell,
+        limbus: LIMBUS_DEG.to_radians(),
+        wall,
+        free,
+        bone: true,
     }
 }
 

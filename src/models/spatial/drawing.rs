@@ -3,7 +3,9 @@
 use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::spatial::case::SpatialCase;
 use crate::models::spatial::recording::section::Section;
-use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN};
+use crate::run::drawing::{
+    Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines,
+};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::BTreeMap;
@@ -40,6 +42,7 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
                 of,
             })
             .collect(),
+        outlines: outlines(case, &section),
         monitors: section.monitors,
         loaded: Vec::new(),
         loaded_until: 0.0,
@@ -58,13 +61,39 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
     }
 }
 
+/// What bounds the parts of the section.
+fn outlines(case: &SpatialCase, section: &Section) -> Outlines {
+    let parameters = &case.eye.parameters;
+    // Both halves have a point at the poles.
+    let around = |[one, other]: &[Vec<usize>; 2], ends: usize| -> Vec<usize> {
+        let back = other.len().saturating_sub(1);
+        let other = other[..back].iter().skip(ends).rev();
+        one.iter().chain(other).copied().collect()
+    };
+    let shell = around(&section.shell, 1);
+    let thickness = |of: &usize| {
+        let at = section.points[*of].rest;
+        parameters.shell.at(libm::atan2(at.y.abs(), -at.x)).0
+    };
+    Outlines {
+        thickness: shell.iter().map(thickness).collect(),
+        shell,
+        limbus: parameters.shell.limbus,
+        wall: around(&section.wall, 0),
+        free: section.free.clone(),
+        bone: parameters.surround.is_some_and(|around| around.wall.is_bone()),
+    }
+}
+
 /// All lines with the part that they draw: shell and wall, the lens where it ends, and cells.
 fn lines(section: &Section) -> Vec<Line> {
     let sorted = |a: usize, b: usize| (a.min(b), a.max(b));
     let region = |of: usize| section.points[of].region;
     let mut parts: BTreeMap<(usize, usize), Region> = BTreeMap::new();
-    for &[a, b] in &section.wall {
-        parts.insert(sorted(a, b), Region::Orbit);
+    for half in &section.wall {
+        for ends in half.windows(2) {
+            parts.insert(sorted(ends[0], ends[1]), Region::Orbit);
+        }
     }
     for half in &section.shell {
         for ends in half.windows(2) {

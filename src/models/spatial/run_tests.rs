@@ -289,13 +289,10 @@ fn the_socket_gives_readings_places_frames_and_a_picture_that_belong_together() 
         assert!(line.ends.0.max(line.ends.1) < drawing.nodes.len());
     }
     // The object comes from below and lies outside of the globe.
-    let outline = drawing.object(first).unwrap();
-    let nearest = outline
-        .iter()
-        .min_by(|a, b| a.coords.norm().total_cmp(&b.coords.norm()));
-    let nearest = nearest.unwrap();
-    assert!((nearest.coords.norm() - 12e-3).abs() < 2e-4, "{nearest}");
-    let angle = libm::atan2(nearest.y, -nearest.x).to_degrees();
+    let (object, core) = drawing.object(first).unwrap();
+    let gap = core.coords.norm() - object.radius - 12e-3;
+    assert!(gap.abs() < 2e-4, "{gap}");
+    let angle = libm::atan2(core.y, -core.x).to_degrees();
     assert!((angle + 40.0).abs() < 5.0, "{angle}");
     // By the end it has dented what it hit.
     let dent = |frame: &crate::run::kept::Frame| {

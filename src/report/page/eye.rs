@@ -1,56 +1,66 @@
 //! The eye as SVG: at its peak as it stands, and moved by the script through the frames beside it.
 //!
-//! Places are whole hundredths of a millimetre, x from the cornea to the back and y down, as SVG
-//! has it.
+//! Places are whole twentieths of a millimetre, x from the cornea to the back and y down, as SVG
+//! has it. The layers are those of [`crate::report::picture`]; the field is drawn as the cells of
+//! the globe, each in the colour of its step.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, html};
+use nalgebra::Point2;
 use serde_json::{Value, json};
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::content::{FRAMES, spacing};
+use crate::report::picture::field::{Field, STEPS, step};
+use crate::report::picture::{Anatomy, Detail, Part, Shape, in_globe};
 use crate::report::risks::lines;
-use crate::run::drawing::Drawing;
+use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::{Frame, nearest};
-use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 
-/// Hundredths of a millimetre.
-const PER_M: f64 = 1e5;
-/// The parts from the back to the front of the picture, with their class.
-const PARTS: [(Region, &str); 6] = [
-    (Region::Fat, "fat"),
-    (Region::Interior, "interior"),
-    (Region::Lens, "lens"),
-    (Region::Orbit, "orbit"),
-    (Region::Shell, "shell"),
-    (Region::Retina, "retina"),
+/// Twentieths of a millimetre.
+const PER_M: f64 = 2e4;
+/// The smallest thing that shows, in m.
+const GRAIN_M: f64 = 0.15e-3;
+/// Points of the globe's outline, about: every one is sent for every frame.
+const OUTLINE: usize = 100;
+/// The field from low to high, as on the screens.
+const FIELD: [&str; STEPS] = [
+    "#5f005f", "#5f0087", "#5f5f87", "#005f87", "#0087af", "#008787", "#00af87", "#5faf87",
+    "#5fd787", "#87d75f", "#d7ff5f",
 ];
 /// How the parts look, in a page and in a picture of its own.
-pub const STYLE: &str = ".eye path{fill:none;stroke-linecap:round}\
-    .fat{stroke:#cdb98a;stroke-width:10}.interior{stroke:#a9bccd;stroke-width:10}\
-    .lens{stroke:#2a9d8f;stroke-width:26}.orbit{stroke:#8a7445;stroke-width:34}\
-    .shell{stroke:#333;stroke-width:34}.retina{stroke:#c1443c;stroke-width:44}\
-    .eye .object{fill:#77777755;stroke:#555;stroke-width:16}\
-    .eye text{font:150px sans-serif;fill:#555}";
+pub const STYLE: &str = ".eye path{stroke:none}.eye .sky{fill:#fff}\
+    .eye .object{fill:#ff875f}.eye .skin{fill:#d75f5f}.eye .fat{fill:#f6ecd2}\
+    .eye .bone{fill:#a5804a}.eye .nerve{fill:#d7d787}.eye .globe{fill:#5f005f}\
+    .eye .ciliary{fill:#875f5f}.eye .lens{fill:#afd7d7}.eye .iris{fill:#5fafff}\
+    .eye .retina{fill:#ff005f}.eye .sclera{fill:#d8d8d8}.eye .cornea{fill:#55d7e6}\
+    .eye .pressed{fill:#ffd700}.eye .limbus{fill:#875f5f}\
+    .eye .ghost{fill:none;stroke:#777;stroke-width:3;stroke-dasharray:6 8}\
+    .eye .bar{stroke:#333;stroke-width:8}.eye .field path{stroke-width:2}\
+    .eye text{font:30px sans-serif;fill:#555}";
 
-/// Coordinates in all frames at most, some 1 MB: a finer mesh has fewer frames, but not fewer than
-/// this.
-const MOST: f64 = 4e5;
+/// Coordinates in all frames at most: a finer mesh has fewer frames, but not fewer than this.
+const MOST: f64 = 8e4;
 const FEWEST: f64 = 20.0;
+
+/// The sign that stands for 0.
+const ZERO: i64 = 93;
 
 /// The picture of an answer with its frames.
 pub struct Picture<'a> {
     frames: Vec<&'a Frame>,
     drawing: Drawing,
-    /// Nodes that lines end at.
+    anatomy: Anatomy,
+    /// What fills the globe, and the end of its scale.
+    field: (Field, f64),
+    /// Cells of the globe, and nodes at their corners.
+    cells: Vec<DrawnCell>,
     nodes: Vec<usize>,
-    /// For each of [`PARTS`] the ends of its lines, by their places in `nodes`.
-    parts: Vec<Vec<(usize, usize)>>,
     /// The frame of the peak.
     peak: usize,
 }
@@ -61,20 +71,10 @@ impl<'a> Picture<'a> {
         let kept = &answer.run.frames[..];
         kept.first()?;
         let drawing = answer.case.eye.drawing();
-        let mut places = vec![None; drawing.nodes.len()];
-        let mut nodes = Vec::new();
-        let mut place = |node: usize| {
-            *places[node].get_or_insert_with(|| {
-                nodes.push(node);
-                nodes.len() - 1
-            })
-        };
-        let mut parts = vec![Vec::new(); PARTS.len()];
-        for line in &drawing.lines {
-            if let Some(part) = PARTS.iter().position(|(region, _)| *region == line.region) {
-                parts[part].push((place(line.ends.0), place(line.ends.1)));
-            }
-        }
+        let globe = drawing.cells.iter().filter(|cell| in_globe(&drawing, &cell.corners));
+        let cells: Vec<DrawnCell> = globe.copied().collect();
+        let nodes: BTreeSet<usize> = cells.iter().flat_map(|cell| cell.corners).collect();
+        let field = Field::all(&drawing, kept)[0];
         let time = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
         let deepest = nearest(kept, time);
         let count = (MOST / (2.0 * nodes.len() as f64)).clamp(FEWEST, FRAMES);
@@ -85,9 +85,11 @@ impl<'a> Picture<'a> {
         let frames = places.into_iter().map(|place| &kept[place]).collect();
         Some(Self {
             frames,
+            anatomy: Anatomy::of(&drawing),
+            field: (field, field.largest(&drawing, kept)),
             drawing,
-            nodes,
-            parts,
+            nodes: nodes.into_iter().collect(),
+            cells,
             peak,
         })
     }
@@ -97,49 +99,77 @@ impl<'a> Picture<'a> {
         self.frames[self.peak].time
     }
 
+    /// Places of the corners of all cells.
     fn places(&self, frame: &Frame) -> Vec<i64> {
         let place = |node: &usize| whole(self.drawing.place(frame, *node, 1.0));
         self.nodes.iter().flat_map(place).collect()
     }
 
-    fn object(&self, frame: &Frame) -> Option<Vec<i64>> {
-        let outline = self.drawing.object(frame)?;
-        Some(outline.into_iter().flat_map(whole).collect())
+    /// The step of each cell, as a digit or a letter.
+    fn steps(&self, frame: &Frame) -> String {
+        let values = self.field.0.of_nodes(&self.drawing, frame);
+        let of = |cell: &DrawnCell| {
+            let mean = cell.corners.iter().map(|node| values[*node]).sum::<f64>() / 4.0;
+            char::from_digit(step(mean, self.field.1) as u32, 36)
+        };
+        self.cells.iter().filter_map(of).collect()
+    }
+
+    fn layers(&self, frame: &Frame) -> Vec<Shape> {
+        let detail = Detail {
+            grain: GRAIN_M,
+            zoom: 1.0,
+            points: OUTLINE,
+        };
+        self.anatomy.layers(&self.drawing, frame, detail)
     }
 
     /// Left, top, width and height: the eye at rest, and room for the object before it.
     fn view(&self) -> [i64; 4] {
-        let places = self.places(self.frames[0]);
-        let ends = |from: usize| {
-            let along = || places.iter().skip(from).step_by(2).copied();
-            (along().min().unwrap_or(-1), along().max().unwrap_or(1))
-        };
-        let ((left, right), (top, bottom)) = (ends(0), ends(1));
-        let (wide, high) = (right - left, bottom - top);
-        let (before, around) = (wide / 4, high / 12);
-        [
-            left - before,
-            top - around,
-            wide + before + wide / 20,
-            high + 2 * around,
-        ]
+        let (low, high) = self.drawing.extent();
+        let [left, bottom] = whole(low);
+        let [right, top] = whole(high);
+        [left, top, right - left, bottom - top]
     }
 
     /// What stands within the picture.
     fn content(&self) -> Markup {
         let frame = self.frames[self.peak];
-        let places = self.places(frame);
-        let at = |i: usize| (places[2 * i], places[2 * i + 1]);
-        let [left, top, wide, _] = self.view();
+        let [left, top, wide, high] = self.view();
+        let (name, end) = (self.field.0.name(), self.field.0.figure(self.field.1));
+        let bar = (1e-2 * PER_M) as i64;
+        let (low, middle) = (top + high - 20, left + wide / 2);
+        let key = left + wide - 420;
         html! {
-            path.object d=(self.object(frame).map_or_else(String::new, |outline| closed(&outline))) {}
-            @for ((_, class), lines) in PARTS.iter().zip(&self.parts) {
-                path class=(class) d=(path(lines, at)) {}
+            @for shape in self.layers(frame) {
+                path class=(class(shape.part)) d=(rings(&shape)) {}
+                @if shape.part == Part::Globe { g.field { @for of in 0..STEPS {
+                    path style=(format!("fill:{0};stroke:{0}", FIELD[of])) d=(self.filled(frame, of)) {}
+                } } }
             }
-            text x=(left + 30) y="50" { "front" }
-            text x=(left + wide - 130) y="-130" text-anchor="end" { "back" }
-            text x="0" y=(top + 150) text-anchor="middle" { "up" }
+            path.ghost d=(closed(self.anatomy.ghost())) {}
+            text x=(left + 10) y=(low) { "front" }
+            text x=(left + wide - 10) y=(low) text-anchor="end" { "back" }
+            path.bar d=(format!("M{} {}h{bar}", middle - bar, low - 10)) {}
+            text x=(middle + 15) y=(low) { "10 mm" }
+            text x=(key - 10) y=(top + 32) text-anchor="end" { (name) " 0" }
+            @for (i, colour) in FIELD.iter().enumerate() {
+                rect x=(key + 22 * i as i64) y=(top + 8) width="22" height="28" fill=(colour) {}
+            }
+            text x=(key + 22 * STEPS as i64 + 10) y=(top + 32) { (end) }
         }
+    }
+
+    /// The cells at one step of the field.
+    fn filled(&self, frame: &Frame, of: usize) -> String {
+        let steps = self.steps(frame);
+        let at_it = self.cells.iter().zip(steps.chars());
+        let digit = char::from_digit(of as u32, 36);
+        let at_it = at_it.filter(|(_, step)| Some(*step) == digit);
+        at_it.fold(String::new(), |path, (cell, _)| {
+            let corners = cell.corners.map(|node| self.drawing.place(frame, node, 1.0));
+            path + &closed(&corners)
+        })
     }
 
     /// The picture within a page; the script finds its paths by their order.
@@ -153,53 +183,84 @@ impl<'a> Picture<'a> {
     }
 
     /// Everything that the script moves the paths by: of the first frame the places, of each other
-    /// one how far they have moved since, which takes fewer digits.
+    /// one how far they have moved since, which takes fewer digits. Lines that have another number
+    /// of corners than before stand as they are.
     pub fn motion(&self) -> Value {
-        let flat = |lines: &Vec<(usize, usize)>| -> Vec<usize> {
-            lines.iter().flat_map(|(a, b)| [*a, *b]).collect()
+        let frames = || self.frames.iter().copied();
+        let layers: Vec<Vec<Shape>> = frames().map(|frame| self.layers(frame)).collect();
+        let shape = |i: usize| -> Value {
+            let rings = layers.iter().map(|layers| &layers[i].rings);
+            let most = rings.clone().map(Vec::len).max().unwrap_or_default();
+            let ring = |ring: usize| {
+                let places = rings.clone().map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
+                let places = places.map(|ring| ring.iter().copied().flat_map(whole).collect());
+                moves(&places.collect::<Vec<Vec<i64>>>())
+            };
+            (0..most).map(ring).collect()
         };
-        let frames = self.frames.iter().copied();
-        let objects: Option<Vec<_>> = frames.clone().map(|f| self.object(f)).collect();
+        let place = |node: &usize| self.nodes.binary_search(node).unwrap_or_default();
         json!({
             "peak": self.peak,
-            "ms": frames.clone().map(|f| (f.time * 1e6).round() / 1e3).collect::<Vec<_>>(),
-            "places": moves(&frames.map(|f| self.places(f)).collect::<Vec<_>>()),
-            "objects": objects.as_deref().map(moves),
-            "parts": self.parts.iter().map(flat).collect::<Vec<_>>(),
+            "ms": frames().map(|f| (f.time * 1e6).round() / 1e3).collect::<Vec<_>>(),
+            "shapes": (0..layers[0].len()).map(shape).collect::<Vec<_>>(),
+            "places": moves(&frames().map(|f| self.places(f)).collect::<Vec<_>>()),
+            "cells": self.cells.iter().flat_map(|cell| cell.corners.iter().map(place))
+                .collect::<Vec<_>>(),
+            "steps": frames().map(|f| self.steps(f)).collect::<Vec<_>>(),
         })
     }
 }
 
 /// The first of several lists of numbers, and of each other one by how much it differs from the
-/// one before.
-fn moves(lists: &[Vec<i64>]) -> Vec<Vec<i64>> {
-    let by = |pair: &[Vec<i64>]| pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect();
+/// one before, if that is as long.
+fn moves(lists: &[Vec<i64>]) -> Vec<String> {
+    let by = |pair: &[Vec<i64>]| {
+        if pair[0].len() != pair[1].len() {
+            return pair[1].clone();
+        }
+        pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect()
+    };
     let first = lists.first().cloned().into_iter();
-    first.chain(lists.windows(2).map(by)).collect()
+    first.chain(lists.windows(2).map(by)).map(|list| packed(&list)).collect()
 }
 
-fn whole(at: nalgebra::Point2<f64>) -> [i64; 2] {
+/// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
+fn packed(numbers: &[i64]) -> String {
+    let sign = |number: i64| char::from(u8::try_from(number + ZERO).unwrap_or(b'!'));
+    numbers.iter().fold(String::new(), |mut text, &number| {
+        if (-32..=33).contains(&number) {
+            text.push(sign(number));
+        } else {
+            // A string takes whatever it is given.
+            let _ = write!(text, "!{number};");
+        }
+        text
+    })
+}
+
+fn whole(at: Point2<f64>) -> [i64; 2] {
     [
         (at.x * PER_M).round() as i64,
         (-at.y * PER_M).round() as i64,
     ]
 }
 
-fn path(lines: &[(usize, usize)], at: impl Fn(usize) -> (i64, i64)) -> String {
-    lines.iter().fold(String::new(), |mut path, &(a, b)| {
-        let ((x, y), (to_x, to_y)) = (at(a), at(b));
-        // A string takes whatever it is given.
-        let _ = write!(path, "M{x} {y}L{to_x} {to_y}");
-        path
-    })
+fn class(part: Part) -> String {
+    format!("{part:?}").to_lowercase()
 }
 
-fn closed(outline: &[i64]) -> String {
-    let points: Vec<String> = outline
-        .chunks(2)
-        .map(|p| format!("{} {}", p[0], p[1]))
-        .collect();
-    format!("M{}Z", points.join("L"))
+fn rings(shape: &Shape) -> String {
+    shape.rings.iter().map(|ring| closed(ring)).collect()
+}
+
+fn closed(ring: &[Point2<f64>]) -> String {
+    let mut path = String::new();
+    for (i, at) in ring.iter().enumerate() {
+        let [x, y] = whole(*at);
+        // A string takes whatever it is given.
+        let _ = write!(path, "{}{x} {y}", if i == 0 { 'M' } else { 'L' });
+    }
+    path + "Z"
 }
 
 /// A file of the pictures alone, side by side, each with its name and first verdict.
@@ -219,20 +280,20 @@ pub fn pictures(entries: &[Entry]) -> String {
     let placed: Vec<_> = lefts.zip(&all).collect();
     let whole = placed.last().map_or(side, |(left, _)| left + side);
     let drawn = html! {
-        svg.eye xmlns="http://www.w3.org/2000/svg" viewBox=(format!("0 0 {whole} {}", high + 620)) {
+        svg.eye xmlns="http://www.w3.org/2000/svg" viewBox=(format!("0 0 {whole} {}", high + 124)) {
             style { (PreEscaped(STYLE)) }
             rect width="100%" height="100%" fill="white" {}
             @for (x, (entry, answer, picture)) in placed {
                 @let verdict = lines(answer).into_iter().next();
                 @let view = picture.view().map(|side| side.to_string()).join(" ");
                 svg x=(x) width=(side) height=(high) viewBox=(view) { (picture.content()) }
-                text x=(x + 40) y=(high + 170) { (printable(&entry.scenario.name)) }
+                text x=(x + 8) y=(high + 34) { (printable(&entry.scenario.name)) }
                 @if let Some((name, words)) = verdict {
                     // The word and the range; what stands behind them is too long for a picture.
                     @let words = words.split([',', ';', ':']).next().unwrap_or_default();
-                    text x=(x + 40) y=(high + 370) { (name) ": " (words) }
+                    text x=(x + 8) y=(high + 74) { (name) ": " (words) }
                 }
-                text x=(x + 40) y=(high + 570) { (format!("at {:.3} ms", picture.time() * 1e3)) }
+                text x=(x + 8) y=(high + 114) { (format!("at {:.3} ms", picture.time() * 1e3)) }
             }
         }
     };
@@ -264,30 +325,28 @@ mod tests {
         );
         assert_eq!(apart(picture.frames[picture.peak]), 0.0);
         let motion = picture.motion();
+        // As the script reads it.
         let numbers = |list: &Value| -> Vec<i64> {
-            let list = list.as_array().unwrap().iter();
-            list.map(|number| number.as_i64().unwrap()).collect()
-        };
-        for (key, last) in [
-            (
-                "places",
-                picture.places(picture.frames[picture.frames.len() - 1]),
-            ),
-            (
-                "objects",
-                picture
-                    .object(picture.frames[picture.frames.len() - 1])
-                    .unwrap(),
-            ),
-        ] {
-            let mut now = vec![0; last.len()];
-            for list in motion[key].as_array().unwrap() {
-                for (place, by) in now.iter_mut().zip(numbers(list)) {
-                    *place += by;
-                }
+            let mut text = list.as_str().unwrap();
+            let mut numbers = Vec::new();
+            while let Some(sign) = text.chars().next() {
+                let end = if sign == '!' { text.find(';').unwrap() } else { 0 };
+                let large = || text[1..end].parse().unwrap();
+                numbers.push(if sign == '!' { large() } else { i64::from(sign as u32) - ZERO });
+                text = &text[end + 1..];
             }
-            assert_eq!(now, last, "{key}");
+            numbers
+        };
+        let last = picture.frames[picture.frames.len() - 1];
+        let mut now = vec![0; picture.nodes.len() * 2];
+        for list in motion["places"].as_array().unwrap() {
+            for (place, by) in now.iter_mut().zip(numbers(list)) {
+                *place += by;
+            }
         }
-        assert!(motion.to_string().len() < 400_000);
+        assert_eq!(now, picture.places(last));
+        assert_eq!(motion["steps"].as_array().unwrap().len(), picture.frames.len());
+        assert_eq!(motion["shapes"].as_array().unwrap().len(), picture.layers(last).len());
+        assert!(motion.to_string().len() < 230_000);
     }
 }

@@ -13,7 +13,8 @@ use crate::run::result_trace::Group;
 use crate::run::trace::OtherTrace;
 use crate::run::trace::TRACES;
 use crate::run::trace::Trace;
-use crate::tui::clock::{Colouring, peak_said};
+use crate::report::picture::Part;
+use crate::tui::clock::{MeshDetail, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::keys::{Binding, TimeKeys};
@@ -25,10 +26,13 @@ use crate::tui::terminal::caps::Symbols;
 use crate::tui::view::chart::{TimeCurve, value_at};
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::heat::{heat_glyph, thresholds};
+use crate::tui::view::picture::{NAMED, swatch};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{longest_fitting, put, put_right, wrapped};
+use crate::tui::view::text::{longest_fitting, put, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
+/// Rows from which on each part has a line of its own.
+const TALL: u16 = 30;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
@@ -61,7 +65,7 @@ impl<S: Screen> FrameKeys<S> {
         bind(&[RIGHT, c('l')], |s, m| s.step_time(m, Step::MORE), "&", "the next frame"),
         bind(&[SHIFT_LEFT, c('H')], |s, m| s.step_time(m, Step::MUCH_LESS), "", "ten frames back"),
         bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "ten frames on"),
-        bind(&[c('c')], |_, m| m.clock.change_colouring(), "", "coloured by force, or by pressure where cells have one"),
+        bind(&[c('c')], |_, m| change_field(m), "field", "what fills the eye: pressure, strain or forces"),
     ];
 }
 
@@ -71,10 +75,10 @@ impl Screen for Replay {
     }
 }
 
-/// The largest pressure of the scale, in Pa, where an eye is to be coloured by that.
-pub fn pressures(model: &AppModel, shown: &ShownAnswer) -> Option<f64> {
-    let wanted = model.clock.colouring == Colouring::Pressure;
-    shown.highest.filter(|_| wanted)
+fn change_field(model: &mut AppModel) {
+    let shown = model.shown.as_ref();
+    let hit = shown.is_some_and(|shown| shown.drawing.object.is_some());
+    model.clock.change_field(hit);
 }
 
 fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
@@ -86,24 +90,15 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let bar = Rect::new(area.x, area.y + area.height - 3, area.width, 3);
     let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
     let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
-    EyePicture {
-        shown,
-        time: model.time(),
-        largest: shown.hottest,
-        highest: pressures(model, shown),
-        zoom: model.clock.zoom(),
-        detail: model.clock.detail,
+    let drawn = EyePicture {
         blow: Some(&shown.scenario),
-        aiming: false,
-        lean: model.is_lean(),
-        look: model.look,
-    }
-    .draw(picture, buffer);
+        ..EyePicture::of(model, shown, model.time())
+    };
+    let anatomy = drawn.detail == MeshDetail::Anatomy;
     // What reaches the edge does not touch the legend.
-    for y in 0..picture.height {
-        buffer[(side.x - 1, picture.y + y)].reset();
-    }
-    if model.clock.zoom() > 1 {
+    let field = Rect { width: picture.width - 1, ..picture };
+    drawn.draw(field, buffer);
+    if model.clock.zoom() > 1 && !anatomy {
         let text = format!(" motion shown {}x larger ", model.clock.zoom());
         put(buffer, picture, (2, 0), &text, theme.warning());
     }
@@ -117,30 +112,23 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
             theme.warning(),
         );
     }
-    side_panel(model, shown, side, buffer);
+    side_panel(model, shown, anatomy, side, buffer);
     time_bar(model, shown, bar, buffer);
 }
 
-fn side_panel(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: bool, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let time = model.time();
     let mut y = 0;
-    let pressures = pressures(model, shown);
-    let (heading, other) = match pressures {
-        Some(_) => ("Pressure", "c: force"),
-        None => ("Node force", "c: pressure"),
-    };
-    put(buffer, area, (0, y), heading, theme.heading());
-    if shown.highest.is_some() {
-        put_right(buffer, area, (area.width - 1, y), other, theme.quiet());
-    }
-    y += 1;
     let ascii = model.look.symbols == Symbols::Ascii;
-    let scale = match pressures {
-        Some(highest) => (highest * 1e-3, "kPa"),
-        None => (shown.hottest, "N"),
-    };
-    legend(scale, (theme, ascii), area, &mut y, buffer);
+    if anatomy {
+        parts(model, shown, area, &mut y, buffer);
+    } else {
+        put(buffer, area, (0, y), "Node force", theme.heading());
+        put_right(buffer, area, (area.width - 1, y), "e: anatomy", theme.quiet());
+        y += 1;
+        legend((shown.hottest, "N"), (theme, ascii), area, &mut y, buffer);
+    }
     let traces = shown.answer.run.traces.as_ref();
     put(buffer, area, (0, y), "Now", theme.heading());
     y += 1;
@@ -173,6 +161,34 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Bu
     }
     let material = model.material();
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
+}
+
+/// The parts of the anatomy, each with its colour.
+fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    put(buffer, area, (0, *y), "What you see", theme.heading());
+    put_right(buffer, area, (area.width - 1, *y), "e: mesh", theme.quiet());
+    *y += 1;
+    let hit = shown.drawing.object.is_some();
+    let more = [(Part::Object, "object"), (Part::Pressed, "pressed"), (Part::Fat, "fat")];
+    let more = more.into_iter().filter(|(part, _)| hit || *part == Part::Fat);
+    let tall = area.height >= TALL;
+    let mut x = 0;
+    for (part, name) in NAMED.into_iter().chain(more) {
+        let wide = width(name) + 3;
+        if x > 0 && (tall || x + wide > area.width) {
+            (x, *y) = (0, *y + 1);
+        }
+        let (sign, style) = swatch(part, model.look);
+        x = put(buffer, area, (x, *y), &sign, style);
+        x = put(buffer, area, (x, *y), &format!(" {name} "), theme.text());
+    }
+    *y += 1;
+    let dots = if model.look.symbols == Symbols::Ascii { "::" } else { "⠒⠒" };
+    let x = put(buffer, area, (0, *y), dots, theme.quiet());
+    put(buffer, area, (x, *y), " at rest", theme.text());
+    put_right(buffer, area, (area.width - 1, *y), "c: field", theme.quiet());
+    *y += 2;
 }
 
 /// Steps of force with their colours, and the parts of the eye with theirs.
@@ -208,6 +224,8 @@ fn legend(
         let text = longest_fitting(&texts, area.width.saturating_sub(x));
         put(buffer, area, (x, *y), text, theme.quiet());
     }
+    *y += 1;
+    put(buffer, area, (0, *y), "C F R T: nodes below", theme.quiet());
     *y += 1;
     let parts = [
         (Region::Shell, "shell", "━"),
@@ -252,7 +270,7 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buff
     let rest = format!(
         "  {state}  {} ms/s  {}",
         model.clock.speed(),
-        model.clock.detail.name()
+        model.clock.detail(shown.drawing.object.is_some()).name()
     );
     put(buffer, area, (end, 0), &rest, theme.text());
     let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);

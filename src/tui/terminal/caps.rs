@@ -25,6 +25,8 @@ pub enum ColorFlag {
 pub enum Symbols {
     /// Eight dots in a character
     Braille,
+    /// Eight dots, and pictures in eight blocks a character, which few fonts have (Unicode 16)
+    Octant,
     /// Four blocks in a character
     Block,
     /// Nothing beyond ASCII

@@ -2,7 +2,8 @@
 //!
 //! Only changed cells are sent. Against ratatui's own backend this keeps the pen between frames,
 //! sends a colour only when it changes and in the short codes that 16-colour terminals know, and
-//! moves by the shortest way. Kept by hand for what it saves: a replay at 16 colours and 80 x 24
+//! moves by the shortest way. What takes least comes next, wherever it stands, and a cell of blocks
+//! may have ink and ground exchanged where the pen has these. Kept by hand for what it saves: a replay at 16 colours and 80 x 24
 //! takes 563 bytes a frame where the stock backend sends 893, which is 37 % less. A test draws
 //! random screens both ways and compares what a terminal shows.
 //!
@@ -34,6 +35,17 @@ const ATTRIBUTES: [(Modifier, u8); 6] = [
     (Modifier::CROSSED_OUT, 9),
 ];
 
+/// Signs of blocks, each with what it leaves blank at the same place from the end.
+const BLOCKS: [&str; 16] = [
+    " ", "▘", "▝", "▀", "▖", "▌", "▞", "▛", "▗", "▚", "▐", "▜", "▄", "▙", "▟", "█",
+];
+
+/// A cell that is to be sent, with its place.
+type Changed<'a> = (u16, u16, &'a Cell);
+
+/// How many runs of cells ahead the one is looked for that takes least to send next.
+const AHEAD: usize = 256;
+
 /// What the terminal's pen is set to, and where it stands.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pen {
@@ -60,13 +72,37 @@ impl Pen {
     pub fn draw(&mut self, before: &Buffer, after: &Buffer, out: &mut Vec<u8>) {
         // The terminal may have been written to by others between two frames.
         self.at = None;
-        for (x, y, cell) in before.diff(after) {
-            self.move_to(x, y, out);
-            self.set_style(cell, out);
-            out.extend_from_slice(cell.symbol().as_bytes());
-            let next = x + unicode_width::UnicodeWidthStr::width(cell.symbol()).max(1) as u16;
-            self.at = (next < after.area.width).then_some((next, y));
+        let changed = before.diff(after);
+        let width = |cell: &Cell| unicode_width::UnicodeWidthStr::width(cell.symbol()).max(1) as u16;
+        // What has one style and stands together is sent together.
+        let joins = |a: &Changed, b: &Changed| {
+            a.1 == b.1 && a.0 + width(a.2) == b.0 && a.2.style() == b.2.style()
+        };
+        let mut runs: Vec<&[Changed]> = changed.chunk_by(joins).collect();
+        runs.reverse();
+        while !runs.is_empty() {
+            let from = runs.len().saturating_sub(AHEAD);
+            let next = (from..runs.len()).rev().min_by_key(|i| self.cost(&runs[*i][0]));
+            for &(x, y, cell) in runs.remove(next.unwrap_or(from)) {
+                self.move_to(x, y, out);
+                let shown = &self.cheaper(cell);
+                self.set_style(shown, out);
+                out.extend_from_slice(shown.symbol().as_bytes());
+                let next = x + width(cell);
+                self.at = (next < after.area.width).then_some((next, y));
+            }
         }
+    }
+
+    /// About how many bytes it takes to get to a cell with its colours.
+    fn cost(&self, &(x, y, cell): &Changed) -> usize {
+        let there = match self.at {
+            Some(here) if here == (x, y) => 0,
+            Some((here, row)) if row == y && here < x => 4,
+            _ => 8,
+        };
+        let lit = if cell.modifier == self.attributes { 0 } else { 8 };
+        there + lit + 9 * usize::from(self.changes(&self.cheaper(cell)))
     }
 
     fn move_to(&mut self, x: u16, y: u16, out: &mut Vec<u8>) {
@@ -80,6 +116,25 @@ impl Pen {
             _ if x == 0 => put(out, format_args!("\x1b[{}H", y + 1)),
             _ => put(out, format_args!("\x1b[{};{}H", y + 1, x + 1)),
         }
+    }
+
+    /// A cell of blocks with ink and ground exchanged, where the pen has those colours already.
+    fn cheaper(&self, cell: &Cell) -> Cell {
+        let mut other = cell.clone();
+        let place = BLOCKS.iter().position(|symbol| *symbol == cell.symbol());
+        let solid = cell.symbol() == BLOCKS[0];
+        let hidden = cell.bg == Color::Reset || (!solid && cell.fg == Color::Reset);
+        if let Some(place) = place.filter(|_| !hidden && cell.modifier.is_empty()) {
+            other.set_symbol(BLOCKS[BLOCKS.len() - 1 - place]);
+            (other.fg, other.bg) = (cell.bg, if solid { self.background } else { cell.fg });
+        }
+        if self.changes(&other) < self.changes(cell) { other } else { cell.clone() }
+    }
+
+    /// How many colours of a cell the pen has not.
+    fn changes(&self, cell: &Cell) -> u8 {
+        let inked = cell.symbol() != BLOCKS[0] && cell.fg != self.foreground;
+        u8::from(inked) + u8::from(cell.bg != self.background)
     }
 
     fn set_style(&mut self, cell: &Cell, out: &mut Vec<u8>) {
@@ -184,7 +239,7 @@ mod tests {
     }
 
     prop_compose! {
-        fn screen()(cells in prop::collection::vec((prop::sample::select(vec![" ", "a", "é", "⣿", "中"]), style()), 48)) -> Buffer {
+        fn screen()(cells in prop::collection::vec((prop::sample::select(vec![" ", "a", "é", "⣿", "中", "▌", "▐"]), style()), 48)) -> Buffer {
             let mut buffer = Buffer::empty(AREA);
             for (i, (symbol, style)) in cells.into_iter().enumerate() {
                 let (x, y) = ((i % 12) as u16, (i / 12) as u16);
@@ -206,7 +261,11 @@ mod tests {
     fn seen(screen: &vt100::Screen) -> Vec<String> {
         let cell = |i: u16| {
             let cell = screen.cell(i / 12, i % 12).unwrap();
-            let text = cell.contents().trim().to_owned();
+            let full = cell.contents() == "█";
+            let text = if full { String::new() } else { cell.contents().trim().to_owned() };
+            if full && !cell.inverse() {
+                return format!("{text:?} None {:?} None false false", short(cell.fgcolor()));
+            }
             let bare = text.is_empty() && !cell.inverse();
             let fg = (!bare).then(|| short(cell.fgcolor()));
             let lit = (!bare).then(|| (cell.bold(), cell.dim()));

@@ -1,4 +1,5 @@
-//! The eye at one moment: springs or nodes coloured by force, orbit, arc and arrow of the blow.
+//! The eye at one moment: its anatomy, or its mesh in lines or nodes coloured by force, with orbit,
+//! arc and arrow of the blow.
 //!
 //! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
 //! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is
@@ -10,6 +11,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
+use crate::report::picture::Part;
+use crate::report::picture::field::Field;
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
@@ -20,10 +23,11 @@ use crate::scenario::fields::Kind;
 use crate::scenario::{Impact, Scenario};
 use crate::tui::clock::MeshDetail;
 use crate::tui::look::Look;
+use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::terminal::caps::Symbols;
-use crate::tui::view::fill::fill;
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
+use crate::tui::view::picture::Anatomical;
+use crate::tui::view::picture::window::Window;
 use crate::tui::view::projection::Projection;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::text::{put, width};
@@ -62,8 +66,8 @@ pub struct EyePicture<'a> {
     pub time: f64,
     /// The largest force of the colour scale, in N.
     pub largest: f64,
-    /// The largest pressure of the colour scale, in Pa, where pressure is what colours the eye.
-    pub highest: Option<f64>,
+    /// What fills the globe of the anatomy, and the end of its scale.
+    pub field: Option<(Field, f64)>,
     /// How many times displacement is shown.
     pub zoom: u32,
     /// How much of the mesh.
@@ -72,44 +76,90 @@ pub struct EyePicture<'a> {
     pub blow: Option<&'a Scenario>,
     /// Whether the arrow has the focus.
     pub aiming: bool,
+    /// Whether it moves.
+    pub playing: bool,
     /// Whether few bytes matter more than every spring.
     pub lean: bool,
     /// How things are drawn.
     pub look: Look,
 }
 
-impl EyePicture<'_> {
+impl<'a> EyePicture<'a> {
+    /// An answer as the app shows it at a time, in s.
+    pub fn of(model: &AppModel, shown: &'a ShownAnswer, time: f64) -> Self {
+        Self {
+            shown,
+            time,
+            largest: shown.hottest,
+            field: model.clock.field(&shown.fields),
+            zoom: model.clock.zoom(),
+            detail: model.clock.detail(shown.drawing.object.is_some()),
+            blow: None,
+            aiming: false,
+            playing: model.clock.playing,
+            lean: model.is_lean(),
+            look: model.look,
+        }
+    }
+
     /// Draws the eye as large as fits into the middle of `area`.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let Some(frame) = frame_at(&self.shown.answer, self.time) else {
+            return;
+        };
+        if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
+            let picture = Anatomical {
+                shown: self.shown,
+                frame,
+                time: self.time,
+                field,
+                zoom: self.zoom,
+                playing: self.playing,
+                lean: self.lean,
+                look: self.look,
+            };
+            picture.draw(area, buffer);
+            // An object shows by itself where it comes from.
+            if self.aiming || self.shown.drawing.object.is_none() {
+                let mut raster = Raster::new(area, self.look.symbols);
+                let (columns, rows) = raster.size();
+                let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
+                let dot = |at| {
+                    let (x, y) = window.cell(at);
+                    let (across, down) = (columns / i32::from(area.width), rows / i32::from(area.height));
+                    let below = f64::from(field.y - area.y);
+                    (x * f64::from(across), (y + below) * f64::from(down))
+                };
+                self.arrow(theme, &mut raster, dot);
+                raster.paint(buffer);
+            }
+            let up = self.up();
+            if up != UP && area.height > 2 {
+                put(buffer, area, (0, 1), up, theme.quiet());
+            }
+            return;
+        }
         let mut raster = Raster::new(area, self.look.symbols);
         let projection = Projection::new(&raster, self.shown.drawing.reach);
-        let theme = Theme::of(self.look);
         let thresholds = thresholds(self.largest, theme.heat_steps());
-        let (mut digits, mut marks) = (Vec::new(), Vec::new());
-        if let Some(frame) = frame_at(&self.shown.answer, self.time) {
-            let picture = Picture {
-                scene: self,
-                drawing: &self.shown.drawing,
-                frame,
-                thresholds: &thresholds,
-                theme,
-                projection: &projection,
-            };
-            picture.cells(&mut raster);
-            picture.springs(&mut raster);
-            if self.detail == MeshDetail::Nodes {
-                picture.nodes(&mut raster);
-            }
-            picture.loaded_arc(&mut raster);
-            picture.projectile(&mut raster);
-            if theme.is_mono() && self.highest.is_none() {
-                digits = picture.digits(&raster);
-            }
-            if !self.lean && self.highest.is_none() {
-                marks = picture.monitors(&raster);
-            }
+        let picture = Picture {
+            scene: self,
+            drawing: &self.shown.drawing,
+            frame,
+            thresholds: &thresholds,
+            theme,
+            projection: &projection,
+        };
+        picture.springs(&mut raster);
+        if self.detail == MeshDetail::Nodes {
+            picture.nodes(&mut raster);
         }
-        self.arrow(&projection, theme, &mut raster);
+        picture.loaded_arc(&mut raster);
+        picture.projectile(&mut raster);
+        let digits = if theme.is_mono() { picture.digits(&raster) } else { Vec::new() };
+        let marks = if self.lean { Vec::new() } else { picture.monitors(&raster) };
+        self.arrow(theme, &mut raster, |at| projection.dot(at.x, at.y));
         raster.paint(buffer);
         for (at, step) in digits {
             buffer[at]
@@ -139,7 +189,15 @@ impl EyePicture<'_> {
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
-    fn arrow(&self, projection: &Projection, theme: Theme, raster: &mut Raster) {
+    fn arrow(
+        &self,
+        theme: Theme,
+        raster: &mut Raster,
+        dot: impl Fn(Point2<f64>) -> (f64, f64),
+    ) {
+        let polar = |angle: f64, radius: f64| {
+            dot(Point2::new(-radius * angle.cos(), radius * angle.sin()))
+        };
         let Some(blow) = self.blow else { return };
         let Some(angle) = number(blow, "impact.angle_deg").map(f64::to_radians) else {
             return;
@@ -152,14 +210,14 @@ impl EyePicture<'_> {
         let ink = Ink::solid(style, BLOW, '*');
         let (tail, tip) = ARROW_M;
         raster.line(
-            projection.polar(angle, tail),
-            projection.polar(angle, tip),
+            polar(angle, tail),
+            polar(angle, tip),
             ink,
         );
         for side in [-0.14, 0.14] {
             raster.line(
-                projection.polar(angle + side, tip + 2.2e-3),
-                projection.polar(angle, tip),
+                polar(angle + side, tip + 2.2e-3),
+                polar(angle, tip),
                 ink,
             );
         }
@@ -169,8 +227,8 @@ impl EyePicture<'_> {
             .flat_map(|half| [angle - half, angle + half])
         {
             raster.line(
-                projection.polar(end, ARC_M - 0.6e-3),
-                projection.polar(end, ARC_M + 1.6e-3),
+                polar(end, ARC_M - 0.6e-3),
+                polar(end, ARC_M + 1.6e-3),
                 ink,
             );
         }
@@ -199,17 +257,23 @@ fn directions(up: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The angle in radians of a blow from the direction of a cell, where the eye is drawn in `area`.
-pub fn angle_at(area: Rect, symbols: Symbols, (x, y): (u16, u16)) -> f64 {
-    let raster = Raster::new(area, symbols);
+pub fn angle_at(area: Rect, shown: &ShownAnswer, look: Look, detail: MeshDetail, (x, y): (u16, u16)) -> f64 {
+    let middle = (
+        f64::from(x) - f64::from(area.x) + 0.5,
+        f64::from(y) - f64::from(area.y) + 0.5,
+    );
+    if detail == MeshDetail::Anatomy {
+        let (window, field) = Window::within(area, &shown.drawing, look.symbols);
+        let at = window.place((middle.0, middle.1 - f64::from(field.y - area.y)));
+        return at.y.atan2(-at.x);
+    }
+    let raster = Raster::new(area, look.symbols);
     let (columns, rows) = raster.size();
     // How much is shown makes no difference to an angle.
     let projection = Projection::new(&raster, (1.0, 1.0));
-    // The middle of the cell, in dots.
-    let along = |cell: u16, start: u16, dots: i32, cells: u16| {
-        (f64::from(cell) - f64::from(start) + 0.5) * f64::from(dots) / f64::from(cells.max(1))
-    };
-    let across = along(x, area.x, columns, area.width) - projection.centre.0;
-    let down = along(y, area.y, rows, area.height) - projection.centre.1;
+    let dots = |at: f64, dots: i32, cells: u16| at * f64::from(dots) / f64::from(cells.max(1));
+    let across = dots(middle.0, columns, area.width) - projection.centre.0;
+    let down = dots(middle.1, rows, area.height) - projection.centre.1;
     (-down / projection.scale.1).atan2(-across / projection.scale.0)
 }
 
@@ -239,23 +303,6 @@ impl Picture<'_> {
         self.drawing.force(self.frame, node)
     }
 
-    /// The pressure in the cells, where that is what colours the eye.
-    fn cells(&self, raster: &mut Raster) {
-        let Some(highest) = self.scene.highest else {
-            return;
-        };
-        let thresholds = thresholds(highest, self.theme.heat_steps());
-        for cell in &self.drawing.cells {
-            let step = step_of(self.drawing.pressure(self.frame, cell), &thresholds);
-            if step > 0 {
-                let share = step as f64 / thresholds.len() as f64;
-                let ink = Ink::solid(self.theme.heat(step), COLD + 1, heat_glyph(step));
-                let corners = cell.corners.map(|node| self.place(node));
-                fill(raster, &corners, share, ink);
-            }
-        }
-    }
-
     fn springs(&self, raster: &mut Raster) {
         let all = self.scene.detail == MeshDetail::Edges;
         for Line {
@@ -272,8 +319,6 @@ impl Picture<'_> {
                 Region::Orbit => 0,
                 // On a slow link the outline keeps its colours: recolouring it is most of a frame.
                 _ if outline && self.scene.lean => 0,
-                // The cells have the colours.
-                _ if self.scene.highest.is_some() => 0,
                 _ => step_of(force, self.thresholds),
             };
             if step == 0 && region == Region::Fat && self.projection.is_small() {
@@ -322,10 +367,7 @@ impl Picture<'_> {
             if node.region == Region::Orbit || !node.coarse {
                 continue;
             }
-            let step = match self.scene.highest {
-                Some(_) => 0,
-                None => step_of(self.force(i), self.thresholds),
-            };
+            let step = step_of(self.force(i), self.thresholds);
             let (x, y) = self.place(i);
             let ink = self.ink(node.region, step);
             let (x, y) = (x.floor() as i32, y.floor() as i32);
@@ -361,8 +403,7 @@ impl Picture<'_> {
     fn digits(&self, raster: &Raster) -> Vec<((u16, u16), usize)> {
         let least = match self.scene.detail {
             MeshDetail::Nodes => 1,
-            MeshDetail::Edges => self.thresholds.len() / 2 + 1,
-            MeshDetail::Outline => return Vec::new(),
+            MeshDetail::Edges | MeshDetail::Anatomy => self.thresholds.len() / 2 + 1,
         };
         let nodes = self.drawing.nodes.iter().enumerate();
         let mut digits: Vec<_> = nodes
@@ -401,15 +442,12 @@ impl Picture<'_> {
         nodes.filter_map(mark).collect()
     }
 
-    /// The object is drawn in the load's own style, where it is however large motion is shown.
+    /// The object as the anatomy has it, whatever of it the eye hides.
     fn projectile(&self, raster: &mut Raster) {
-        let Some(outline) = self.drawing.object(self.frame) else {
-            return;
-        };
-        let ink = Ink::solid(self.theme.load(), BLOW, 'o');
-        let next = outline.iter().cycle().skip(1);
-        for (from, to) in outline.iter().zip(next) {
-            let dot = |place: &Point2<f64>| self.projection.dot(place.x, place.y);
+        let shapes = self.scene.shown.anatomy.object(self.drawing, self.frame);
+        let ink = Ink::solid(Style::new().fg(self.theme.part(Part::Object, 0)), BLOW, 'o');
+        for (from, to) in shapes {
+            let dot = |place: Point2<f64>| self.projection.dot(place.x, place.y);
             raster.line(dot(from), dot(to), ink);
         }
     }

@@ -44,12 +44,6 @@ pub fn step_of(force: f64, thresholds: &[f64]) -> usize {
     thresholds.iter().take_while(|t| force >= **t).count()
 }
 
-/// The largest pressure in any cell in any frame, in Pa; none where an eye has no cells.
-pub fn highest(answer: &Answer) -> Option<f64> {
-    let cells = answer.run.frames.iter().flat_map(|frame| &frame.cells);
-    cells.copied().reduce(f64::max)
-}
-
 /// The largest force on any node in any frame, in N.
 pub fn hottest(answer: &Answer) -> f64 {
     let frames = answer.run.frames.iter();

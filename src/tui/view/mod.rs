@@ -3,13 +3,13 @@
 
 pub mod chart;
 pub mod eye;
-mod fill;
 pub mod footer;
 pub mod fundus;
 pub mod heat;
 pub mod overlay;
 pub mod palette;
 pub mod picker;
+pub mod picture;
 pub mod popup;
 mod projection;
 pub mod raster;

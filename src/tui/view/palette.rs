@@ -144,12 +144,21 @@ roles! {
     serious: 209, 160, Some(9), "the next";
     grave: 203, 88, Some(9), "the most";
     interior: 243, 242, Some(7), "what fills the globe";
-    lens: 117, 25, Some(14), "the lens";
-    shell: 252, 238, Some(7), "cornea and sclera";
-    retina: 176, 127, Some(13), "the retina";
-    // Dark yellow is a step of heat already, and brown beside dark red would be one colour.
+    lens: 152, 30, Some(14), "the lens";
+    shell: 252, 238, Some(7), "cornea and sclera as lines";
+    retina: 197, 161, Some(9), "the retina";
     fat: 101, 95, None, "the fat behind the eye";
-    orbit: 108, 23, Some(2), "the bone";
+    orbit: 137, 94, Some(3), "the bone as a line";
+    cornea: 123, 44, Some(14), "the cornea";
+    sclera: 255, 245, Some(15), "the sclera";
+    pressed: 226, 220, Some(11), "where the object presses";
+    iris: 75, 26, Some(12), "the iris";
+    ciliary: 95, 95, Some(5), "the ciliary body";
+    nerve: 186, 143, Some(7), "the optic nerve";
+    bone: 94, 137, Some(3), "the bone";
+    fat_ground: 235, 254, None, "what is behind the fat";
+    object: 209, 216, Some(13), "what hits the eye";
+    skin: 167, 167, Some(5), "its outline";
 }
 
 /// The sixteen colours that every colour terminal has, in its order, by name.
@@ -205,6 +214,18 @@ impl Palette {
         }
     }
 }
+
+/// What fills the globe, from low to high: neither red, orange nor white, which are anatomy and
+/// object.
+pub const FIELD: [Color; 11] = indexed([53, 54, 60, 24, 31, 30, 36, 72, 78, 113, 191]);
+/// The same where there are sixteen colours.
+pub const FIELD_16: [Color; 5] = [
+    Color::Black,
+    Color::Blue,
+    Color::Cyan,
+    Color::Green,
+    Color::LightGreen,
+];
 
 /// The paper's HOT map from dark red to white.
 const HOT_16: [Color; 5] = [

@@ -38,9 +38,4 @@ impl Projection {
     pub(super) fn is_small(&self) -> bool {
         self.scale.0 * self.across < 32.0
     }
-
-    /// A point given by its front angle and radius.
-    pub(super) fn polar(&self, angle: f64, radius: f64) -> (f64, f64) {
-        self.dot(-radius * angle.cos(), radius * angle.sin())
-    }
 }

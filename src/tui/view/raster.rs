@@ -8,6 +8,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::tui::terminal::caps::Symbols;
+use crate::tui::view::picture::QUADRANTS;
 
 /// How a dot looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +67,7 @@ impl Raster {
     /// Dots across and down a cell.
     fn grain(&self) -> (i32, i32) {
         match self.symbols {
-            Symbols::Braille => (2, 4),
+            Symbols::Braille | Symbols::Octant => (2, 4),
             Symbols::Block => (2, 2),
             Symbols::Ascii => (1, 1),
         }
@@ -107,8 +108,8 @@ impl Raster {
         let (column, row) = (x / across, y / down);
         let (dx, dy) = (x % across, y % down);
         let bit = match self.symbols {
-            Symbols::Braille if dy == 3 => 0x40 << dx,
-            Symbols::Braille => 1 << (dy + 3 * dx),
+            Symbols::Braille | Symbols::Octant if dy == 3 => 0x40 << dx,
+            Symbols::Braille | Symbols::Octant => 1 << (dy + 3 * dx),
             Symbols::Block => 1 << (2 * dy + dx),
             Symbols::Ascii => 1,
         };
@@ -152,7 +153,7 @@ impl Raster {
                 i / usize::from(self.area.width),
             );
             let symbol = match self.symbols {
-                Symbols::Braille => char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' '),
+                Symbols::Braille | Symbols::Octant => char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' '),
                 Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
                 Symbols::Ascii => ink.glyph,
             };
@@ -161,11 +162,6 @@ impl Raster {
         }
     }
 }
-
-/// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
-const QUADRANTS: [char; 16] = [
-    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-];
 
 #[cfg(test)]
 mod tests {

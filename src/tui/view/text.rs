@@ -182,7 +182,7 @@ pub fn to_ascii(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         let plain = match cell.symbol() {
             text if text.is_ascii() => continue,
-            "─" | "━" | "╌" | "—" | "▃" | "▄" => "-",
+            "─" | "━" | "╸" | "╌" | "—" | "▃" | "▄" => "-",
             "│" | "┃" | "▏" | "▎" | "▌" | "▕" => "|",
             "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" => {
                 "+"

@@ -4,10 +4,11 @@
 use ratatui::style::{Color, Modifier, Style};
 
 use crate::injury::{Risk, gravity};
+use crate::report::picture::Part;
 use crate::run::places::Region;
 use crate::tui::look::Look;
 use crate::tui::terminal::caps::Depth;
-use crate::tui::view::palette::{Colour, Colours};
+use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16};
 
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
@@ -155,7 +156,12 @@ impl Theme {
         if risk.is_unclear() {
             return self.text();
         }
-        self.grave(gravity(risk.range.1))
+        self.likelihood(risk.range.1)
+    }
+
+    /// A risk from 0 to 1 that is known.
+    pub fn likelihood(self, risk: f64) -> Style {
+        self.grave(gravity(risk))
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.
@@ -178,6 +184,52 @@ impl Theme {
             Depth::Mono if step + 2 < self.heat_steps() => Style::new(),
             Depth::Mono => Style::new().add_modifier(BOLD),
             Depth::Sixteen | Depth::TwoFiveSix => Style::new().fg(self.heats()[step]),
+        }
+    }
+
+    /// A part of a filled picture; of the globe by the step of its field.
+    pub fn part(self, part: Part, step: usize) -> Color {
+        let of = self.colours;
+        let role = match part {
+            Part::Sky => return Color::Reset,
+            Part::Globe => {
+                return match self.look.depth {
+                    Depth::Mono => Color::Reset,
+                    Depth::Sixteen => FIELD_16[step * FIELD_16.len() / FIELD.len()],
+                    Depth::TwoFiveSix => FIELD[step],
+                };
+            }
+            Part::Object => of.object,
+            Part::Skin => of.skin,
+            Part::Fat => of.fat_ground,
+            Part::Bone => of.bone,
+            Part::Nerve => of.nerve,
+            Part::Ciliary | Part::Limbus => of.ciliary,
+            Part::Lens => of.lens,
+            Part::Iris => of.iris,
+            Part::Retina => of.retina,
+            Part::Sclera => of.sclera,
+            Part::Cornea => of.cornea,
+            Part::Pressed => of.pressed,
+        };
+        role.ink().unwrap_or(Color::Reset)
+    }
+
+    /// The dots of the fat.
+    pub fn fat_dots(self) -> Style {
+        pick(self.colours.fat, self.quiet())
+    }
+
+    /// The dots of an outline at rest, on a part.
+    pub fn ghost(self, on: Part) -> Color {
+        let [object, globe, sky] = match self.look.depth {
+            Depth::TwoFiveSix => [52, 250, 246].map(Color::Indexed),
+            _ => [Color::Black, Color::Gray, Color::DarkGray],
+        };
+        match on {
+            Part::Object | Part::Skin => object,
+            Part::Sky | Part::Fat => sky,
+            _ => globe,
         }
     }
 

@@ -85,6 +85,11 @@ pub enum Wall {
 }
 
 impl Wall {
+    /// Whether it is bone and not a holder of a laboratory.
+    pub fn is_bone(&self) -> bool {
+        matches!(self, Self::Cone { .. })
+    }
+
     /// Distance from the globe's centre to the wall along a ray at `angle` rad from the back.
     pub fn distance(&self, angle: f64) -> f64 {
         match *self {

@@ -42,8 +42,10 @@ pub(crate) struct Section {
     pub cells: Vec<([usize; 4], usize)>,
     /// Both halves of the shell, from the front to the back.
     pub shell: [Vec<usize>; 2],
-    /// Lines along the wall.
-    pub wall: Vec<[usize; 2]>,
+    /// Both halves of the wall, from the front to the back.
+    pub wall: [Vec<usize>; 2],
+    /// The free surface of what holds the globe, on each side from the wall to the shell.
+    pub free: [Vec<usize>; 2],
     /// The points nearest to the monitored places.
     pub monitors: [usize; 4],
     /// Up in the picture, in the axes of the mesh.
@@ -61,7 +63,8 @@ impl Section {
             points: Vec::new(),
             cells: Vec::new(),
             shell: [Vec::new(), Vec::new()],
-            wall: Vec::new(),
+            wall: [Vec::new(), Vec::new()],
+            free: [Vec::new(), Vec::new()],
             monitors: [0; 4],
             up: towards(azimuth),
         };
@@ -69,7 +72,7 @@ impl Section {
         for side in 0..2 {
             let azimuth = azimuth + side as f64 * PI;
             section.put_globe(eye, &nodes, azimuth, side);
-            section.put_around(eye, &nodes, azimuth);
+            section.put_around(eye, &nodes, azimuth, side);
         }
         let places = monitored(eye, blow.up);
         section.monitors = places.map(|place| {
@@ -140,7 +143,7 @@ impl Section {
     }
 
     /// What holds the globe on one side.
-    fn put_around(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64) {
+    fn put_around(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64, side: usize) {
         let (parameters, radius) = (&eye.parameters, eye.parameters.radius);
         let Some(surround) = &parameters.surround else {
             return;
@@ -202,9 +205,8 @@ impl Section {
                     self.cells.push((corners, cell));
                 }
             }
-            if let (Some(a), Some(b)) = (rays[0][LAYERS], rays[1][LAYERS]) {
-                self.wall.push([a, b]);
-            }
         }
+        self.wall[side] = grid.iter().filter_map(|row| row[LAYERS]).collect();
+        self.free[side] = grid[0].iter().rev().copied().flatten().collect();
     }
 }

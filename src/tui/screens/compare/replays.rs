@@ -7,7 +7,7 @@ use crate::many::comparison::Found;
 use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::Comparison;
 use crate::tui::screens::compare::view::heading;
-use crate::tui::screens::replay::pressures;
+use crate::tui::shown::ShownAnswer;
 use crate::tui::view::chart::mark;
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::text::{fitted, put, put_right};
@@ -29,11 +29,16 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer
             _ => None,
         })
         .fold(0.0, f64::max);
-    let highest = entries.iter().filter_map(|entry| match &entry.found {
-        Found::Answer(shown) => shown.highest,
-        _ => None,
-    });
-    let highest = highest.reduce(f64::max);
+    // Those that are filled with the same have one scale.
+    let field = |shown: &ShownAnswer| {
+        let (field, own) = model.clock.field(&shown.fields)?;
+        let ends = entries.iter().filter_map(|entry| match &entry.found {
+            Found::Answer(other) => model.clock.field(&other.fields),
+            _ => None,
+        });
+        let same = ends.filter(|(other, _)| *other == field);
+        Some((field, same.map(|(_, end)| end).fold(own, f64::max)))
+    };
     let zoom = match model.clock.zoom() {
         1 => String::new(),
         times => format!("  shown {times}x larger"),
@@ -59,17 +64,15 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer
         let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
         match &entry.found {
             Found::Answer(shown) => EyePicture {
-                shown,
-                time: (compare.time(model) + compare.shift(&shown.answer))
-                    .clamp(0.0, shown.answer.window()),
                 largest,
-                highest: pressures(model, shown).and(highest),
-                zoom: model.clock.zoom(),
-                detail: model.clock.detail,
+                field: field(shown),
                 blow: Some(&entry.scenario),
-                aiming: false,
-                lean: model.is_lean(),
-                look: model.look,
+                ..EyePicture::of(
+                    model,
+                    shown,
+                    (compare.time(model) + compare.shift(&shown.answer))
+                        .clamp(0.0, shown.answer.window()),
+                )
             }
             .draw(picture, buffer),
             Found::Awaited => {

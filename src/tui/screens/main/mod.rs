@@ -270,7 +270,9 @@ fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
     let Some(field) = fields::find(ANGLE) else {
         return;
     };
-    let angle = eye::angle_at(picture, model.look.symbols, at).to_degrees();
+    let Some(shown) = &model.shown else { return };
+    let detail = model.clock.detail(shown.drawing.object.is_some());
+    let angle = eye::angle_at(picture, shown, model.look, detail, at).to_degrees();
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;

@@ -10,11 +10,12 @@ use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
 use crate::run::trace::OtherTrace;
 use crate::run::trace::Trace;
+use crate::tui::clock::MeshDetail;
 use crate::tui::model::AppModel;
 use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score};
-use crate::tui::screens::replay::pressures;
 use crate::tui::shown::ShownAnswer;
+use crate::tui::view::below;
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::raster::Ink;
@@ -28,7 +29,7 @@ pub struct Layout {
     pub form: Rect,
     /// All at its right.
     right: Rect,
-    /// The eye, below its caption.
+    /// The eye with its words.
     pub eye: Rect,
     traces: Rect,
     score: Rect,
@@ -69,7 +70,7 @@ pub fn layout(area: Rect) -> Layout {
             ..area
         },
         right,
-        eye: Rect::new(right.x, right.y + 1, wide, upper - 1),
+        eye: Rect::new(right.x, right.y, wide, upper),
         traces: Rect::new(right.x + wide + 1, right.y, right.width - wide - 1, upper),
         score: Rect::new(right.x, right.y + upper, right.width, below),
         risks,
@@ -192,19 +193,17 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
     let theme = Theme::of(model.look);
     let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
-    EyePicture {
-        shown,
-        time,
-        largest: shown.hottest,
-        highest: pressures(model, shown),
-        zoom: model.clock.zoom(),
-        detail: model.clock.detail,
+    let drawn = EyePicture {
         blow: Some(&model.work.scenario),
         aiming,
-        lean: model.is_lean(),
-        look: model.look,
+        ..EyePicture::of(model, shown, time)
+    };
+    if drawn.detail == MeshDetail::Anatomy {
+        drawn.draw(picture, buffer);
+        return;
     }
-    .draw(picture, buffer);
+    let (above, below) = (Rect { height: 1, ..picture }, below(picture, 1));
+    drawn.draw(below, buffer);
     let zoom = match model.clock.zoom() {
         1 => String::new(),
         times => format!(" shown {times}x larger"),
@@ -212,7 +211,6 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
     let style = [theme.heading(), theme.focus()][usize::from(aiming)];
-    let above = Rect::new(picture.x, picture.y - 1, picture.width, 1);
     put(buffer, above, (0, 0), &caption, style);
 }
 

@@ -2,7 +2,7 @@
 //! and the whole of it. The scale is that of the table of results, or else reaches to the largest
 //! value.
 //!
-//! Digits tell the value without colours; colours add the heat. Where the nearest simulated point
+//! Digits tell the value without colours; colours add how grave that is, or how much. Where the nearest simulated point
 //! folded its mesh the map is hatched, as no number holds there.
 
 use std::collections::BTreeSet;
@@ -15,6 +15,8 @@ use crate::injury::{Blow, Injury, Known, whole as whole_percent};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
+use crate::report::picture::Part;
+use crate::report::picture::field::step;
 use crate::run::quantity::Quantity;
 use crate::scenario::doubt::number;
 use crate::scenario::problem::plain;
@@ -188,15 +190,16 @@ fn cell(
     let Some(value) = reading.value.map(|value| value / whole) else {
         return ("·", theme.quiet());
     };
-    let steps = theme.heat_steps() as f64;
-    // Cold below a twentieth of the scale, hottest from the whole of it on.
-    let step = if value < 0.05 {
-        0
+    // What is harmless, or grave, looks so on every screen; of what is neither, more is lighter.
+    let row = quantity.row();
+    let heat = if row.risk {
+        theme.likelihood(value * whole / 100.0)
+    } else if row.whole.is_some() {
+        theme.gauge(value)
     } else {
-        1 + (value.min(1.0) * (steps - 1.0)) as usize
+        Style::new().fg(theme.part(Part::Globe, step(value, 1.0)))
     };
-    let heat = theme.heat(step);
-    let heat = if theme.is_mono() || step == 0 {
+    let heat = if theme.is_mono() {
         heat
     } else {
         heat.add_modifier(Modifier::REVERSED)

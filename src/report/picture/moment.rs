@@ -1,0 +1,43 @@
+//! What happens at a moment, in a few words.
+
+use crate::answer::solve::Answer;
+use crate::run::kept::nearest;
+use crate::run::quantity::Quantity;
+use crate::run::trace::Trace;
+
+/// Depth of the cornea up to which it is only touched, in m, and how long what just left still
+/// leaves, in s.
+const TOUCHED_M: f64 = 0.2e-3;
+const LEAVES_S: f64 = 0.3e-3;
+/// Force from which something presses, in N.
+const PRESSES_N: f64 = 0.3;
+
+/// What happens at a time in s, in full and in one word.
+pub fn said(answer: &Answer, time: f64) -> (String, &'static str) {
+    let Some(traces) = &answer.run.traces else {
+        return (String::new(), "");
+    };
+    let place = traces.time.partition_point(|t| *t < time);
+    let at = |values: &[f64]| values.get(place.min(values.len().wrapping_sub(1))).copied();
+    let deep = at(Trace::Of(Quantity::Apex).values(traces)).unwrap_or_default();
+    let hit = !traces.contact_force.is_empty();
+    let pressing = if hit { &traces.contact_force } else { &traces.load };
+    let last = pressing.iter().rposition(|force| *force > PRESSES_N);
+    let end = last.map_or(0.0, |last| traces.time[last]);
+    let deepest = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
+    let frames = &answer.run.frames;
+    let figure = format!("{:.1} mm", deep * 1e3);
+    if nearest(frames, time) == nearest(frames, deepest) {
+        (format!("deepest, {figure}"), "deepest")
+    } else if time < deepest && hit && deep < TOUCHED_M {
+        ("object touches".to_owned(), "touches")
+    } else if time < deepest {
+        (format!("pressed in {figure}"), "pressed")
+    } else if time < end {
+        ("springs back".to_owned(), "springs")
+    } else if hit && time < end + LEAVES_S {
+        ("object leaves".to_owned(), "leaves")
+    } else {
+        ("eye still swings".to_owned(), "swings")
+    }
+}

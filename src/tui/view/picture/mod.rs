@@ -1,0 +1,378 @@
+//! The eye in filled anatomy: the layers of [`crate::report::picture`] as cells of two colours.
+//!
+//! Lines over it, the outline at rest and the fat, are dots in cells that have one colour else.
+//! Without colours thin parts are solid and areas are patterns of dots; in ASCII each cell is the
+//! sign of one part.
+
+mod cells;
+mod samples;
+pub(crate) mod window;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Color, Style};
+
+use crate::report::picture::field::{Field, STEPS, step};
+use crate::report::picture::{Detail, POINTS, Part, in_globe, moment};
+use crate::run::drawing::shares;
+use crate::run::kept::Frame;
+use crate::tui::look::Look;
+use crate::tui::shown::ShownAnswer;
+use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::view::text::{longest_fitting, put, put_right, width};
+use crate::tui::view::theme::Theme;
+pub(crate) use cells::QUADRANTS;
+use cells::{Tint, octant, one, two};
+use samples::Samples;
+use window::Window;
+
+/// From so many columns on a field changes by whole cells, as it does while it moves.
+const LARGE: u16 = 100;
+/// Columns from which on a moment is said in several words.
+const WORDY: u16 = 44;
+/// The bar, in m.
+const BAR_M: f64 = 10e-3;
+/// The parts that are named, and their names.
+pub const NAMED: [(Part, &str); 8] = [
+    (Part::Cornea, "cornea"),
+    (Part::Sclera, "sclera"),
+    (Part::Retina, "retina"),
+    (Part::Iris, "iris"),
+    (Part::Lens, "lens"),
+    (Part::Ciliary, "ciliary body"),
+    (Part::Nerve, "optic nerve"),
+    (Part::Bone, "bone"),
+];
+
+/// What is drawn.
+pub struct Anatomical<'a> {
+    /// The result that is shown.
+    pub shown: &'a ShownAnswer,
+    /// The frame of it.
+    pub frame: &'a Frame,
+    /// The moment, in s.
+    pub time: f64,
+    /// What fills the globe, and the end of its scale.
+    pub field: (Field, f64),
+    /// How many times displacement is shown.
+    pub zoom: u32,
+    /// Whether it moves.
+    pub playing: bool,
+    /// Whether few bytes matter more than every detail.
+    pub lean: bool,
+    /// How things are drawn.
+    pub look: Look,
+}
+
+impl Anatomical<'_> {
+    /// Draws the eye with its words above and below, where there is room for them.
+    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
+        let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
+        if field.width == 0 || field.height == 0 {
+            return;
+        }
+        self.paint(&window, field, buffer);
+        if field.height < area.height {
+            self.caption(area, buffer);
+            self.scale(&window, area, buffer);
+        }
+    }
+
+    /// What each point shows, row by row; so many across.
+    fn points(&self, area: Rect, window: &Window) -> (usize, Vec<Tint>) {
+        let (across, down) = window.points();
+        let (columns, rows) = (usize::from(area.width), usize::from(area.height));
+        // Of a part that fills less than a sign of ASCII, points tell what is lost.
+        let (across, down) = match self.look.symbols {
+            Symbols::Ascii => (2, 2),
+            _ => (across as usize, down as usize),
+        };
+        let (wide, high) = (columns * across, rows * down);
+        let detail = Detail {
+            grain: window.grain(),
+            zoom: f64::from(self.zoom),
+            points: POINTS,
+        };
+        let shown = self.shown;
+        let layers = shown.anatomy.layers(&shown.drawing, self.frame, detail);
+        let samples = Samples::new(&layers, window, (wide, high), (across, down));
+        let parts = if self.lean || self.playing || area.width >= LARGE { 1 } else { 2 };
+        let steps = self.steps(area, window, parts);
+        let tint = |i: usize| {
+            let (x, y) = (i % wide, i / wide);
+            let part = samples.point(x, y);
+            let inside = matches!(part, Part::Globe);
+            let row = y * parts / down;
+            let step = if inside { steps[row * columns + x / across] } else { 0 };
+            Tint { part, step }
+        };
+        (wide, (0..wide * high).map(tint).collect())
+    }
+
+    /// The step of the field in each part of each cell, so many parts a cell from its top down.
+    fn steps(&self, area: Rect, window: &Window, parts: usize) -> Vec<usize> {
+        let (columns, rows) = (usize::from(area.width), usize::from(area.height) * parts);
+        let (drawing, (field, largest)) = (&self.shown.drawing, self.field);
+        let values = field.of_nodes(drawing, self.frame);
+        let mut found: Vec<Option<usize>> = vec![None; columns * rows];
+        let spots = parts as f64;
+        for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
+            for nodes in cell.triangles() {
+                let corners =
+                    nodes.map(|node| drawing.place(self.frame, node, f64::from(self.zoom)));
+                let at = corners.map(|corner| window.cell(corner));
+                let span = |of: &dyn Fn(&(f64, f64)) -> f64, most: usize| {
+                    let low = at.iter().map(of).fold(f64::INFINITY, f64::min);
+                    let high = at.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+                    let within = |v: f64| v.clamp(0.0, most as f64) as usize;
+                    within(low)..within(high + 1.0)
+                };
+                for row in span(&|p| p.1 * spots, rows) {
+                    for column in span(&|p| p.0, columns) {
+                        let middle = (column as f64 + 0.5, (row as f64 + 0.5) / spots);
+                        let Some(of) = shares(corners, window.place(middle)) else {
+                            continue;
+                        };
+                        if of.iter().all(|share| *share >= -1e-9) {
+                            let parts = nodes.iter().zip(of);
+                            let value: f64 = parts.map(|(node, of)| values[*node] * of).sum();
+                            found[row * columns + column] = Some(step(value, largest));
+                        }
+                    }
+                }
+            }
+        }
+        // What the mesh leaves of the globe along its outline is as its neighbour.
+        for _ in 0..2 {
+            let before = found.clone();
+            for (i, place) in found.iter_mut().enumerate() {
+                let near = [i.wrapping_sub(1), i + 1, i.wrapping_sub(columns), i + columns];
+                let known = near.iter().find_map(|n| before.get(*n).copied().flatten());
+                *place = place.or(known);
+            }
+        }
+        found.into_iter().map(Option::unwrap_or_default).collect()
+    }
+
+    fn paint(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let (wide, points) = self.points(area, window);
+        let (across, down) = (wide / usize::from(area.width), points.len() / wide / usize::from(area.height));
+        let dots = self.dots(window, area);
+        for row in 0..area.height {
+            for column in 0..area.width {
+                let (x, y) = (usize::from(column), usize::from(row));
+                let place = |i: usize| (y * down + i / across) * wide + x * across + i % across;
+                let own: Vec<Tint> = (0..across * down).map(|i| points[place(i)]).collect();
+                let edge = |i: usize| {
+                    let at = place(i);
+                    let near = [at.wrapping_sub(1), at + 1, at.wrapping_sub(wide), at + wide];
+                    let other = |n: &usize| points.get(*n).is_some_and(|p| p.part != Part::Lens);
+                    own[i].part == Part::Lens && near.iter().any(other)
+                };
+                let ghost = dots[y * usize::from(area.width) + x];
+                let lattice = (column + 2 * row) % 4 == 0 && !self.playing;
+                let (symbol, style) = match (self.look.symbols, self.look.depth) {
+                    (Symbols::Ascii, _) => ascii(one(&own), ghost, lattice, theme),
+                    (_, Depth::Mono) => mono(self.look, &own, edge, ghost, lattice),
+                    _ => coloured(self.look, &own, ghost, lattice, theme),
+                };
+                buffer[(area.x + column, area.y + row)].set_char(symbol).set_style(style);
+            }
+        }
+    }
+
+    /// The dots of the outline at rest in each cell, as the bits of braille.
+    fn dots(&self, window: &Window, area: Rect) -> Vec<u8> {
+        const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+        let mut dots = vec![0; usize::from(area.width) * usize::from(area.height)];
+        for at in self.shown.anatomy.ghost() {
+            let (x, y) = window.cell(*at);
+            let inside = x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
+            if inside {
+                let bit = BITS[(y.fract() * 4.0) as usize][(x.fract() * 2.0) as usize];
+                dots[y as usize * usize::from(area.width) + x as usize] |= bit;
+            }
+        }
+        dots
+    }
+
+    /// The time and what happens then; what fills the globe, and its scale.
+    fn caption(&self, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let row = Rect { height: 1, ..area };
+        let time = format!("{:.2} ms", self.time * 1e3);
+        let zoom = match self.zoom {
+            1 => String::new(),
+            times => format!(" {times}x larger"),
+        };
+        let mut x = put(buffer, row, (0, 0), &time, theme.strong());
+        let (said, brief) = moment::said(&self.shown.answer, self.time);
+        let said = if area.width < WORDY { brief } else { &said };
+        let play = if self.playing { " ▶" } else { "" };
+        let words = [format!(" {said}{zoom}{play}"), format!(" {said}{zoom}"), zoom, String::new()];
+        let (field, largest) = self.field;
+        let end = format!(" {}", field.figure(largest));
+        let ramp = match self.look.depth {
+            _ if self.look.symbols == Symbols::Ascii => 0,
+            Depth::Mono => 0,
+            Depth::Sixteen => 5,
+            Depth::TwoFiveSix if area.width >= LARGE => STEPS as u16,
+            Depth::TwoFiveSix => (STEPS as u16).div_ceil(2),
+        };
+        let starts = match ramp {
+            0 => [format!("{} 0 to", field.name()), format!("{} to", field.name())],
+            _ => [format!("{} 0 ", field.name()), field.name().to_owned() + " "],
+        };
+        let legend = |start: &str| width(start) + ramp + width(&end);
+        let room = area.width.saturating_sub(x + 2);
+        let least = legend(&starts[1]).min(room);
+        let words = longest_fitting(&words, room - least);
+        x = put(buffer, row, (x, 0), words, theme.text());
+        let room = area.width.saturating_sub(x + 1);
+        let brief = if ramp == 0 { String::new() } else { "0 ".to_owned() };
+        let Some(start) = starts.iter().chain([&brief]).find(|start| legend(start) <= room) else {
+            return;
+        };
+        let left = area.width - legend(start);
+        let mut x = put(buffer, row, (left, 0), start, theme.quiet());
+        for i in 0..ramp {
+            let last = usize::from(ramp - 1);
+            let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
+            let (a, b) = (place(2 * usize::from(i)), place((2 * usize::from(i) + 1).min(2 * last)));
+            let style = Style::new().fg(theme.part(Part::Globe, a)).bg(theme.part(Part::Globe, b));
+            x = put(buffer, row, (x, 0), "▌", style);
+        }
+        put_right(buffer, row, (area.width, 0), end.trim_start(), theme.quiet());
+    }
+
+    /// Which way is which, and how long 10 mm are.
+    fn scale(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let row = Rect { y: area.y + area.height - 1, height: 1, ..area };
+        put(buffer, row, (0, 0), "front", theme.quiet());
+        put_right(buffer, row, (area.width, 0), "back", theme.quiet());
+        let halves = (2.0 * BAR_M / window.column).round() as usize;
+        let mut bar = "━".repeat(halves / 2);
+        if halves % 2 == 1 {
+            bar.push('╸');
+        }
+        let text = " 10 mm";
+        let long = width(&bar) + width(text);
+        if long + 12 <= area.width {
+            let x = put(buffer, row, ((area.width - long) / 2, 0), &bar, theme.strong());
+            put(buffer, row, (x, 0), text, theme.quiet());
+        }
+    }
+}
+
+/// A cell in two colours, or in one with dots.
+fn coloured(look: Look, own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+    let (mut first, mut second, mut mask) = two(own);
+    // What has no colour of its own is the ground.
+    if mask != 0 && theme.part(first.part, first.step) == Color::Reset {
+        (first, second) = (second, first);
+        mask = if own.len() == 8 { !mask } else { !mask & 15 };
+        if theme.part(first.part, first.step) == Color::Reset {
+            mask = 0;
+        }
+    }
+    let ground = Style::new().bg(theme.part(second.part, second.step));
+    if mask == 0 {
+        let dotted = |bits: u8| match look.symbols {
+            Symbols::Block => '·',
+            _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
+        };
+        let plain = !second.part.is_line();
+        if ghost != 0 && plain {
+            return (dotted(ghost), ground.fg(theme.ghost(second.part)));
+        }
+        if second.part == Part::Fat && lattice {
+            return (dotted(0x02), ground.patch(theme.fat_dots()));
+        }
+        return (' ', ground);
+    }
+    let symbol = if own.len() == 8 {
+        octant(mask)
+    } else {
+        QUADRANTS[usize::from(mask)]
+    };
+    (symbol, ground.fg(theme.part(first.part, first.step)))
+}
+
+/// A cell without colours: what is thin is solid, an area a pattern.
+fn mono(
+    look: Look,
+    own: &[Tint],
+    edge: impl Fn(usize) -> bool,
+    ghost: u8,
+    lattice: bool,
+) -> (char, Style) {
+    let solid = |i: &usize| own[*i].part.is_line() || edge(*i);
+    let mask = (0..own.len()).filter(solid).fold(0_u8, |mask, bit| mask | 1 << bit);
+    if mask != 0 {
+        let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
+        return (symbol, Style::new());
+    }
+    let Tint { part, step } = one(own);
+    let bits = ghost
+        | match part {
+            Part::Object => 0x21,
+            Part::Bone => 0x95,
+            Part::Nerve => 0xd2,
+            Part::Fat if lattice => 0x02,
+            Part::Globe => [0x00, 0x04, 0x21, 0x2a, 0x55][step * 5 / STEPS],
+            _ => 0,
+        };
+    let symbol = match look.symbols {
+        Symbols::Block => [' ', '·', '░', '▒', '▓'][(bits.count_ones() as usize).min(4)],
+        _ if bits == 0 => ' ',
+        _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
+    };
+    (symbol, Style::new())
+}
+
+/// A part as a key to the picture has it.
+pub fn swatch(part: Part, look: Look) -> (String, Style) {
+    let theme = Theme::of(look);
+    let own = [Tint { part, step: 0 }; 4];
+    let (sign, style) = match (look.symbols, look.depth) {
+        (Symbols::Ascii, _) => ascii(own[0], 0, true, theme),
+        (_, Depth::Mono) => mono(look, &own, |_| part == Part::Lens, 0, true),
+        (_, _) if part == Part::Fat => coloured(look, &own, 0, true, theme),
+        _ => ('█', Style::new().fg(theme.part(part, 0))),
+    };
+    (sign.to_string(), style)
+}
+
+/// The sign of a part.
+fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+    const STEPPED: [char; 5] = [' ', '-', '+', '*', '$'];
+    let Tint { part, step } = tint;
+    let sign = match part {
+        _ if ghost != 0 && !part.is_line() => ':',
+        Part::Sky => ' ',
+        Part::Object | Part::Skin => 'o',
+        Part::Fat => [' ', '.'][usize::from(lattice)],
+        Part::Bone => 'H',
+        Part::Nerve => '=',
+        Part::Globe => STEPPED[step * 5 / STEPS],
+        Part::Ciliary | Part::Limbus => '&',
+        Part::Lens => 'O',
+        Part::Iris => '|',
+        Part::Retina => '%',
+        Part::Sclera => '#',
+        Part::Cornea => '(',
+        Part::Pressed => 'X',
+    };
+    let style = match part {
+        Part::Fat => theme.fat_dots(),
+        _ if theme.is_mono() => Style::new(),
+        part => Style::new().fg(theme.part(part, step)),
+    };
+    let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
+    (sign, style.patch(bold))
+}
+
+#[cfg(test)]
+mod tests;

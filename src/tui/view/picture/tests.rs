@@ -1,0 +1,205 @@
+use super::*;
+use crate::answer::solve::{Answer, solve};
+use crate::run::drawing::Drawing;
+use crate::run::kept::{Keep, Spacing};
+use crate::run::watch::unwatched;
+use crate::scenario::library::{built_in, find};
+use crate::scenario::{Impact, Scenario};
+use crate::tui::view::heat::HeatMap;
+use crate::tui::view::palette::{DARK, Palette};
+use nalgebra::Point2;
+
+fn answered(scenario: &Scenario) -> ShownAnswer {
+    let keep = Keep {
+        traces: true,
+        frames: Some(Spacing::doubling(80, 2.5e-5)),
+    };
+    let answer: Answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+    ShownAnswer::new(scenario.clone(), answer)
+}
+
+fn of<'a>(shown: &'a ShownAnswer, frame: &'a Frame, look: Look) -> Anatomical<'a> {
+    Anatomical {
+        shown,
+        frame,
+        time: frame.time,
+        field: shown.fields[0],
+        zoom: 1,
+        playing: false,
+        lean: false,
+        look,
+    }
+}
+
+fn look(depth: Depth, symbols: Symbols) -> Look {
+    Look {
+        depth,
+        symbols,
+        heat: HeatMap::Hot,
+        palette: Palette::default(),
+    }
+}
+
+fn inside(ring: &[Point2<f64>], at: Point2<f64>) -> bool {
+    let next = ring.iter().cycle().skip(1);
+    let crossed = ring.iter().zip(next).filter(|(a, b)| {
+        (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Where an object cannot be in a frame: in the globe, in what holds it, and behind the rim beside
+/// the wall; from the nodes alone.
+fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
+    let places = |nodes: &[usize]| -> Vec<Point2<f64>> {
+        nodes.iter().map(|node| drawing.place(frame, *node, 1.0)).collect()
+    };
+    let lines = &drawing.outlines;
+    let mut all = vec![places(&lines.shell)];
+    if let (Some(first), Some(last)) = (lines.free[0].last(), lines.free[1].last()) {
+        let rest = |node: usize| drawing.at_rest(&drawing.nodes[node]);
+        let place = |node: &usize| {
+            let apart = |i: &usize| (rest(lines.shell[*i]) - rest(*node)).norm();
+            let nodes = 0..lines.shell.len();
+            nodes.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
+        };
+        let mut fat = places(&lines.wall);
+        fat.extend(places(&lines.free[1]));
+        fat.extend(places(&lines.shell[place(first)..=place(last)]).iter().rev());
+        fat.extend(places(&lines.free[0]).iter().rev());
+        all.push(fat);
+        let wall = places(&lines.wall);
+        let (top, bottom) = (wall[0], wall[wall.len() - 1]);
+        let out = (top - bottom).normalize();
+        let back = nalgebra::Vector2::new(out.y, -out.x);
+        let mut beside = wall;
+        beside.extend([bottom - out, bottom - out + back, top + out + back, top + out]);
+        all.push(beside);
+    }
+    all
+}
+
+#[test]
+fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
+    let ink = |role: crate::tui::view::palette::Colour| role.ink().unwrap();
+    let of_object = [ink(DARK.object), ink(DARK.skin)];
+    let (mut seen, mut from_aside) = (0, 0);
+    let mut scenarios: Vec<Scenario> = built_in().iter().map(|preset| preset.scenario().unwrap()).collect();
+    for (angle, clock, offset) in [(40.0, 6.0, 0.0), (60.0, 3.0, 3.0), (0.0, 12.0, 8.0)] {
+        let mut aside = find("squash-ball").unwrap().scenario().unwrap();
+        if let Impact::Projectile(object) = &mut aside.impact {
+            (object.angle_deg, object.angle_clock, object.offset_mm) = (angle, clock, offset);
+        }
+        aside.window_ms = Some(1.5);
+        scenarios.push(aside);
+        from_aside += 1;
+    }
+    scenarios.retain(|scenario| matches!(scenario.impact, Impact::Projectile(_)));
+    for scenario in &scenarios {
+        let shown = answered(scenario);
+        let mut here = 0;
+        for frame in shown.answer.run.frames.iter().step_by(4) {
+            let forbidden = forbidden(&shown.drawing, frame);
+            for size in [(28, 9), (55, 22), (110, 32)] {
+                let area = Rect::new(0, 0, size.0, size.1 + 2);
+                let mut buffer = Buffer::empty(area);
+                let picture = of(&shown, frame, look(Depth::TwoFiveSix, Symbols::Braille));
+                picture.draw(area, &mut buffer);
+                let (window, field) = Window::within(area, &shown.drawing, Symbols::Braille);
+                for (x, y) in (0..field.width).flat_map(|x| (0..field.height).map(move |y| (x, y))) {
+                    let cell = &buffer[(field.x + x, field.y + y)];
+                    let sign = cell.symbol().chars().next().unwrap();
+                    let mask = QUADRANTS.iter().position(|s| *s == sign).unwrap_or(0);
+                    for point in 0..4 {
+                        let color = if mask >> point & 1 == 1 { cell.fg } else { cell.bg };
+                        if !of_object.contains(&color) {
+                            continue;
+                        }
+                        here += 1;
+                        let middle = |dx: f64, dy: f64| {
+                            let column = f64::from(x) + 0.25 + 0.5 * f64::from(point % 2) + dx;
+                            let row = f64::from(y) + 0.25 + 0.5 * f64::from(point / 2) + dy;
+                            window.place((column, row))
+                        };
+                        // A point shows most of what lies in it, and a cell two things at most.
+                        let around = [(-0.6, 0.0), (0.6, 0.0), (0.0, -0.6), (0.0, 0.6), (0.0, 0.0)];
+                        for ring in &forbidden {
+                            let deep = around.iter().all(|(dx, dy)| inside(ring, middle(*dx, *dy)));
+                            assert!(!deep, "{}: {:?} at {} s", scenario.name, middle(0.0, 0.0), frame.time);
+                        }
+                    }
+                }
+            }
+        }
+        seen += usize::from(here > 0);
+    }
+    assert!(seen + from_aside > scenarios.len(), "{seen} of {}", scenarios.len());
+    assert!(scenarios.len() > 20);
+}
+
+#[test]
+fn the_object_is_round_again_when_it_leaves_and_flat_where_it_presses() {
+    let shown = answered(&find("squash-ball").unwrap().scenario().unwrap());
+    let width = |frame: &Frame| {
+        let sides = shown.anatomy.object(&shown.drawing, frame);
+        let along = sides.iter().map(|(a, _)| a.x);
+        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+    };
+    let frames = &shown.answer.run.frames;
+    let apex = shown.answer.peak(crate::run::quantity::Quantity::Apex).unwrap().time;
+    let deepest = &frames[crate::run::kept::nearest(frames, apex)];
+    assert!((width(&frames[0]) - 40e-3).abs() < 0.5e-3, "{}", width(&frames[0]));
+    assert!(width(deepest) < 32e-3, "{}", width(deepest));
+    let last = frames.last().unwrap();
+    assert!((width(last) - 40e-3).abs() < 0.5e-3, "{}", width(last));
+}
+
+/// Rows of signs, and below them a letter for each pair of colours.
+fn text(buffer: &Buffer) -> String {
+    let mut styles = Vec::new();
+    let (mut signs, mut letters) = (String::new(), String::new());
+    for (i, cell) in buffer.content.iter().enumerate() {
+        if i > 0 && i % usize::from(buffer.area.width) == 0 {
+            signs.push('\n');
+            letters.push('\n');
+        }
+        signs += cell.symbol();
+        let style = (cell.fg, cell.bg);
+        let place = styles.iter().position(|s| *s == style).unwrap_or_else(|| {
+            styles.push(style);
+            styles.len() - 1
+        });
+        let letter = if style == (Color::Reset, Color::Reset) { b' ' } else { b'!' + place as u8 % 94 };
+        letters.push(char::from(letter));
+    }
+    let coloured = styles.len() > 1;
+    if coloured { format!("{signs}\n\n{letters}\n") } else { signs + "\n" }
+}
+
+#[test]
+fn every_number_of_colours_has_its_own_form() {
+    let shown = answered(&find("squash-ball").unwrap().scenario().unwrap());
+    let frames = &shown.answer.run.frames;
+    let deepest = &frames[crate::run::kept::nearest(frames, 1.55e-3)];
+    for (name, depth, symbols, size) in [
+        ("256", Depth::TwoFiveSix, Symbols::Braille, (55, 24)),
+        ("16", Depth::Sixteen, Symbols::Braille, (55, 24)),
+        ("mono", Depth::Mono, Symbols::Braille, (55, 24)),
+        ("octants", Depth::Mono, Symbols::Octant, (55, 24)),
+        ("blocks", Depth::Mono, Symbols::Block, (55, 24)),
+        ("ascii", Depth::Mono, Symbols::Ascii, (55, 24)),
+        ("ascii_small", Depth::Mono, Symbols::Ascii, (28, 11)),
+    ] {
+        let area = Rect::new(0, 0, size.0, size.1);
+        let mut buffer = Buffer::empty(area);
+        of(&shown, deepest, look(depth, symbols)).draw(area, &mut buffer);
+        if symbols == Symbols::Ascii {
+            crate::tui::view::text::to_ascii(&mut buffer);
+        }
+        let mut settings = insta::Settings::clone_current();
+        settings.set_snapshot_path("../../../../tests/snapshots");
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!(format!("anatomy_{name}"), text(&buffer)));
+    }
+}
