@@ -10,18 +10,14 @@
 
 use std::time::Duration;
 
-use contrecoup::answer::solve::Answer;
 use contrecoup::injury::Injury;
 use contrecoup::many::threshold::{Crossing, RiskThere, Threshold};
-use contrecoup::run::watch::unwatched;
-use contrecoup::scenario::Scenario;
 use contrecoup::tui::app::App;
 use contrecoup::tui::app::update::{Message, update};
 use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::picker::Picker;
-use contrecoup::tui::request::{Report, TaskQuestion};
+use contrecoup::tui::request::Report;
 use contrecoup::tui::screens::accuracy::measurement::Measurement;
-use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::Depth;
 use contrecoup::tui::threshold::FindThreshold;
 use drawn::{
@@ -31,6 +27,8 @@ use drawn::{
 
 #[path = "screens/accuracy.rs"]
 mod accuracy;
+#[path = "screens/anatomy.rs"]
+mod anatomy;
 #[path = "screens/doubt.rs"]
 mod doubt;
 #[path = "screens/drawn.rs"]
@@ -117,10 +115,7 @@ fn screens_of_256_colours_and_of_none() {
 #[test]
 fn the_picture_of_the_readme_shows_the_main_screen() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pictures/main.svg");
-    let solved = |scenario: &Scenario| -> Answer {
-        Simulate(scenario.clone()).answer(&mut unwatched).unwrap()
-    };
-    let app = app_by(&[], Depth::TwoFiveSix, solved);
+    let app = app_by(&[], Depth::TwoFiveSix, anatomy::solved);
     let drawn = svg::svg(&cells(&app, (100, 30)), "contrecoup, main screen");
     if renew::is_asked("picture") {
         std::fs::write(file, &drawn).unwrap();

@@ -162,11 +162,14 @@ impl Drawing {
     /// The point of the tissue that rests nearest to a place inside the globe.
     pub fn held(&self, at: Point2<f64>) -> Option<Held> {
         let rest: Vec<_> = self.nodes.iter().map(|node| self.at_rest(node)).collect();
-        let triangles = self.cells.iter().flat_map(|cell| cell.triangles());
+        let triangles = self.cells.iter().flat_map(DrawnCell::triangles);
         // Just outside of all cells it is the one that has to reach least beyond itself.
         let worth = |nodes: [usize; 3]| {
             let shares = shares(nodes.map(|node| rest[node]), at)?;
-            Some((shares.into_iter().fold(1.0, f64::min), Held { nodes, shares }))
+            Some((
+                shares.into_iter().fold(1.0, f64::min),
+                Held { nodes, shares },
+            ))
         };
         let all = triangles.filter_map(worth);
         let best = all.max_by(|a, b| a.0.total_cmp(&b.0))?;

@@ -36,7 +36,9 @@ impl ShownAnswer {
         Self {
             scenario,
             hottest: hottest(&answer),
-            fields: fields.map(|field| (field, field.largest(&drawing, frames))).collect(),
+            fields: fields
+                .map(|field| (field, field.largest(&drawing, frames)))
+                .collect(),
             anatomy: Anatomy::of(&drawing),
             drawing,
             answer: Arc::new(answer),

@@ -162,6 +162,15 @@ fn words(style: Style) -> String {
     words.join(" ")
 }
 
+/// Letters enough for all styles of a screen.
+fn letters_of_styles() -> impl Iterator<Item = char> {
+    ('a'..='z')
+        .chain('A'..='Z')
+        .chain('0'..='9')
+        .chain('α'..='ω')
+        .chain('Ѐ'..='џ')
+}
+
 /// The text of a screen of 80 x 24; below it, where it is styled, a letter for each cell's style;
 /// and what the letters mean. Cells without a letter are plain.
 pub fn styled(app: &App) -> String {
@@ -178,11 +187,11 @@ pub fn styled(app: &App) -> String {
             styles.push(style);
             styles.len() - 1
         });
-        char::from(b'a' + u8::try_from(at).unwrap()).to_string()
+        letters_of_styles().nth(at).unwrap().to_string()
     });
     let names = styles
         .iter()
-        .zip('a'..)
+        .zip(letters_of_styles())
         .map(|(style, letter)| format!("{letter} {style}\n"));
     let names: String = names.collect();
     let text = picture(app, (80, 24));

@@ -10,9 +10,7 @@ use crate::models::axisymmetric::eye::mesh::Block;
 use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::axisymmetric::recording::sensor::monitored;
 use crate::models::axisymmetric::time::run::AxisymmetricLoad;
-use crate::run::drawing::{
-    Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines,
-};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::{BTreeMap, BTreeSet};
@@ -103,7 +101,10 @@ fn outlines(eye: &AxisymmetricEye, image: &[usize]) -> Outlines {
     // Both halves have the nodes on the axis.
     let around = |half: &[usize], ends: usize| {
         let other = half[..half.len() - 1].iter().skip(ends).rev();
-        half.iter().copied().chain(other.map(|node| image[*node])).collect()
+        half.iter()
+            .copied()
+            .chain(other.map(|node| image[*node]))
+            .collect()
     };
     let shell: Vec<usize> = around(&mesh.shell, 1);
     let thickness = |node: &usize| {
@@ -113,15 +114,31 @@ fn outlines(eye: &AxisymmetricEye, image: &[usize]) -> Outlines {
     let half: Vec<f64> = mesh.shell.iter().map(thickness).collect();
     let other = half[1..half.len() - 1].iter().rev().copied();
     let free: Vec<usize> = mesh.blocks.get(2).map_or_else(Vec::new, |block| {
-        block.nodes.iter().step_by(block.columns).rev().copied().collect()
+        block
+            .nodes
+            .iter()
+            .step_by(block.columns)
+            .rev()
+            .copied()
+            .collect()
     });
     Outlines {
         thickness: half.iter().copied().chain(other).collect(),
         shell,
         limbus: eye.parameters.shell.limbus,
-        wall: if mesh.wall.is_empty() { Vec::new() } else { around(&mesh.wall, 0) },
-        free: [free.clone(), free.into_iter().map(|node| image[node]).collect()],
-        bone: eye.parameters.surround.is_some_and(|around| around.wall.is_bone()),
+        wall: if mesh.wall.is_empty() {
+            Vec::new()
+        } else {
+            around(&mesh.wall, 0)
+        },
+        free: [
+            free.clone(),
+            free.into_iter().map(|node| image[node]).collect(),
+        ],
+        bone: eye
+            .parameters
+            .surround
+            .is_some_and(|around| around.wall.is_bone()),
     }
 }
 

@@ -61,7 +61,10 @@ fn outlines(eye: &Eye) -> Outlines {
         nodes.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
         nodes
     };
-    let (shell, wall) = (ring(Region::on_shell), ring(|region| region == Region::Orbit));
+    let (shell, wall) = (
+        ring(Region::on_shell),
+        ring(|region| region == Region::Orbit),
+    );
     // What is free of the fat is a straight line from the wall's edge.
     let free = [wall.first(), wall.last()].map(|edge| {
         let apart = |node: usize, edge: usize| (around(node) - around(edge)).abs();
@@ -69,7 +72,10 @@ fn outlines(eye: &Eye) -> Outlines {
             let by = |a: &&usize, b: &&usize| apart(**a, edge).total_cmp(&apart(**b, edge));
             shell.iter().min_by(by).copied()
         };
-        edge.into_iter().flat_map(|&edge| [Some(edge), nearest(edge)]).flatten().collect()
+        edge.into_iter()
+            .flat_map(|&edge| [Some(edge), nearest(edge)])
+            .flatten()
+            .collect()
     });
     Outlines {
         thickness: vec![THICKNESS_M; shell.len()],

@@ -3,9 +3,7 @@
 use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::spatial::case::SpatialCase;
 use crate::models::spatial::recording::section::Section;
-use crate::run::drawing::{
-    Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines,
-};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines};
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::BTreeMap;
@@ -81,7 +79,9 @@ fn outlines(case: &SpatialCase, section: &Section) -> Outlines {
         limbus: parameters.shell.limbus,
         wall: around(&section.wall, 0),
         free: section.free.clone(),
-        bone: parameters.surround.is_some_and(|around| around.wall.is_bone()),
+        bone: parameters
+            .surround
+            .is_some_and(|around| around.wall.is_bone()),
     }
 }
 

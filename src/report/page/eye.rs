@@ -27,7 +27,7 @@ const PER_M: f64 = 2e4;
 /// The smallest thing that shows, in m.
 const GRAIN_M: f64 = 0.15e-3;
 /// Points of the globe's outline, about: every one is sent for every frame.
-const OUTLINE: usize = 100;
+const OUTLINE: usize = 60;
 /// The field from low to high, as on the screens.
 const FIELD: [&str; STEPS] = [
     "#5f005f", "#5f0087", "#5f5f87", "#005f87", "#0087af", "#008787", "#00af87", "#5faf87",
@@ -71,7 +71,10 @@ impl<'a> Picture<'a> {
         let kept = &answer.run.frames[..];
         kept.first()?;
         let drawing = answer.case.eye.drawing();
-        let globe = drawing.cells.iter().filter(|cell| in_globe(&drawing, &cell.corners));
+        let globe = drawing
+            .cells
+            .iter()
+            .filter(|cell| in_globe(&drawing, &cell.corners));
         let cells: Vec<DrawnCell> = globe.copied().collect();
         let nodes: BTreeSet<usize> = cells.iter().flat_map(|cell| cell.corners).collect();
         let field = Field::all(&drawing, kept)[0];
@@ -153,10 +156,10 @@ impl<'a> Picture<'a> {
             path.bar d=(format!("M{} {}h{bar}", middle - bar, low - 10)) {}
             text x=(middle + 15) y=(low) { "10 mm" }
             text x=(key - 10) y=(top + 32) text-anchor="end" { (name) " 0" }
-            @for (i, colour) in FIELD.iter().enumerate() {
-                rect x=(key + 22 * i as i64) y=(top + 8) width="22" height="28" fill=(colour) {}
+            @for (x, colour) in (0..).map(|i: i64| key + 22 * i).zip(FIELD) {
+                rect x=(x) y=(top + 8) width="22" height="28" fill=(colour) {}
             }
-            text x=(key + 22 * STEPS as i64 + 10) y=(top + 32) { (end) }
+            text x=(key + 252) y=(top + 32) { (end) }
         }
     }
 
@@ -167,7 +170,9 @@ impl<'a> Picture<'a> {
         let digit = char::from_digit(of as u32, 36);
         let at_it = at_it.filter(|(_, step)| Some(*step) == digit);
         at_it.fold(String::new(), |path, (cell, _)| {
-            let corners = cell.corners.map(|node| self.drawing.place(frame, node, 1.0));
+            let corners = cell
+                .corners
+                .map(|node| self.drawing.place(frame, node, 1.0));
             path + &closed(&corners)
         })
     }
@@ -192,7 +197,9 @@ impl<'a> Picture<'a> {
             let rings = layers.iter().map(|layers| &layers[i].rings);
             let most = rings.clone().map(Vec::len).max().unwrap_or_default();
             let ring = |ring: usize| {
-                let places = rings.clone().map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
+                let places = rings
+                    .clone()
+                    .map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
                 let places = places.map(|ring| ring.iter().copied().flat_map(whole).collect());
                 moves(&places.collect::<Vec<Vec<i64>>>())
             };
@@ -221,7 +228,10 @@ fn moves(lists: &[Vec<i64>]) -> Vec<String> {
         pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect()
     };
     let first = lists.first().cloned().into_iter();
-    first.chain(lists.windows(2).map(by)).map(|list| packed(&list)).collect()
+    first
+        .chain(lists.windows(2).map(by))
+        .map(|list| packed(&list))
+        .collect()
 }
 
 /// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
@@ -330,9 +340,17 @@ mod tests {
             let mut text = list.as_str().unwrap();
             let mut numbers = Vec::new();
             while let Some(sign) = text.chars().next() {
-                let end = if sign == '!' { text.find(';').unwrap() } else { 0 };
+                let end = if sign == '!' {
+                    text.find(';').unwrap()
+                } else {
+                    0
+                };
                 let large = || text[1..end].parse().unwrap();
-                numbers.push(if sign == '!' { large() } else { i64::from(sign as u32) - ZERO });
+                numbers.push(if sign == '!' {
+                    large()
+                } else {
+                    i64::from(sign as u32) - ZERO
+                });
                 text = &text[end + 1..];
             }
             numbers
@@ -345,8 +363,14 @@ mod tests {
             }
         }
         assert_eq!(now, picture.places(last));
-        assert_eq!(motion["steps"].as_array().unwrap().len(), picture.frames.len());
-        assert_eq!(motion["shapes"].as_array().unwrap().len(), picture.layers(last).len());
+        assert_eq!(
+            motion["steps"].as_array().unwrap().len(),
+            picture.frames.len()
+        );
+        assert_eq!(
+            motion["shapes"].as_array().unwrap().len(),
+            picture.layers(last).len()
+        );
         assert!(motion.to_string().len() < 230_000);
     }
 }

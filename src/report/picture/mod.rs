@@ -86,6 +86,18 @@ impl Shape {
         let rings = vec![ring];
         Self { part, rings }
     }
+
+    /// Whether a place lies in one of its rings.
+    fn holds(&self, at: Point2<f64>) -> bool {
+        self.rings.iter().any(|ring| {
+            let next = ring.iter().cycle().skip(1);
+            let crossed = ring.iter().zip(next).filter(|(a, b)| {
+                let aside = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+                (a.y > at.y) != (b.y > at.y) && at.x < aside
+            });
+            crossed.count() % 2 == 1
+        })
+    }
 }
 
 /// How a picture is made.
@@ -137,7 +149,10 @@ impl Anatomy {
     pub fn of(drawing: &Drawing) -> Self {
         let mm = |x: f64, y: f64| Point2::new(x * 1e-3, y * 1e-3);
         let held = |places: Vec<Point2<f64>>| -> Vec<Held> {
-            places.into_iter().filter_map(|at| drawing.held(at)).collect()
+            places
+                .into_iter()
+                .filter_map(|at| drawing.held(at))
+                .collect()
         };
         let lens = (0..SIDES).map(|i| {
             let angle = TAU * i as f64 / SIDES as f64;
@@ -149,14 +164,22 @@ impl Anatomy {
             held(points.collect())
         };
         let ciliary = |side: f64| {
-            let corners = [(-8.7, 7.3), (-7.6, 8.4), (-6.3, 9.3), (-6.4, 8.0), (-6.9, 6.3)];
+            let corners = [
+                (-8.7, 7.3),
+                (-7.6, 8.4),
+                (-6.3, 9.3),
+                (-6.4, 8.0),
+                (-6.9, 6.3),
+            ];
             held(corners.map(|(x, y)| mm(x, side * y)).to_vec())
         };
         Self {
             lens: held(lens.collect()),
             iris: [1.0, -1.0].map(iris),
             ciliary: [1.0, -1.0].map(ciliary),
-            rest: Outline::new(drawing, POINTS, |node| drawing.at_rest(&drawing.nodes[node])),
+            rest: Outline::new(drawing, POINTS, |node| {
+                drawing.at_rest(&drawing.nodes[node])
+            }),
         }
     }
 
@@ -174,17 +197,25 @@ impl Anatomy {
             places.collect()
         };
         let outline = Outline::new(drawing, detail.points, place);
-        let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
+        let wall: Vec<_> = drawing
+            .outlines
+            .wall
+            .iter()
+            .map(|node| place(*node))
+            .collect();
         let mut layers = Vec::new();
         let ball = object::Hitting::of(drawing, frame, &outline);
         if let Some(ball) = &ball {
             layers.extend(ball.shapes(grain));
             layers.extend(object::hidden(&wall, &outline, ball.direction()));
         }
-        if let (Some(fat), Some(bone)) = (self.fat(drawing, &place, &outline, &wall), bone(&wall)) {
+        if let (Some(fat), Some(bone)) = (fat(drawing, &place, &outline, &wall), bone(&wall)) {
             layers.push(fat);
             if drawing.outlines.bone {
-                let back = (outline.points[outline.back()], self.rest.points[self.rest.back()]);
+                let back = (
+                    outline.points[outline.back()],
+                    self.rest.points[self.rest.back()],
+                );
                 layers.push(nerve(back, wall[wall.len() / 2]));
             }
             layers.push(bone);
@@ -199,78 +230,94 @@ impl Anatomy {
         for part in &self.iris {
             layers.push(stroke(Part::Iris, &moved(part), IRIS_M.max(grain)));
         }
-        layers.extend(self.shell(drawing, &outline, ball.as_ref(), detail));
+        layers.extend(shell_layers(drawing, &outline, ball.as_ref(), detail));
         layers
     }
+}
 
-    /// The sides of the object's outline in a frame, before anything cuts it.
-    pub fn object(&self, drawing: &Drawing, frame: &Frame) -> Vec<(Point2<f64>, Point2<f64>)> {
-        let outline = Outline::new(drawing, POINTS, |node| drawing.place(frame, node, 1.0));
-        let ball = object::Hitting::of(drawing, frame, &outline);
-        let ring = ball.map_or_else(Vec::new, |ball| ball.ring(0.0));
-        let next = ring.iter().cycle().skip(1);
-        ring.iter().copied().zip(next.copied()).collect()
-    }
+/// The sides of the object's outline in a frame that nothing covers.
+pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
+    let place = |node: usize| drawing.place(frame, node, 1.0);
+    let outline = Outline::new(drawing, POINTS, place);
+    let wall: Vec<_> = drawing
+        .outlines
+        .wall
+        .iter()
+        .map(|node| place(*node))
+        .collect();
+    let Some(ball) = object::Hitting::of(drawing, frame, &outline) else {
+        return Vec::new();
+    };
+    let hidden = object::hidden(&wall, &outline, ball.direction());
+    let fat = fat(drawing, &place, &outline, &wall);
+    let globe = Shape::new(Part::Globe, outline.points.clone());
+    let covers = [hidden, fat, Some(globe)];
+    let free = |[a, b]: &[Point2<f64>; 2]| {
+        let middle = nalgebra::center(a, b);
+        !covers.iter().flatten().any(|shape| shape.holds(middle))
+    };
+    let ring = ball.ring(0.0);
+    let next = ring.iter().cycle().skip(1);
+    let sides = ring.iter().zip(next).map(|(a, b)| [*a, *b]);
+    sides.filter(free).collect()
+}
 
-    /// What lies between the wall, its free surface and the globe.
-    fn fat(
-        &self,
-        drawing: &Drawing,
-        place: &impl Fn(usize) -> Point2<f64>,
-        outline: &Outline,
-        wall: &[Point2<f64>],
-    ) -> Option<Shape> {
-        let [first, second] = &drawing.outlines.free;
-        let of = |node: &usize| outline.index(drawing, *node);
-        let (from, to) = (of(first.last()?)?, of(second.last()?)?);
-        let mut ring = wall.to_vec();
-        ring.extend(second.iter().map(|node| place(*node)));
-        ring.extend(outline.points.get(from..=to)?.iter().rev());
-        ring.extend(first.iter().rev().map(|node| place(*node)));
-        Some(Shape::new(Part::Fat, ring))
-    }
+/// What lies between the wall, its free surface and the globe.
+fn fat(
+    drawing: &Drawing,
+    place: &impl Fn(usize) -> Point2<f64>,
+    outline: &Outline,
+    wall: &[Point2<f64>],
+) -> Option<Shape> {
+    let [first, second] = &drawing.outlines.free;
+    let of = |node: &usize| outline.index(drawing, *node);
+    let (from, to) = (of(first.last()?)?, of(second.last()?)?);
+    let mut ring = wall.to_vec();
+    ring.extend(second.iter().map(|node| place(*node)));
+    ring.extend(outline.points.get(from..=to)?.iter().rev());
+    ring.extend(first.iter().rev().map(|node| place(*node)));
+    Some(Shape::new(Part::Fat, ring))
+}
 
-    /// Retina, sclera, cornea and what is pressed of them.
-    fn shell(
-        &self,
-        drawing: &Drawing,
-        outline: &Outline,
-        ball: Option<&object::Hitting>,
-        detail: Detail,
-    ) -> Vec<Shape> {
-        let (small, least) = (detail.is_small(), 1.35 * detail.grain);
-        let limbus = drawing.outlines.limbus;
-        let band = |part, inside: &dyn Fn(usize) -> bool, from: f64, to: f64, more: f64| {
-            outline.band(part, least, |i| inside(i).then_some((from, to, more)))
-        };
-        let front = |i: usize| outline.front[i];
-        let behind = |i: usize| front(i) >= RETINA.0;
-        let mut shapes = Vec::new();
-        if !small {
-            let thick = RETINA.1.max(1.1 * detail.grain);
-            shapes.push(band(Part::Retina, &behind, 1.0, 1.0, thick));
-        }
-        let sclera = |i: usize| front(i) >= limbus && !(small && behind(i));
-        shapes.push(band(Part::Sclera, &sclera, 0.0, 1.0, 0.0));
-        if small {
-            shapes.push(band(Part::Retina, &behind, 0.0, 1.0, 0.0));
-        }
-        shapes.push(band(Part::Cornea, &|i| front(i) < limbus, 0.0, 1.0, 0.0));
-        let pressed = |i: usize| {
-            front(i) < PRESSED && ball.is_some_and(|ball| ball.reaches(outline.points[i], NEAR_M))
-        };
-        if !small {
-            let ticks = (1..outline.points.len())
-                .filter(|&i| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i))
-                .map(|i| outline.tick(i, 0.9e-3, least));
-            let rings = ticks.collect();
-            let part = Part::Limbus;
-            shapes.push(Shape { part, rings });
-        }
-        let deep = if small { 1.0 } else { 0.5 };
-        shapes.push(band(Part::Pressed, &pressed, 0.0, deep, 0.0));
-        shapes
+/// Retina, sclera, cornea and what is pressed of them.
+fn shell_layers(
+    drawing: &Drawing,
+    outline: &Outline,
+    ball: Option<&object::Hitting>,
+    detail: Detail,
+) -> Vec<Shape> {
+    let (small, least) = (detail.is_small(), 1.35 * detail.grain);
+    let limbus = drawing.outlines.limbus;
+    let band = |part, inside: &dyn Fn(usize) -> bool, from: f64, to: f64, more: f64| {
+        outline.band(part, least, |i| inside(i).then_some((from, to, more)))
+    };
+    let front = |i: usize| outline.front[i];
+    let behind = |i: usize| front(i) >= RETINA.0;
+    let mut shapes = Vec::new();
+    if !small {
+        let thick = RETINA.1.max(1.1 * detail.grain);
+        shapes.push(band(Part::Retina, &behind, 1.0, 1.0, thick));
     }
+    let sclera = |i: usize| front(i) >= limbus && !(small && behind(i));
+    shapes.push(band(Part::Sclera, &sclera, 0.0, 1.0, 0.0));
+    if small {
+        shapes.push(band(Part::Retina, &behind, 0.0, 1.0, 0.0));
+    }
+    shapes.push(band(Part::Cornea, &|i| front(i) < limbus, 0.0, 1.0, 0.0));
+    let pressed = |i: usize| {
+        front(i) < PRESSED && ball.is_some_and(|ball| ball.reaches(outline.points[i], NEAR_M))
+    };
+    if !small {
+        let ticks = (1..outline.points.len())
+            .filter(|&i| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i))
+            .map(|i| outline.tick(i, 0.9e-3, least));
+        let rings = ticks.collect();
+        let part = Part::Limbus;
+        shapes.push(Shape { part, rings });
+    }
+    let deep = if small { 1.0 } else { 0.5 };
+    shapes.push(band(Part::Pressed, &pressed, 0.0, deep, 0.0));
+    shapes
 }
 
 /// Whether a cell lies in the globe.
@@ -281,7 +328,9 @@ pub(crate) fn in_globe(drawing: &Drawing, corners: &[usize; 4]) -> bool {
 
 /// The unit vector a quarter turn to the left.
 fn left(of: Vector2<f64>) -> Vector2<f64> {
-    Vector2::new(-of.y, of.x).try_normalize(0.0).unwrap_or_default()
+    Vector2::new(-of.y, of.x)
+        .try_normalize(0.0)
+        .unwrap_or_default()
 }
 
 /// A line of some width.
@@ -303,9 +352,19 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
     let outward = |i: usize| left(wall[(i + 1).min(count - 1)] - wall[i.saturating_sub(1)]);
     // The wall turns one way round or the other.
     let sense = outward(0).dot(&(first - last)).signum();
-    let out: Vec<_> = (0..count).map(|i| wall[i] + outward(i) * (sense * BONE_M.0)).collect();
-    let mut rings = vec![wall.iter().copied().chain(out.into_iter().rev()).collect::<Vec<_>>()];
-    for (edge, next, i) in [(first, wall.get(1)?, 0), (last, &wall[count - 2], count - 1)] {
+    let out: Vec<_> = (0..count)
+        .map(|i| wall[i] + outward(i) * (sense * BONE_M.0))
+        .collect();
+    let mut rings = vec![
+        wall.iter()
+            .copied()
+            .chain(out.into_iter().rev())
+            .collect::<Vec<_>>(),
+    ];
+    for (edge, next, i) in [
+        (first, wall.get(1)?, 0),
+        (last, &wall[count - 2], count - 1),
+    ] {
         let along = (next - edge).normalize();
         let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.9;
         rings.push(circle(middle, BONE_M.1));

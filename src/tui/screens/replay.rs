@@ -7,13 +7,13 @@ use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
 use crate::report::format::significant;
+use crate::report::picture::Part;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
 use crate::run::trace::OtherTrace;
 use crate::run::trace::TRACES;
 use crate::run::trace::Trace;
-use crate::report::picture::Part;
 use crate::tui::clock::{MeshDetail, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
@@ -96,7 +96,10 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     };
     let anatomy = drawn.detail == MeshDetail::Anatomy;
     // What reaches the edge does not touch the legend.
-    let field = Rect { width: picture.width - 1, ..picture };
+    let field = Rect {
+        width: picture.width - 1,
+        ..picture
+    };
     drawn.draw(field, buffer);
     if model.clock.zoom() > 1 && !anatomy {
         let text = format!(" motion shown {}x larger ", model.clock.zoom());
@@ -116,7 +119,13 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     time_bar(model, shown, bar, buffer);
 }
 
-fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: bool, area: Rect, buffer: &mut Buffer) {
+fn side_panel(
+    model: &AppModel,
+    shown: &ShownAnswer,
+    anatomy: bool,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
     let time = model.time();
     let mut y = 0;
@@ -125,7 +134,13 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: bool, area: Rect, 
         parts(model, shown, area, &mut y, buffer);
     } else {
         put(buffer, area, (0, y), "Node force", theme.heading());
-        put_right(buffer, area, (area.width - 1, y), "e: anatomy", theme.quiet());
+        put_right(
+            buffer,
+            area,
+            (area.width - 1, y),
+            "e: anatomy",
+            theme.quiet(),
+        );
         y += 1;
         legend((shown.hottest, "N"), (theme, ascii), area, &mut y, buffer);
     }
@@ -170,8 +185,14 @@ fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer:
     put_right(buffer, area, (area.width - 1, *y), "e: mesh", theme.quiet());
     *y += 1;
     let hit = shown.drawing.object.is_some();
-    let more = [(Part::Object, "object"), (Part::Pressed, "pressed"), (Part::Fat, "fat")];
-    let more = more.into_iter().filter(|(part, _)| hit || *part == Part::Fat);
+    let more = [
+        (Part::Object, "object"),
+        (Part::Pressed, "pressed"),
+        (Part::Fat, "fat"),
+    ];
+    let more = more
+        .into_iter()
+        .filter(|(part, _)| hit || *part == Part::Fat);
     let tall = area.height >= TALL;
     let mut x = 0;
     for (part, name) in NAMED.into_iter().chain(more) {
@@ -184,10 +205,20 @@ fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer:
         x = put(buffer, area, (x, *y), &format!(" {name} "), theme.text());
     }
     *y += 1;
-    let dots = if model.look.symbols == Symbols::Ascii { "::" } else { "⠒⠒" };
+    let dots = if model.look.symbols == Symbols::Ascii {
+        "::"
+    } else {
+        "⠒⠒"
+    };
     let x = put(buffer, area, (0, *y), dots, theme.quiet());
     put(buffer, area, (x, *y), " at rest", theme.text());
-    put_right(buffer, area, (area.width - 1, *y), "c: field", theme.quiet());
+    put_right(
+        buffer,
+        area,
+        (area.width - 1, *y),
+        "c: field",
+        theme.quiet(),
+    );
     *y += 2;
 }
 

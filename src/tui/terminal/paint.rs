@@ -73,7 +73,8 @@ impl Pen {
         // The terminal may have been written to by others between two frames.
         self.at = None;
         let changed = before.diff(after);
-        let width = |cell: &Cell| unicode_width::UnicodeWidthStr::width(cell.symbol()).max(1) as u16;
+        let width =
+            |cell: &Cell| unicode_width::UnicodeWidthStr::width(cell.symbol()).max(1) as u16;
         // What has one style and stands together is sent together.
         let joins = |a: &Changed, b: &Changed| {
             a.1 == b.1 && a.0 + width(a.2) == b.0 && a.2.style() == b.2.style()
@@ -82,7 +83,9 @@ impl Pen {
         runs.reverse();
         while !runs.is_empty() {
             let from = runs.len().saturating_sub(AHEAD);
-            let next = (from..runs.len()).rev().min_by_key(|i| self.cost(&runs[*i][0]));
+            let next = (from..runs.len())
+                .rev()
+                .min_by_key(|i| self.cost(&runs[*i][0]));
             for &(x, y, cell) in runs.remove(next.unwrap_or(from)) {
                 self.move_to(x, y, out);
                 let shown = &self.cheaper(cell);
@@ -101,7 +104,11 @@ impl Pen {
             Some((here, row)) if row == y && here < x => 4,
             _ => 8,
         };
-        let lit = if cell.modifier == self.attributes { 0 } else { 8 };
+        let lit = if cell.modifier == self.attributes {
+            0
+        } else {
+            8
+        };
         there + lit + 9 * usize::from(self.changes(&self.cheaper(cell)))
     }
 
@@ -128,7 +135,11 @@ impl Pen {
             other.set_symbol(BLOCKS[BLOCKS.len() - 1 - place]);
             (other.fg, other.bg) = (cell.bg, if solid { self.background } else { cell.fg });
         }
-        if self.changes(&other) < self.changes(cell) { other } else { cell.clone() }
+        if self.changes(&other) < self.changes(cell) {
+            other
+        } else {
+            cell.clone()
+        }
     }
 
     /// How many colours of a cell the pen has not.
@@ -261,17 +272,23 @@ mod tests {
     fn seen(screen: &vt100::Screen) -> Vec<String> {
         let cell = |i: u16| {
             let cell = screen.cell(i / 12, i % 12).unwrap();
-            let full = cell.contents() == "█";
-            let text = if full { String::new() } else { cell.contents().trim().to_owned() };
-            if full && !cell.inverse() {
-                return format!("{text:?} None {:?} None false false", short(cell.fgcolor()));
+            // Ink and ground may be exchanged.
+            if cell.contents() == "█" && !cell.inverse() {
+                return format!("\"\" None {:?} None false false", short(cell.fgcolor()));
             }
+            let text = cell.contents().trim().to_owned();
+            let mut colours = (cell.fgcolor(), cell.bgcolor());
+            let turned = text == "▐";
+            if turned {
+                colours = (colours.1, colours.0);
+            }
+            let text = if turned { "▌".to_owned() } else { text };
             let bare = text.is_empty() && !cell.inverse();
-            let fg = (!bare).then(|| short(cell.fgcolor()));
+            let fg = (!bare).then(|| short(colours.0));
             let lit = (!bare).then(|| (cell.bold(), cell.dim()));
             format!(
                 "{text:?} {fg:?} {:?} {lit:?} {} {}",
-                short(cell.bgcolor()),
+                short(colours.1),
                 cell.underline(),
                 cell.inverse()
             )

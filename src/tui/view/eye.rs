@@ -11,8 +11,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::report::picture::Part;
 use crate::report::picture::field::Field;
+use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
@@ -127,7 +127,10 @@ impl<'a> EyePicture<'a> {
                 let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
                 let dot = |at| {
                     let (x, y) = window.cell(at);
-                    let (across, down) = (columns / i32::from(area.width), rows / i32::from(area.height));
+                    let (across, down) = (
+                        columns / i32::from(area.width),
+                        rows / i32::from(area.height),
+                    );
                     let below = f64::from(field.y - area.y);
                     (x * f64::from(across), (y + below) * f64::from(down))
                 };
@@ -157,8 +160,16 @@ impl<'a> EyePicture<'a> {
         }
         picture.loaded_arc(&mut raster);
         picture.projectile(&mut raster);
-        let digits = if theme.is_mono() { picture.digits(&raster) } else { Vec::new() };
-        let marks = if self.lean { Vec::new() } else { picture.monitors(&raster) };
+        let digits = if theme.is_mono() {
+            picture.digits(&raster)
+        } else {
+            Vec::new()
+        };
+        let marks = if self.lean {
+            Vec::new()
+        } else {
+            picture.monitors(&raster)
+        };
         self.arrow(theme, &mut raster, |at| projection.dot(at.x, at.y));
         raster.paint(buffer);
         for (at, step) in digits {
@@ -189,15 +200,9 @@ impl<'a> EyePicture<'a> {
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.
-    fn arrow(
-        &self,
-        theme: Theme,
-        raster: &mut Raster,
-        dot: impl Fn(Point2<f64>) -> (f64, f64),
-    ) {
-        let polar = |angle: f64, radius: f64| {
-            dot(Point2::new(-radius * angle.cos(), radius * angle.sin()))
-        };
+    fn arrow(&self, theme: Theme, raster: &mut Raster, dot: impl Fn(Point2<f64>) -> (f64, f64)) {
+        let polar =
+            |angle: f64, radius: f64| dot(Point2::new(-radius * angle.cos(), radius * angle.sin()));
         let Some(blow) = self.blow else { return };
         let Some(angle) = number(blow, "impact.angle_deg").map(f64::to_radians) else {
             return;
@@ -209,28 +214,16 @@ impl<'a> EyePicture<'a> {
         };
         let ink = Ink::solid(style, BLOW, '*');
         let (tail, tip) = ARROW_M;
-        raster.line(
-            polar(angle, tail),
-            polar(angle, tip),
-            ink,
-        );
+        raster.line(polar(angle, tail), polar(angle, tip), ink);
         for side in [-0.14, 0.14] {
-            raster.line(
-                polar(angle + side, tip + 2.2e-3),
-                polar(angle, tip),
-                ink,
-            );
+            raster.line(polar(angle + side, tip + 2.2e-3), polar(angle, tip), ink);
         }
         let half = number(blow, "impact.half_width_deg").map(f64::to_radians);
         for end in half
             .into_iter()
             .flat_map(|half| [angle - half, angle + half])
         {
-            raster.line(
-                polar(end, ARC_M - 0.6e-3),
-                polar(end, ARC_M + 1.6e-3),
-                ink,
-            );
+            raster.line(polar(end, ARC_M - 0.6e-3), polar(end, ARC_M + 1.6e-3), ink);
         }
     }
 }
@@ -257,7 +250,13 @@ fn directions(up: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The angle in radians of a blow from the direction of a cell, where the eye is drawn in `area`.
-pub fn angle_at(area: Rect, shown: &ShownAnswer, look: Look, detail: MeshDetail, (x, y): (u16, u16)) -> f64 {
+pub fn angle_at(
+    area: Rect,
+    shown: &ShownAnswer,
+    look: Look,
+    detail: MeshDetail,
+    (x, y): (u16, u16),
+) -> f64 {
     let middle = (
         f64::from(x) - f64::from(area.x) + 0.5,
         f64::from(y) - f64::from(area.y) + 0.5,
@@ -442,11 +441,11 @@ impl Picture<'_> {
         nodes.filter_map(mark).collect()
     }
 
-    /// The object as the anatomy has it, whatever of it the eye hides.
+    /// The object as the anatomy has it.
     fn projectile(&self, raster: &mut Raster) {
-        let shapes = self.scene.shown.anatomy.object(self.drawing, self.frame);
+        let sides = object_sides(self.drawing, self.frame);
         let ink = Ink::solid(Style::new().fg(self.theme.part(Part::Object, 0)), BLOW, 'o');
-        for (from, to) in shapes {
+        for [from, to] in sides {
             let dot = |place: Point2<f64>| self.projection.dot(place.x, place.y);
             raster.line(dot(from), dot(to), ink);
         }

@@ -144,7 +144,7 @@ roles! {
     serious: 209, 160, Some(9), "the next";
     grave: 203, 88, Some(9), "the most";
     interior: 243, 242, Some(7), "what fills the globe";
-    lens: 152, 30, Some(14), "the lens";
+    lens: 152, 24, Some(14), "the lens";
     shell: 252, 238, Some(7), "cornea and sclera as lines";
     retina: 197, 161, Some(9), "the retina";
     fat: 101, 95, None, "the fat behind the eye";

@@ -153,7 +153,9 @@ impl Raster {
                 i / usize::from(self.area.width),
             );
             let symbol = match self.symbols {
-                Symbols::Braille | Symbols::Octant => char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' '),
+                Symbols::Braille | Symbols::Octant => {
+                    char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' ')
+                }
                 Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
                 Symbols::Ascii => ink.glyph,
             };

@@ -22,22 +22,28 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer
     if entries.is_empty() {
         return;
     }
-    let largest = entries
-        .iter()
-        .filter_map(|entry| match &entry.found {
-            Found::Answer(shown) => Some(shown.hottest),
+    // All are filled with the same on one scale, as far as they have it.
+    let answers = || {
+        entries.iter().filter_map(|entry| match &entry.found {
+            Found::Answer(shown) => Some(shown),
             _ => None,
         })
-        .fold(0.0, f64::max);
-    // Those that are filled with the same have one scale.
-    let field = |shown: &ShownAnswer| {
-        let (field, own) = model.clock.field(&shown.fields)?;
-        let ends = entries.iter().filter_map(|entry| match &entry.found {
-            Found::Answer(other) => model.clock.field(&other.fields),
-            _ => None,
-        });
-        let same = ends.filter(|(other, _)| *other == field);
-        Some((field, same.map(|(_, end)| end).fold(own, f64::max)))
+    };
+    let largest = answers().map(|shown| shown.hottest).fold(0.0, f64::max);
+    let wanted = answers().find_map(|shown| model.clock.field(&shown.fields));
+    let wanted = wanted.map(|(field, _)| field);
+    let own = |shown: &ShownAnswer| {
+        let found = shown
+            .fields
+            .iter()
+            .find(|(field, _)| Some(*field) == wanted);
+        found.copied()
+    };
+    let ends = answers().filter_map(|shown| own(shown));
+    let end = ends.map(|(_, end)| end).fold(0.0, f64::max);
+    let field = |shown: &ShownAnswer| match own(shown) {
+        Some((field, _)) => Some((field, end)),
+        None => model.clock.field(&shown.fields),
     };
     let zoom = match model.clock.zoom() {
         1 => String::new(),

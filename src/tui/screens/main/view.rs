@@ -202,7 +202,13 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
         drawn.draw(picture, buffer);
         return;
     }
-    let (above, below) = (Rect { height: 1, ..picture }, below(picture, 1));
+    let (above, below) = (
+        Rect {
+            height: 1,
+            ..picture
+        },
+        below(picture, 1),
+    );
     drawn.draw(below, buffer);
     let zoom = match model.clock.zoom() {
         1 => String::new(),

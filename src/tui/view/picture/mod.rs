@@ -96,14 +96,22 @@ impl Anatomical<'_> {
         let shown = self.shown;
         let layers = shown.anatomy.layers(&shown.drawing, self.frame, detail);
         let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts = if self.lean || self.playing || area.width >= LARGE { 1 } else { 2 };
+        let parts = if self.lean || self.playing || area.width >= LARGE {
+            1
+        } else {
+            2
+        };
         let steps = self.steps(area, window, parts);
         let tint = |i: usize| {
             let (x, y) = (i % wide, i / wide);
             let part = samples.point(x, y);
             let inside = matches!(part, Part::Globe);
             let row = y * parts / down;
-            let step = if inside { steps[row * columns + x / across] } else { 0 };
+            let step = if inside {
+                steps[row * columns + x / across]
+            } else {
+                0
+            };
             Tint { part, step }
         };
         (wide, (0..wide * high).map(tint).collect())
@@ -116,7 +124,11 @@ impl Anatomical<'_> {
         let values = field.of_nodes(drawing, self.frame);
         let mut found: Vec<Option<usize>> = vec![None; columns * rows];
         let spots = parts as f64;
-        for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
+        for cell in drawing
+            .cells
+            .iter()
+            .filter(|cell| in_globe(drawing, &cell.corners))
+        {
             for nodes in cell.triangles() {
                 let corners =
                     nodes.map(|node| drawing.place(self.frame, node, f64::from(self.zoom)));
@@ -146,7 +158,12 @@ impl Anatomical<'_> {
         for _ in 0..2 {
             let before = found.clone();
             for (i, place) in found.iter_mut().enumerate() {
-                let near = [i.wrapping_sub(1), i + 1, i.wrapping_sub(columns), i + columns];
+                let near = [
+                    i.wrapping_sub(1),
+                    i + 1,
+                    i.wrapping_sub(columns),
+                    i + columns,
+                ];
                 let known = near.iter().find_map(|n| before.get(*n).copied().flatten());
                 *place = place.or(known);
             }
@@ -157,7 +174,10 @@ impl Anatomical<'_> {
     fn paint(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
         let (wide, points) = self.points(area, window);
-        let (across, down) = (wide / usize::from(area.width), points.len() / wide / usize::from(area.height));
+        let (across, down) = (
+            wide / usize::from(area.width),
+            points.len() / wide / usize::from(area.height),
+        );
         let dots = self.dots(window, area);
         for row in 0..area.height {
             for column in 0..area.width {
@@ -177,7 +197,9 @@ impl Anatomical<'_> {
                     (_, Depth::Mono) => mono(self.look, &own, edge, ghost, lattice),
                     _ => coloured(self.look, &own, ghost, lattice, theme),
                 };
-                buffer[(area.x + column, area.y + row)].set_char(symbol).set_style(style);
+                buffer[(area.x + column, area.y + row)]
+                    .set_char(symbol)
+                    .set_style(style);
             }
         }
     }
@@ -188,7 +210,8 @@ impl Anatomical<'_> {
         let mut dots = vec![0; usize::from(area.width) * usize::from(area.height)];
         for at in self.shown.anatomy.ghost() {
             let (x, y) = window.cell(*at);
-            let inside = x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
+            let inside =
+                x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
             if inside {
                 let bit = BITS[(y.fract() * 4.0) as usize][(x.fract() * 2.0) as usize];
                 dots[y as usize * usize::from(area.width) + x as usize] |= bit;
@@ -210,7 +233,12 @@ impl Anatomical<'_> {
         let (said, brief) = moment::said(&self.shown.answer, self.time);
         let said = if area.width < WORDY { brief } else { &said };
         let play = if self.playing { " ▶" } else { "" };
-        let words = [format!(" {said}{zoom}{play}"), format!(" {said}{zoom}"), zoom, String::new()];
+        let words = [
+            format!(" {said}{zoom}{play}"),
+            format!(" {said}{zoom}"),
+            zoom,
+            String::new(),
+        ];
         let (field, largest) = self.field;
         let end = format!(" {}", field.figure(largest));
         let ramp = match self.look.depth {
@@ -221,8 +249,14 @@ impl Anatomical<'_> {
             Depth::TwoFiveSix => (STEPS as u16).div_ceil(2),
         };
         let starts = match ramp {
-            0 => [format!("{} 0 to", field.name()), format!("{} to", field.name())],
-            _ => [format!("{} 0 ", field.name()), field.name().to_owned() + " "],
+            0 => [
+                format!("{} 0 to", field.name()),
+                format!("{} to", field.name()),
+            ],
+            _ => [
+                format!("{} 0 ", field.name()),
+                field.name().to_owned() + " ",
+            ],
         };
         let legend = |start: &str| width(start) + ramp + width(&end);
         let room = area.width.saturating_sub(x + 2);
@@ -230,8 +264,16 @@ impl Anatomical<'_> {
         let words = longest_fitting(&words, room - least);
         x = put(buffer, row, (x, 0), words, theme.text());
         let room = area.width.saturating_sub(x + 1);
-        let brief = if ramp == 0 { String::new() } else { "0 ".to_owned() };
-        let Some(start) = starts.iter().chain([&brief]).find(|start| legend(start) <= room) else {
+        let brief = if ramp == 0 {
+            String::new()
+        } else {
+            "0 ".to_owned()
+        };
+        let Some(start) = starts
+            .iter()
+            .chain([&brief])
+            .find(|start| legend(start) <= room)
+        else {
             return;
         };
         let left = area.width - legend(start);
@@ -239,17 +281,32 @@ impl Anatomical<'_> {
         for i in 0..ramp {
             let last = usize::from(ramp - 1);
             let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
-            let (a, b) = (place(2 * usize::from(i)), place((2 * usize::from(i) + 1).min(2 * last)));
-            let style = Style::new().fg(theme.part(Part::Globe, a)).bg(theme.part(Part::Globe, b));
+            let (a, b) = (
+                place(2 * usize::from(i)),
+                place((2 * usize::from(i) + 1).min(2 * last)),
+            );
+            let style = Style::new()
+                .fg(theme.part(Part::Globe, a))
+                .bg(theme.part(Part::Globe, b));
             x = put(buffer, row, (x, 0), "▌", style);
         }
-        put_right(buffer, row, (area.width, 0), end.trim_start(), theme.quiet());
+        put_right(
+            buffer,
+            row,
+            (area.width, 0),
+            end.trim_start(),
+            theme.quiet(),
+        );
     }
 
     /// Which way is which, and how long 10 mm are.
     fn scale(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
-        let row = Rect { y: area.y + area.height - 1, height: 1, ..area };
+        let row = Rect {
+            y: area.y + area.height - 1,
+            height: 1,
+            ..area
+        };
         put(buffer, row, (0, 0), "front", theme.quiet());
         put_right(buffer, row, (area.width, 0), "back", theme.quiet());
         let halves = (2.0 * BAR_M / window.column).round() as usize;
@@ -260,7 +317,13 @@ impl Anatomical<'_> {
         let text = " 10 mm";
         let long = width(&bar) + width(text);
         if long + 12 <= area.width {
-            let x = put(buffer, row, ((area.width - long) / 2, 0), &bar, theme.strong());
+            let x = put(
+                buffer,
+                row,
+                ((area.width - long) / 2, 0),
+                &bar,
+                theme.strong(),
+            );
             put(buffer, row, (x, 0), text, theme.quiet());
         }
     }
@@ -309,9 +372,15 @@ fn mono(
     lattice: bool,
 ) -> (char, Style) {
     let solid = |i: &usize| own[*i].part.is_line() || edge(*i);
-    let mask = (0..own.len()).filter(solid).fold(0_u8, |mask, bit| mask | 1 << bit);
+    let mask = (0..own.len())
+        .filter(solid)
+        .fold(0_u8, |mask, bit| mask | 1 << bit);
     if mask != 0 {
-        let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
+        let symbol = if own.len() == 8 {
+            octant(mask)
+        } else {
+            QUADRANTS[usize::from(mask)]
+        };
         return (symbol, Style::new());
     }
     let Tint { part, step } = one(own);
@@ -370,7 +439,11 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
         _ if theme.is_mono() => Style::new(),
         part => Style::new().fg(theme.part(part, step)),
     };
-    let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
+    let bold = if part == Part::Pressed {
+        theme.strong()
+    } else {
+        Style::new()
+    };
     (sign, style.patch(bold))
 }
 

@@ -47,15 +47,19 @@ impl Window {
         let (column, middle) = if whole < WHOLE_M {
             (whole, 0.5 * (low.y + high.y))
         } else {
-            (fits(GLOBE_M.0, GLOBE_M.1).max((0.75 * whole).min(NEAR_M)), 0.0)
+            (
+                fits(GLOBE_M.0, GLOBE_M.1).max((0.75 * whole).min(NEAR_M)),
+                0.0,
+            )
         };
         // What is left over is room for the object; where room lacks, the back of the orbit goes.
         let spare = column * columns - wide;
-        let right = high.x + match way {
-            ..0.5 => 0.5 * spare,
-            _ if spare < 0.0 => 0.75 * spare,
-            _ => 0.0,
-        };
+        let right = high.x
+            + match way {
+                ..0.5 => 0.5 * spare,
+                _ if spare < 0.0 => 0.75 * spare,
+                _ => 0.0,
+            };
         Self {
             left: right - column * columns,
             top: middle + column * rows,
@@ -66,12 +70,18 @@ impl Window {
 
     /// Where a place lies, in cells.
     pub fn cell(&self, at: Point2<f64>) -> (f64, f64) {
-        ((at.x - self.left) / self.column, (self.top - at.y) / (2.0 * self.column))
+        (
+            (at.x - self.left) / self.column,
+            (self.top - at.y) / (2.0 * self.column),
+        )
     }
 
     /// The place at a point of the cells.
     pub fn place(&self, (x, y): (f64, f64)) -> Point2<f64> {
-        Point2::new(self.left + x * self.column, self.top - 2.0 * y * self.column)
+        Point2::new(
+            self.left + x * self.column,
+            self.top - 2.0 * y * self.column,
+        )
     }
 
     /// Points across and down a cell.

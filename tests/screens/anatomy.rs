@@ -1,19 +1,7 @@
 //! The eye in filled anatomy, of answers that were computed: what a playing replay sends, and the
 //! picture of six moments of the README.
 
-#![cfg(feature = "app")]
-
-#[path = "screens/drawn.rs"]
-mod drawn;
-#[path = "support/made_up.rs"]
-mod made_up;
-#[path = "support/made_up_accuracy.rs"]
-mod made_up_accuracy;
-#[path = "support/renew.rs"]
-mod renew;
-#[path = "support/svg.rs"]
-mod svg;
-
+use super::drawn::{app_by, cells, look, press};
 use contrecoup::answer::solve::Answer;
 use contrecoup::run::watch::unwatched;
 use contrecoup::scenario::Scenario;
@@ -26,11 +14,13 @@ use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::Depth;
 use contrecoup::tui::terminal::paint::Pen;
 use contrecoup::tui::view::eye::EyePicture;
-use drawn::{app_by, cells, look, press};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-fn solved(scenario: &Scenario) -> Answer {
+use super::{renew, svg};
+
+/// The answer to a scenario, as the app has it.
+pub fn solved(scenario: &Scenario) -> Answer {
     Simulate(scenario.clone()).answer(&mut unwatched).unwrap()
 }
 
@@ -51,7 +41,10 @@ fn bytes(app: &mut App, size: (u16, u16), frames: u32) -> (usize, usize) {
             out.len()
         })
         .collect();
-    (sent.iter().sum::<usize>() / sent.len(), *sent.iter().max().unwrap())
+    (
+        sent.iter().sum::<usize>() / sent.len(),
+        *sent.iter().max().unwrap(),
+    )
 }
 
 #[test]
@@ -72,7 +65,10 @@ fn a_playing_replay_keeps_to_its_bytes() {
                      ms, {largest} at most, {whole} in 5 ms",
                     &screen[1..]
                 );
-                assert!(first.max(whole) <= most, "{preset} {size:?} {depth:?}: {first}");
+                assert!(
+                    first.max(whole) <= most,
+                    "{preset} {size:?} {depth:?}: {first}"
+                );
             }
         }
     }
@@ -109,6 +105,9 @@ fn the_picture_of_the_readme_shows_six_moments_of_a_squash_ball() {
         std::fs::write(file, &drawn).unwrap();
     }
     let kept = std::fs::read_to_string(file).unwrap_or_default();
-    let renew = "FIGURES=moments cargo test --release --test anatomy the_picture";
-    assert!(kept == drawn, "the eye is drawn otherwise; `{renew}` draws it again");
+    let renew = "FIGURES=moments cargo test --release --test tui_screens six_moments";
+    assert!(
+        kept == drawn,
+        "the eye is drawn otherwise; `{renew}` draws it again"
+    );
 }
