@@ -139,6 +139,27 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
 }
 
 #[test]
+fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
+    let mut app = app();
+    answer(&mut app, 1);
+    press(&mut app, "ptennis\r");
+    assert_eq!(app.model.work.name(), "tennis-ball");
+    let speed = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
+    assert!(app.model.form.selected == speed, "its speed is next");
+    let ticket = running(&app);
+    let effects = press(&mut app, "\x1b");
+    assert!(effects[0] == Effect::Stop(ticket) && asked::<Simulate>(&effects).is_none());
+    assert_eq!(
+        (app.model.work.name(), app.model.stale()),
+        ("paper-300n", None)
+    );
+    let shown = app.model.shown.as_ref().unwrap();
+    assert_eq!(shown.scenario, app.model.work.scenario);
+    assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
+    assert_eq!(app.model.work.name(), "tennis-ball");
+}
+
+#[test]
 fn escape_cancels_a_run_and_an_edit_supersedes_it() {
     let mut app = app();
     assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
@@ -491,12 +512,18 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     assert_eq!(press(&mut app, &format!("{delete}n")), []);
     let effects = press(&mut app, &format!("{delete}y"));
     assert_eq!(effects, [Effect::Remove(hers.clone())]);
-    update(&mut app, Message::Removed(hers.clone(), Ok(())));
+    update(
+        &mut app,
+        Message::Removed(hers.clone(), Ok("its text".to_owned())),
+    );
     assert!(app.model.choices.iter().all(|choice| choice.name != hers));
     // What it held is still worked on under its name, and is not lost without a question.
     assert!(app.model.is_edited() && force(&app) == 310.0);
     assert_eq!(app.model.work.name(), "hers");
     press(&mut app, "\x1b");
+    let back = Effect::Restore(hers.clone(), "its text".to_owned());
+    assert_eq!(press(&mut app, "u"), [back]);
+    assert_eq!(force(&app), 310.0, "the removal came last");
     press(&mut app, "s");
     assert_eq!(offered(&app), "hers");
     press(&mut app, "\x1b");
