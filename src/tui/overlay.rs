@@ -1,6 +1,7 @@
 //! What can stand in front of a screen: the keys, a list, a name that is typed, a question.
 
 use crate::scenario::Scenario;
+use crate::tui::changing::Changing;
 use crate::tui::line::TextLine;
 use crate::tui::picker::Picker;
 use crate::tui::threshold::Asking;
@@ -13,6 +14,8 @@ pub enum Overlay {
     Picker(Picker),
     /// At which value of a number does a result reach this?
     Threshold(Box<Asking>),
+    /// A field of a marked preset is being changed.
+    Change(Box<Changing>),
     /// A name is being typed, and what is wrong with it.
     Name(Naming, TextLine, Option<String>),
     /// Something is asked.

@@ -63,6 +63,9 @@ pub(crate) fn scroll(app: &mut App, by: i16) {
     if let Some(Overlay::Help(line)) = &mut model.overlay {
         *line = line.saturating_add_signed(by);
     }
+    if let Some(Overlay::Change(what)) = &mut model.overlay {
+        what.go(isize::from(by));
+    }
     if let Some(Overlay::Picker(picker)) = &mut model.overlay {
         picker.move_cursor(isize::from(by));
     }
@@ -96,6 +99,21 @@ pub(crate) fn accept(app: &mut App) {
             }
         }
         Some(Overlay::Threshold(_)) => threshold::accept(model),
+        Some(Overlay::Change(what)) => {
+            let name = what.name.clone();
+            let outcome = what.changed();
+            match outcome.and_then(|new| model.allows(&new).map(|()| new)) {
+                Ok(scenario) => {
+                    model.overlay = None;
+                    app.screens[app.screen].take_changed(model, &name, &scenario);
+                }
+                Err(why) => {
+                    if let Some(Overlay::Change(what)) = &mut model.overlay {
+                        what.error = Some(why);
+                    }
+                }
+            }
+        }
         Some(_) => {}
         None => {
             typing::accept(model);

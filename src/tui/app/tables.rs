@@ -180,6 +180,18 @@ static MARKER: KeyTable<AppAct> = KeyTable::new("Compare: find", &[
     STOP,
 ]);
 
+/// While a field of a marked preset is changed.
+#[rustfmt::skip]
+static CHANGING: KeyTable<AppAct> = KeyTable::new("Compare: a value", &[
+    bind(&[UP, BACK_TAB], |a| actions::scroll(a, -1), "field", "the field above"),
+    bind(&[DOWN, TAB], |a| actions::scroll(a, 1), "&", "the field below"),
+    bind(&[ENTER], actions::accept, "take", "compare it with this value"),
+    bind(&[ESC], actions::cancel, "leave", "leave it as it was"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
 /// While it is asked at which value a result reaches another one.
 #[rustfmt::skip]
 static THRESHOLD: KeyTable<AppAct> = KeyTable::new("At which value", &[
@@ -217,8 +229,8 @@ static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
 ]);
 
 /// The tables of what can stand in front of a screen.
-static IN_FRONT: [&KeyTable<AppAct>; 7] = [
-    &VALUE, &TYPING, &PICKER, &MARKER, &THRESHOLD, &QUESTION, &HELP,
+static IN_FRONT: [&KeyTable<AppAct>; 8] = [
+    &VALUE, &TYPING, &PICKER, &MARKER, &CHANGING, &THRESHOLD, &QUESTION, &HELP,
 ];
 
 /// The keys of what stands in front of the screen now. Nothing behind it gets any.
@@ -227,6 +239,7 @@ pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
         Some(Overlay::Help(_)) => Some(&HELP),
         Some(Overlay::Picker(picker)) if picker.marked.is_some() => Some(&MARKER),
         Some(Overlay::Picker(_)) => Some(&PICKER),
+        Some(Overlay::Change(_)) => Some(&CHANGING),
         Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
         Some(Overlay::Name(..)) => Some(&TYPING),
         Some(Overlay::Prompt(_)) => Some(&QUESTION),

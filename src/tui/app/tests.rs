@@ -535,6 +535,35 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
 }
 
 #[test]
+fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
+    let mut app = begun();
+    press(&mut app, "\x1b4/bb-62\r\x1b");
+    let names = |app: &App| -> Vec<String> {
+        let entries = &app.state::<Comparison>().entries;
+        entries.iter().map(|entry| entry.name.clone()).collect()
+    };
+    assert_eq!(names(&app), ["bb-62"]);
+    press(&mut app, "e-60\r");
+    assert!(app.model.overlay.is_some(), "no speed is below 0");
+    press(&mut app, "\x1560\r");
+    assert_eq!(
+        (names(&app), force(&app)),
+        (vec!["bb-62@60".to_owned()], 300.0)
+    );
+    let effects = press(&mut app, "e50\r");
+    let (_, asked) = asked::<SimulateMarked>(&effects).unwrap();
+    let Impact::Projectile(bb) = &asked.scenario.impact else {
+        panic!()
+    };
+    assert_eq!(bb.speed_m_s, 50.0);
+    // In the table another field of the same row; there and back is the preset again.
+    press(&mut app, "\te\x1b[A\x1b[A0.5\r");
+    assert_eq!(names(&app), ["bb-62@50,mass_g=0.5"]);
+    press(&mut app, "\x1b[Z ");
+    assert!(names(&app).is_empty(), "marking again unmarks");
+}
+
+#[test]
 fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
     let busy = |app: &App| {
         [

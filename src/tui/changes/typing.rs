@@ -87,6 +87,11 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
             }
             return;
         }
+        Some(Overlay::Change(what)) => {
+            change(&mut what.input);
+            what.error = None;
+            return;
+        }
         Some(Overlay::Threshold(_)) => {
             threshold::retype(model, change);
             return;

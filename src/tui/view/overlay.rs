@@ -9,13 +9,14 @@ use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::view::popup::{MARGIN, frame, input};
 use crate::tui::view::text::{fitted, put, put_lines, wrapped};
 use crate::tui::view::theme::Theme;
-use crate::tui::view::{picker, threshold};
+use crate::tui::view::{changing, picker, threshold};
 
 /// Draws what is in front, if anything is; the keys are drawn by who knows them all.
 pub fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     match &model.overlay {
         None | Some(Overlay::Help(_)) => {}
         Some(Overlay::Picker(picker)) => picker::draw(model, picker, area, buffer),
+        Some(Overlay::Change(what)) => changing::draw(model, what, area, buffer),
         Some(Overlay::Threshold(asking)) => threshold::draw(model, asking, area, buffer),
         Some(Overlay::Name(naming, name, error)) => {
             typed_name(model, naming, (name, error.as_deref()), area, buffer);
