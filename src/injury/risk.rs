@@ -64,6 +64,36 @@ pub struct Risk {
     pub notes: Vec<&'static str>,
 }
 
+/// What a reader must know before believing a risk, and the same in short.
+const NOTES: [(&str, &str); 5] = [
+    (
+        "so small, hard and fast an object may go in",
+        "the object may go in",
+    ),
+    (
+        "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
+        "hyphema: suction not counted",
+    ),
+    (
+        "the object is larger than any that was tested",
+        "larger than any tested object",
+    ),
+    (
+        "no eye was tested with a given force",
+        "no eye was tested with a given force",
+    ),
+    (
+        "from the side this place is a ring around the blow, not the anatomical one",
+        "from the side: places are rings round the blow",
+    ),
+];
+
+/// A note of a risk in short.
+pub fn in_short(note: &str) -> &str {
+    let own = NOTES.iter().find(|(long, _)| *long == note);
+    own.map_or(note, |(_, short)| short)
+}
+
 fn logit(risk: f64) -> f64 {
     let risk = risk.clamp(SURE, 1.0 - SURE);
     log(risk / (1.0 - risk))
@@ -145,30 +175,16 @@ impl Injury {
 
     fn notes(self, blow: &Blow) -> Vec<&'static str> {
         let rupture = self == Self::GlobeRupture;
-        let all = [
-            (
-                rupture && blow.goes_in,
-                "so small, hard and fast an object may go in",
-            ),
-            (
-                self == Self::Hyphema && blow.sucks,
-                "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
-            ),
-            (
-                blow.wider > 0.0 && blow.energy.is_some(),
-                "the object is larger than any that was tested",
-            ),
-            (
-                blow.wider > 0.0 && blow.energy.is_none(),
-                "no eye was tested with a given force",
-            ),
-            (
-                blow.aslant > 0.0 && !rupture && self != Self::CornealAbrasion,
-                "from the side this place is a ring around the blow, not the anatomical one",
-            ),
+        let hold = [
+            rupture && blow.goes_in,
+            self == Self::Hyphema && blow.sucks,
+            blow.wider > 0.0 && blow.energy.is_some(),
+            blow.wider > 0.0 && blow.energy.is_none(),
+            blow.aslant > 0.0 && !rupture && self != Self::CornealAbrasion,
         ];
-        all.into_iter()
-            .filter_map(|(holds, note)| holds.then_some(note))
+        let notes = NOTES.iter().zip(hold);
+        notes
+            .filter_map(|((note, _), holds)| holds.then_some(*note))
             .collect()
     }
 }

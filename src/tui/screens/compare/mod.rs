@@ -71,8 +71,8 @@ const LIST_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: presets", &[
 const TABLE_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: table", &[
     bind(&[LEFT, c('h')], |s, _| s.change_column(-1), "column", "the column to the left"),
     bind(&[RIGHT, c('l')], |s, _| s.change_column(1), "&", "the column to the right"),
-    bind(&[UP, c('k')], |s, _| s.move_entry(-1), "row", "the row above"),
-    bind(&[DOWN, c('j')], |s, _| s.move_entry(1), "&", "the row below"),
+    bind(&[UP, c('k')], |s, _| s.move_entry(-1), "", "the row above"),
+    bind(&[DOWN, c('j')], |s, _| s.move_entry(1), "", "the row below"),
     bind(&[c('e')], Comparison::edit, "edit", "change its speed or another field, here only"),
     bind(&[ENTER, c('o')], |s, _| s.sort_here(), "sort", "sort by the column; again: the other way"),
     bind(&[c('v')], |s, _| s.next_curve(), "curves", "the next curve below the table"),

@@ -11,9 +11,7 @@ use crate::tui::changing::began_as;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
 use crate::tui::view::risks::longest;
-use crate::tui::view::text::{
-    fitted, flag_name, longest_fitting, put, put_lines, put_right, width, wrapped,
-};
+use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
@@ -288,9 +286,9 @@ fn row(
         put_right(buffer, area, (right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
-        let flags = answer.flags.iter().map(|flag| flag_name(flag.kind));
+        let flags = answer.flags.iter().map(|flag| flag.kind.words());
         let names = flags.collect::<Vec<_>>().join(", ");
-        let texts = [names, format!("{} flags", answer.flags.len())];
+        let texts = [names, format!("{} warnings", answer.flags.len())];
         let text = longest_fitting(&texts, room as u16);
         put(buffer, area, (3, 1), text, theme.warning());
     }
