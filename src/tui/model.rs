@@ -79,8 +79,10 @@ pub struct AppModel {
 impl AppModel {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
-        let mut form = ScenarioForm::default();
-        form.selected = strength(&work.scenario);
+        let form = ScenarioForm {
+            selected: strength(&work.scenario),
+            ..ScenarioForm::default()
+        };
         Self {
             work,
             history: History::default(),

@@ -171,7 +171,7 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
     press(&mut app, "\x1b1");
     for size in SIZES {
         let text = picture(&app, size);
-        let line = line_from(&text, "uncertain inputs: ");
+        let line = line_from(&text, "inputs in doubt: ");
         let whole = line.contains("(90 % of 24 of 1000)");
         assert!(whole || size.0 == 60 && line.contains('*'), "{line}");
     }
@@ -179,7 +179,7 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
     app.model.ensemble.done = Some((done.0, stopped.into()));
     for size in SIZES {
         let text = picture(&app, size);
-        let line = line_from(&text, "uncertain inputs: ");
+        let line = line_from(&text, "inputs in doubt: ");
         assert!(!line.contains('*'), "{line}");
     }
 }

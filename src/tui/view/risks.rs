@@ -242,9 +242,12 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         // What spoils an answer is said already.
         let flags = answer.flags.iter();
         let flags = flags.filter(|flag| spoiled.is_none() || flag.kind != FlagKind::MeshFolded);
-        let flags = flags.map(|flag| match brief {
-            true => flag.kind.words(),
-            false => &flag.message,
+        let flags = flags.map(|flag| {
+            if brief {
+                flag.kind.words()
+            } else {
+                &flag.message
+            }
         });
         let counting = counting(model, answer);
         for part in notes.chain(flags).chain(counting.as_deref()) {

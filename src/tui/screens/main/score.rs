@@ -186,7 +186,7 @@ fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
             "not computed"
         };
         return vec![
-            format!("what uncertain inputs do to the index: {waiting}"),
+            format!("what doubt in the inputs does to the index: {waiting}"),
             format!("inputs: {waiting}"),
         ];
     };
@@ -204,10 +204,10 @@ fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
         ("", held.to_string())
     };
     vec![
-        format!("index with uncertain inputs: {within} (90 % of {reason})"),
-        format!("uncertain inputs: {within} (90 % of {reason})"),
-        format!("uncertain inputs: {within}{mark} (90 %)"),
-        format!("uncertain inputs: {within}{mark}"),
+        format!("index with inputs in doubt: {within} (90 % of {reason})"),
+        format!("inputs in doubt: {within} (90 % of {reason})"),
+        format!("inputs in doubt: {within}{mark} (90 %)"),
+        format!("inputs in doubt: {within}{mark}"),
     ]
 }
 

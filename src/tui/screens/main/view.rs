@@ -67,7 +67,6 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
     let (each, limits, index) = match height {
         _ if wide => (2 * LINES - 1, 6, score::BLOCK),
         30.. => (LINES, 3, score::BLOCK),
-        20.. => (LINES, 2, 1),
         _ => (LINES, 2, 1),
     };
     let (x, width) = if wide {
