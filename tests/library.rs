@@ -59,7 +59,7 @@ fn one_blow_prints_each_result_with_both_errors() {
     assert!(
         lines
             .next()
-            .is_some_and(|line| line.starts_with("S shell growth"))
+            .is_some_and(|line| line.starts_with("wall growth S"))
     );
 }
 

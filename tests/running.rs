@@ -24,9 +24,9 @@ fn every_result_is_printed_where_all_are_asked_for() {
         .stderr(is_empty())
         .stdout(
             contains("26.42")
-                .and(contains("S shell growth"))
-                .and(contains("M meridian growth"))
-                .and(contains("E energy imparted"))
+                .and(contains("wall growth S"))
+                .and(contains("width growth M"))
+                .and(contains("energy imparted E"))
                 .and(contains("2.2 mm"))
                 .and(
                     contains("centre")

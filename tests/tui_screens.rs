@@ -233,8 +233,8 @@ fn a_projectile_brings_its_pressure_its_force_and_its_injuries() {
 
 #[test]
 fn figures_of_no_checked_source_are_marked() {
-    state("main_unverified", &["fist"], "jjjjj.3\rkk");
-    state("replay_unverified", &["fist"], "jjjjj.3\r\x1b2");
+    state("main_unverified", &["fist"], ".3\rkk");
+    state("replay_unverified", &["fist"], ".3\r\x1b2");
 }
 
 #[test]
@@ -250,10 +250,10 @@ fn the_list_of_what_can_be_opened() {
 #[test]
 fn the_question_at_which_value_a_result_is_reached() {
     pictures("threshold", &["bb-56"], &SIZES[..2], |app| {
-        press(app, "jjjjjt");
+        press(app, "t");
     });
     pictures("threshold_found", &["bb-56"], &[USUAL], |app| {
-        press(app, "jjjjjt\r");
+        press(app, "t\r");
         let Some(Overlay::Threshold(asking)) = &app.model.overlay else {
             panic!("nothing is asked")
         };

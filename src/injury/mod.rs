@@ -17,6 +17,6 @@ pub use crate::injury::energy::{CURVES, EnergyCurve};
 pub use crate::injury::equivalent::{A_BB, Equivalent, MEASURES, SPEEDS, equivalent};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
-pub use crate::injury::risk::{Known, Risk};
+pub use crate::injury::risk::{Known, Risk, in_short};
 pub use crate::injury::tissue::TissueCurve;
 pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, gravity, span, whole};

@@ -68,6 +68,40 @@ pub struct Risk {
     pub notes: Vec<&'static str>,
 }
 
+/// What a reader must know before believing a risk, and the same in short.
+const NOTES: [(&str, &str); 6] = [
+    (
+        "so small, hard and fast an object may go in",
+        "the object may go in",
+    ),
+    (
+        "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
+        "hyphema: suction not counted",
+    ),
+    (
+        "the object is larger than any that was tested",
+        "larger than any tested object",
+    ),
+    (
+        "no eye was tested with a given force",
+        "no eye was tested with a given force",
+    ),
+    (
+        "bone is taken as a round rim: numerics.geometry=Full has its measured shape",
+        "bone taken as a round rim",
+    ),
+    (
+        "from the side this place is a ring around the blow, not the anatomical one",
+        "from the side: places are rings round the blow",
+    ),
+];
+
+/// A note of a risk in short.
+pub fn in_short(note: &str) -> &str {
+    let own = NOTES.iter().find(|(long, _)| *long == note);
+    own.map_or(note, |(_, short)| short)
+}
+
 fn logit(risk: f64) -> f64 {
     let risk = risk.clamp(SURE, 1.0 - SURE);
     log(risk / (1.0 - risk))
@@ -150,34 +184,17 @@ impl Injury {
 
     fn notes(self, blow: &Blow) -> Vec<&'static str> {
         let rupture = self == Self::GlobeRupture;
-        let all = [
-            (
-                rupture && blow.goes_in,
-                "so small, hard and fast an object may go in",
-            ),
-            (
-                self == Self::Hyphema && blow.sucks,
-                "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
-            ),
-            (
-                blow.wider > 0.0 && blow.energy.is_some(),
-                "the object is larger than any that was tested",
-            ),
-            (
-                blow.wider > 0.0 && blow.energy.is_none(),
-                "no eye was tested with a given force",
-            ),
-            (
-                blow.round_rim > 0.0,
-                "bone is taken as a round rim: numerics.geometry=Full has its measured shape",
-            ),
-            (
-                blow.aslant > 0.0 && !rupture && self != Self::CornealAbrasion,
-                "from the side this place is a ring around the blow, not the anatomical one",
-            ),
+        let hold = [
+            rupture && blow.goes_in,
+            self == Self::Hyphema && blow.sucks,
+            blow.wider > 0.0 && blow.energy.is_some(),
+            blow.wider > 0.0 && blow.energy.is_none(),
+            blow.round_rim > 0.0,
+            blow.aslant > 0.0 && !rupture && self != Self::CornealAbrasion,
         ];
-        all.into_iter()
-            .filter_map(|(holds, note)| holds.then_some(note))
+        let notes = NOTES.iter().zip(hold);
+        notes
+            .filter_map(|((note, _), holds)| holds.then_some(*note))
             .collect()
     }
 }

@@ -172,7 +172,7 @@ impl fmt::Display for Figure {
 }
 
 /// What the damage index means.
-pub const SCALE: &str = "100 = the paper's worst";
+pub const SCALE: &str = "100 = worst in the paper";
 
 /// Why the damage index means nothing, and what to do; none where it is usable.
 pub fn unusable(answer: &Answer) -> Option<String> {
@@ -193,7 +193,7 @@ pub fn times_its_limit(figure: &Figure, value: f64, term: Term) -> String {
             Some(off.percent().unwrap_or_default().max(PART_PERCENT)),
         ),
     };
-    format!("{times} x its limit")
+    format!("{times} times its limit")
 }
 
 /// A part of the index is shown no finer than to this error, in %.

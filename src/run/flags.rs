@@ -78,6 +78,33 @@ pub enum FlagKind {
 }
 
 impl FlagKind {
+    /// What happened, in a few words for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::MeshFolded => "the computed tissue folded",
+            Self::MeshNearlyFolded => "the computed tissue nearly folded",
+            Self::FinerMeshFolds => "on a finer mesh it folds",
+            Self::EnergyImbalance => "the energies do not add up",
+            Self::NotPredictable => "not predictable",
+            Self::Unconverged => "the time step is too long",
+            Self::LostInRounding => "lost in rounding",
+            Self::WindowShort => "still rising at the end",
+            Self::WindowCapped => "not watched to the end",
+            Self::PulseCut => "the force outlasts the run",
+            Self::ArcUnresolved => "arc finer than the mesh",
+            Self::BoneShields => "bone shields a part",
+            Self::SurfaceCrushed => "object crushed flat",
+            Self::WentPast => "object went past the eye",
+            Self::BeyondTests => "flatter than any tested eye",
+            Self::EyeFlat => "eye pressed flat",
+            Self::RimStops => "bone stopped the object",
+            Self::BoneMayBreak => "bone may break",
+            Self::EyeMissed => "the eye was missed",
+            Self::AngleBeyondTrust => "too far from the side",
+            Self::ContactCut => "still touching at the end",
+        }
+    }
+
     /// Name as used in JSON.
     pub fn name(self) -> &'static str {
         match self {

@@ -169,22 +169,22 @@ impl Quantity {
             Self::ShellGrowth => Row {
                 factor: 1e2,
                 trace: Some(trace(
-                    "shell growth S",
+                    "wall growth S",
                     "scleral_growth_percent",
                     |t| &t.shell_growth,
                     (Group::Motion, 2),
                 )),
-                ..number("scleral_growth_percent", "S shell growth", "S", "%")
+                ..number("scleral_growth_percent", "wall growth S", "S", "%")
             },
             Self::MeridianGrowth => Row {
                 factor: 1e2,
                 trace: Some(trace(
-                    "meridian growth M",
+                    "width growth M",
                     "meridian_growth_percent",
                     |t| &t.meridian_growth,
                     (Group::Motion, 3),
                 )),
-                ..number("meridian_growth_percent", "M meridian growth", "M", "%")
+                ..number("meridian_growth_percent", "width growth M", "M", "%")
             },
             Self::Energy => Row {
                 rounding: 1e-16,
@@ -194,62 +194,60 @@ impl Quantity {
                     |t| &t.work,
                     (Group::Energies, 3),
                 )),
-                ..number("energy_imparted_j", "E energy imparted", "E", "J")
+                ..number("energy_imparted_j", "energy imparted E", "E", "J")
             },
             Self::Apex => Row {
                 factor: 1e3,
                 leads: Leads::Always,
-                trace: Some(trace("apex", "apex_mm", |t| &t.apex, (Group::Motion, 1))),
-                ..number("apex_displacement_mm", "corneal apex", "apex", "mm")
+                trace: Some(trace(
+                    "cornea pushed in",
+                    "apex_mm",
+                    |t| &t.apex,
+                    (Group::Motion, 1),
+                )),
+                ..number(
+                    "apex_displacement_mm",
+                    "cornea pushed in",
+                    "pushed in",
+                    "mm",
+                )
             },
             Self::ForceCentre => Row {
                 // Far smoother than those of the shell, and really better.
                 family: Family::Alone,
-                trace: Some(
-                    trace(
-                        "centre",
-                        "force_centre_n",
-                        |t| &t.force[Monitor::Centre as usize],
-                        (Group::NodeForces, 0),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "centre",
+                    "force_centre_n",
+                    |t| &t.force[Monitor::Centre as usize],
+                    (Group::NodeForces, 0),
+                )),
                 ..node_force("peak_force_centre_n", "peak force, centre", "centre")
             },
             Self::ForceFront => Row {
-                trace: Some(
-                    trace(
-                        "front",
-                        "force_front_n",
-                        |t| &t.force[Monitor::Front as usize],
-                        (Group::NodeForces, 1),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "front",
+                    "force_front_n",
+                    |t| &t.force[Monitor::Front as usize],
+                    (Group::NodeForces, 1),
+                )),
                 ..node_force("peak_force_front_n", "peak force, front", "front")
             },
             Self::ForceRight => Row {
-                trace: Some(
-                    trace(
-                        "right",
-                        "force_right_n",
-                        |t| &t.force[Monitor::Right as usize],
-                        (Group::NodeForces, 2),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "right",
+                    "force_right_n",
+                    |t| &t.force[Monitor::Right as usize],
+                    (Group::NodeForces, 2),
+                )),
                 ..node_force("peak_force_right_n", "peak force, right", "right")
             },
             Self::ForceTop => Row {
-                trace: Some(
-                    trace(
-                        "top",
-                        "force_top_n",
-                        |t| &t.force[Monitor::Top as usize],
-                        (Group::NodeForces, 3),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "top",
+                    "force_top_n",
+                    |t| &t.force[Monitor::Top as usize],
+                    (Group::NodeForces, 3),
+                )),
                 ..node_force("peak_force_top_n", "peak force, top", "top")
             },
             Self::StoredEnergy => Row {
@@ -266,29 +264,23 @@ impl Quantity {
             Self::Pressure => Row {
                 factor: 1e-6,
                 leads: Leads::Always,
-                trace: Some(
-                    trace(
-                        "pressure",
-                        "pressure_mpa",
-                        |t| &t.pressure,
-                        (Group::Inside, 0),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "pressure",
+                    "pressure_mpa",
+                    |t| &t.pressure,
+                    (Group::Inside, 0),
+                )),
                 ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
             },
             Self::Contact => Row {
                 rounding: FORCE_ROUNDING,
                 leads: Leads::Always,
-                trace: Some(
-                    trace(
-                        "contact",
-                        "contact_force_n",
-                        |t| &t.contact_force,
-                        (Group::Projectile, 0),
-                    )
-                    .with_spark(),
-                ),
+                trace: Some(trace(
+                    "contact",
+                    "contact_force_n",
+                    |t| &t.contact_force,
+                    (Group::Projectile, 0),
+                )),
                 ..number("peak_contact_force_n", "contact force", "contact", "N")
             },
             Self::BackPressure => Row {
@@ -303,7 +295,7 @@ impl Quantity {
                 ..number(
                     "peak_back_pressure_mpa",
                     "pressure at back",
-                    "p back",
+                    "at back",
                     "MPa",
                 )
             },
@@ -327,7 +319,7 @@ impl Quantity {
                     |t| &t.shortening,
                     (Group::Motion, 4),
                 )),
-                ..number("shortening_percent", "shortening", "shorter", "%")
+                ..number("shortening_percent", "eye shortened by", "squashed", "%")
             },
             Self::Intrusion => Row {
                 factor: 1e3,
@@ -337,7 +329,7 @@ impl Quantity {
                     |t| &t.intrusion,
                     (Group::Projectile, 5),
                 )),
-                ..number("intrusion_mm", "object intrusion", "intrude", "mm")
+                ..number("intrusion_mm", "object goes in", "goes in", "mm")
             },
             Self::LensWay => Row {
                 factor: 1e3,
@@ -356,7 +348,7 @@ impl Quantity {
                     0,
                     |t| &t.tissue[0],
                 )),
-                ..number("equator_stretch_percent", "equator stretch", "equator", "%")
+                ..number("equator_stretch_percent", "equator stretch", "stretch", "%")
             },
             Self::BackStretch => Row {
                 leads: Leads::Watched,
@@ -364,7 +356,7 @@ impl Quantity {
                 trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| {
                     &t.tissue[1]
                 })),
-                ..number("back_stretch_percent", "stretch at back", "back", "%")
+                ..number("back_stretch_percent", "stretch at back", "back wall", "%")
             },
             Self::EdgeGrowth => Row {
                 leads: Leads::Watched,
@@ -372,7 +364,12 @@ impl Quantity {
                 trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| {
                     &t.tissue[2]
                 })),
-                ..number("edge_growth_percent", "retina edge growth", "edge", "%")
+                ..number(
+                    "edge_growth_percent",
+                    "retina edge growth",
+                    "ret. edge",
+                    "%",
+                )
             },
             Self::LensPull => Row {
                 leads: Leads::Watched,
@@ -398,9 +395,9 @@ impl Quantity {
             },
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
             Self::RetinaBack => risk("retina_back_percent", "retina at the back", "retina"),
-            Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ora"),
+            Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret. front"),
             Self::LensDislocation => {
-                risk("lens_dislocation_percent", "lens dislocation", "lens off")
+                risk("lens_dislocation_percent", "lens dislocation", "lens torn")
             }
             Self::Hyphema => risk("hyphema_percent", "hyphema", "hyphema"),
             Self::CornealAbrasion => {

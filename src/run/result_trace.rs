@@ -33,11 +33,9 @@ pub struct ResultTrace {
     pub values: fn(&Traces) -> &[f64],
     /// What it is looked at with, and its place there.
     pub place: (Group, u8),
-    /// Whether a small plot of it is drawn beside the eye.
-    pub spark: bool,
 }
 
-/// A trace without a small plot beside the eye.
+/// A trace.
 pub(crate) const fn trace(
     label: &'static str,
     column: &'static str,
@@ -49,16 +47,5 @@ pub(crate) const fn trace(
         column,
         values,
         place,
-        spark: false,
-    }
-}
-
-impl ResultTrace {
-    /// This trace with a small plot beside the eye.
-    pub(crate) const fn with_spark(self) -> Self {
-        Self {
-            spark: true,
-            ..self
-        }
     }
 }

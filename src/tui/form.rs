@@ -49,8 +49,8 @@ pub struct Typing {
     pub field: &'static Field,
     /// The text so far.
     pub input: TextLine,
-    /// What Esc restores.
-    pub before: Scenario,
+    /// Whether it began with nothing: then a sideways arrow accepts, it moves in no text.
+    pub fresh: bool,
     /// What is wrong with the text so far.
     pub error: Option<String>,
 }
@@ -153,6 +153,16 @@ impl ScenarioForm {
             self.move_cursor(scenario, 0);
         }
     }
+}
+
+/// The row of how hard the blow is: the speed of an object, the peak of a force.
+pub fn strength(scenario: &Scenario) -> FormRow {
+    let rows = rows(scenario, false).into_iter();
+    let mut strengths = rows.filter(|row| {
+        matches!(row, FormRow::Field(field)
+            if ["impact.speed_m_s", "impact.force_n"].contains(&field.path))
+    });
+    strengths.next().unwrap_or(FormRow::Preset)
 }
 
 /// What a field accepts, in the words of the form.

@@ -11,6 +11,7 @@
 
 pub mod app;
 mod changes;
+pub mod changing;
 pub mod choices;
 pub mod clock;
 pub mod config;

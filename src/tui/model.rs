@@ -6,7 +6,7 @@ use crate::scenario::Scenario;
 use crate::tui::choices::Choice;
 use crate::tui::clock::Clock;
 use crate::tui::ensemble::Samples;
-use crate::tui::form::ScenarioForm;
+use crate::tui::form::{ScenarioForm, strength};
 use crate::tui::guest;
 use crate::tui::keys::chosen::Keys;
 use crate::tui::look::Look;
@@ -35,6 +35,8 @@ pub struct AppModel {
     pub form: ScenarioForm,
     /// The last good result, if there ever was one.
     pub shown: Option<ShownAnswer>,
+    /// What that is the answer to, with the name it had.
+    pub answered: Option<Work>,
     /// The answer to the newest edit.
     pub run: Task<Simulate>,
     /// What the ranges of the answer on show do not hold yet.
@@ -47,6 +49,9 @@ pub struct AppModel {
     pub clock: Clock,
     /// Samples over what is not known of the inputs.
     pub ensemble: Samples,
+    /// Removed presets, the last of them last: how many changes could be undone then, the name,
+    /// and the file's text.
+    pub removed: Vec<(usize, String, String)>,
     /// What can be opened.
     pub choices: Vec<Choice>,
     /// Said in the footer until the next key.
@@ -74,17 +79,23 @@ pub struct AppModel {
 impl AppModel {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
+        let form = ScenarioForm {
+            selected: strength(&work.scenario),
+            ..ScenarioForm::default()
+        };
         Self {
             work,
             history: History::default(),
-            form: ScenarioForm::default(),
+            form,
             shown: None,
+            answered: None,
             run: Task::default(),
             rest: Task::default(),
             page: Task::default(),
             overlay: None,
             clock: Clock::default(),
             ensemble: Samples::default(),
+            removed: Vec::new(),
             choices,
             notice: None,
             slow_link: false,
@@ -129,11 +140,6 @@ impl AppModel {
 
     /// Why the result on show is not that of the form, if it is not.
     pub fn stale(&self) -> Option<&'static str> {
-        let typing_fails = self
-            .form
-            .typing
-            .as_ref()
-            .is_some_and(|typing| typing.error.is_some());
         let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
         if self.shown.as_ref().is_some_and(|shown| {
             other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
@@ -145,7 +151,6 @@ impl AppModel {
         }
         match &self.run.job {
             Some(job) if job.pace.is_some() => Some("previous result"),
-            _ if typing_fails => Some("last good result"),
             Some(_) => None,
             None => self
                 .shown

@@ -15,6 +15,8 @@ pub enum Effect {
     Rename(String, String),
     /// Remove the preset of this name.
     Remove(String),
+    /// Bring a removed preset back: name, text.
+    Restore(String, String),
     /// Write a page: the beginning of its file's name, and its text.
     Page(String, Vec<u8>),
     /// Put this on the clipboard.

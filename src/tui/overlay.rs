@@ -1,6 +1,7 @@
 //! What can stand in front of a screen: the keys, a list, a name that is typed, a question.
 
 use crate::scenario::Scenario;
+use crate::tui::changing::Changing;
 use crate::tui::line::TextLine;
 use crate::tui::picker::Picker;
 use crate::tui::threshold::Asking;
@@ -13,6 +14,8 @@ pub enum Overlay {
     Picker(Picker),
     /// At which value of a number does a result reach this?
     Threshold(Box<Asking>),
+    /// A field of a marked preset is being changed.
+    Change(Box<Changing>),
     /// A name is being typed, and what is wrong with it.
     Name(Naming, TextLine, Option<String>),
     /// Something is asked.
@@ -28,6 +31,9 @@ pub enum Naming {
     Rename(String),
 }
 
+/// Bytes of a page from which on it is asked first.
+pub const MEGABYTE: usize = 1_000_000;
+
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Prompt {
@@ -39,6 +45,8 @@ pub enum Prompt {
     Hide(String),
     /// Take over this scenario's mesh level, integrator and step? The words say what it costs.
     Adopt(String, Box<Scenario>),
+    /// Write this page, with the beginning of its file's name, though it is large?
+    Page(String, Vec<u8>),
     /// Quit without saving? The next start may bring the changes back.
     Quit {
         /// Whether the next start brings them back.
@@ -53,6 +61,7 @@ impl Prompt {
             Self::Remove(name) => format!("Remove the preset {name}?"),
             Self::Replace(name) => format!("Replace the preset {name}?"),
             Self::Hide(name) => format!("Save over the built-in {name}?"),
+            Self::Page(..) => "Write the page?".to_owned(),
             Self::Adopt(..) => "Compute it so?".to_owned(),
             Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
         }
@@ -62,7 +71,9 @@ impl Prompt {
     pub fn text(&self) -> String {
         match self {
             Self::Remove(name) => {
-                format!("This removes your preset {name} from the disk, for good. Remove it?")
+                format!(
+                    "This removes your preset {name} from the disk. Remove it? u brings it back."
+                )
             }
             Self::Replace(name) => {
                 format!("There is a preset {name} already. Put this one in its place?")
@@ -70,6 +81,14 @@ impl Prompt {
             Self::Hide(name) => format!(
                 "{name} comes with the program. A preset of your own of that name hides it. Save it?"
             ),
+            Self::Page(stem, text) => {
+                let folder = std::env::current_dir().unwrap_or_default();
+                let size = text.len() as f64 / MEGABYTE as f64;
+                format!(
+                    "{stem}.html of {size:.1} MB goes into {}. Write it?",
+                    folder.display()
+                )
+            }
             Self::Adopt(words, _) => words.clone(),
             Self::Quit { kept: false } => {
                 "The changes are not saved. Quit and lose them?".to_owned()

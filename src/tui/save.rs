@@ -104,7 +104,7 @@ pub fn rename(folder: &Path, from: &str, to: &str) -> Result<(), SaveError> {
     let text = fs::read_to_string(folder.join(format!("{from}.ron")))
         .map_err(|error| SaveError::Kept(error.to_string()))?;
     save(folder, to, &retitled(text, (from, to), folder), false)?;
-    remove(folder, from)
+    remove(folder, from).map(|_| ())
 }
 
 /// The text of a preset with another title, where its title is `from` and is written plainly.
@@ -123,14 +123,15 @@ fn retitled(text: String, (from, to): (&str, &str), folder: &Path) -> String {
     }
 }
 
-/// Removes the preset `name` of `folder`.
+/// Removes the preset `name` of `folder`; gives its text, from which it can be saved again.
 ///
 /// # Errors
 /// Says what went wrong; then it is still there.
-pub fn remove(folder: &Path, name: &str) -> Result<(), SaveError> {
+pub fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
     check_name(name)?;
-    fs::remove_file(folder.join(format!("{name}.ron")))
-        .map_err(|error| SaveError::Kept(error.to_string()))
+    let path = folder.join(format!("{name}.ron"));
+    let removed = fs::read_to_string(&path).and_then(|text| fs::remove_file(&path).map(|()| text));
+    removed.map_err(|error| SaveError::Kept(error.to_string()))
 }
 
 /// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives
@@ -264,7 +265,7 @@ mod tests {
         assert_eq!(names(folder.path()), ["else.ron", "my blow.ron"]);
         assert_eq!(read("else.ron"), "(name: \"Mine\", broken");
         for name in ["else", "my blow"] {
-            assert_eq!(remove(folder.path(), name), Ok(()));
+            assert!(remove(folder.path(), name).is_ok_and(|text| !text.is_empty()));
         }
         assert!(matches!(
             remove(folder.path(), "else"),

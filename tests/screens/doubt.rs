@@ -144,9 +144,9 @@ fn numbers_of_any_length_stand_apart() {
         let text = picture(&app, size);
         for (name, value) in [
             ("damage index", "3.48e-16"),
-            ("S shell growth %", "-0.00630"),
-            ("M meridian growth %", "-1.0e-13"),
-            ("E energy imparted J", "123457"),
+            ("wall growth S %", "-0.00630"),
+            ("width growth M %", "-1.0e-13"),
+            ("energy imparted E J", "123457"),
         ] {
             let words: Vec<&str> = line_from(&text, name)[name.len()..]
                 .split_whitespace()
@@ -171,7 +171,7 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
     press(&mut app, "\x1b1");
     for size in SIZES {
         let text = picture(&app, size);
-        let line = line_from(&text, "inputs unknown: ");
+        let line = line_from(&text, "inputs in doubt: ");
         let whole = line.contains("(90 % of 24 of 1000)");
         assert!(whole || size.0 == 60 && line.contains('*'), "{line}");
     }
@@ -179,7 +179,7 @@ fn a_band_of_fewer_samples_than_were_asked_for_is_marked() {
     app.model.ensemble.done = Some((done.0, stopped.into()));
     for size in SIZES {
         let text = picture(&app, size);
-        let line = line_from(&text, "inputs unknown: ");
+        let line = line_from(&text, "inputs in doubt: ");
         assert!(!line.contains('*'), "{line}");
     }
 }

@@ -122,21 +122,24 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     shown.answer = Arc::new(answer);
     let index = shown.answer.index();
     let parts = [
-        ("S shell", index.shell_growth / SHELL.threshold),
-        ("M meridian", index.meridian_growth / MERIDIAN.threshold),
-        ("E energy", index.energy / ENERGY.threshold),
+        ("S", index.shell_growth / SHELL.threshold),
+        ("M", index.meridian_growth / MERIDIAN.threshold),
+        ("E", index.energy / ENERGY.threshold),
     ];
     assert!(parts[2].1 > 200.0);
     for size in SIZES {
         let text = picture(&app, size);
         for (name, times) in parts {
-            let line = line_from(&text, name);
-            let before = line.split(" x ").next().unwrap();
-            let shown: f64 = before.split_whitespace().last().unwrap().parse().unwrap();
-            assert!((shown / times - 1.0).abs() < 0.05, "{line}");
-            assert!(line.contains("limit"), "{line}");
+            let lines = text
+                .lines()
+                .filter(|line| line.contains(&format!("{name} ")));
+            let near = |word: &str| {
+                let value: Option<f64> = word.trim_end_matches(',').parse().ok();
+                value.is_some_and(|value| (value / times - 1.0).abs() < 0.06)
+            };
+            let said = lines.flat_map(str::split_whitespace).any(near);
+            assert!(said, "{name} {times}\n{text}");
         }
-        assert!(line_from(&text, "Index ").contains("(100 = "), "{text}");
     }
 }
 
@@ -249,7 +252,7 @@ fn what_a_folded_mesh_makes_of_a_risk_is_said_beside_it() {
     let mut app = app(&["golf-ball"], Depth::Mono);
     press(&mut app, "\x1b8");
     for size in SIZES {
-        assert!(picture(&app, size).contains("FLAGS mesh folded"));
+        assert!(picture(&app, size).contains("! the computed tissue folded"));
     }
 }
 
@@ -258,7 +261,7 @@ fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
     let app = app(&["bb-56"], Depth::Mono);
     for size in [(80, 24), (60, 20)] {
         let text = picture(&app, size);
-        for name in ["centre", "front", "right", "top ", "press", "contact"] {
+        for name in ["contact", "press", "stretch"] {
             let line = line_from(&text, name);
             assert!(line.contains('±'), "{line}");
         }
@@ -268,7 +271,7 @@ fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
         .lines()
         .filter(|line| line.ends_with("ms"))
         .count();
-    assert!(times >= 5, "{text}");
+    assert!(times >= 4, "{text}");
 }
 
 /// States whose pictures are taken at 80 x 24 only: what they must say, they say at every size.
@@ -289,7 +292,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     };
     said(
         &after(&[], "ajjjjjjjj\r-"),
-        &["▸Name", "1 to 80", "Enter accept  Esc cancel"],
+        &["▸Name", "1 to 80", "Enter accept", "Esc restore"],
     );
     said(
         &after(&["paper-600n"], &("L".repeat(30) + "\tKK")),
@@ -308,12 +311,12 @@ fn what_a_state_must_say_is_said_at_every_size() {
         &after(&[], "\x1b8"),
         &[
             "Paper's index",
-            "(100 = the paper's worst)",
+            "(100 = worst in the paper)",
             "not told: the section",
         ],
     );
     said(
-        &after(&["fist"], "jjjjj.3\r\x1b2"),
+        &after(&["fist"], ".3\r\x1b2"),
         &["Now", "contact", "Physiological model"],
     );
     said(
@@ -381,6 +384,24 @@ fn nothing_is_cut_where_a_terminal_is_small() {
     }
 }
 
+/// The names of the injuries where there is room for them, and where there is not.
+const LONG: [&str; 6] = [
+    "globe rupture",
+    "retina at the back",
+    "retina's front edge",
+    "lens dislocation",
+    "hyphema",
+    "corneal abrasion",
+];
+const SHORT: [&str; 6] = [
+    "globe rupture",
+    "retina, back",
+    "retina, edge",
+    "lens torn off",
+    "hyphema",
+    "abrasion",
+];
+
 #[test]
 fn what_stands_behind_a_risk_ends_with_a_whole_sentence_however_small_the_terminal() {
     for preset in ["squash-ball", "bb-62", "soccer-ball", "golf-ball"] {
@@ -394,16 +415,15 @@ fn what_stands_behind_a_risk_ends_with_a_whole_sentence_however_small_the_termin
                 assert!(said.trim_end().ends_with('.'), "{preset} {size:?}\n{text}");
                 assert!(signs.contains("eye doctor"), "{text}");
                 let lines: Vec<&str> = text.lines().collect();
-                for injury in Injury::ALL {
-                    assert!(
-                        lines.iter().any(|line| line.contains(injury.name())),
-                        "{text}"
-                    );
+                let names = if size.0 < 80 { SHORT } else { LONG };
+                for name in names {
+                    assert!(lines.iter().any(|line| line.contains(name)), "{text}");
                 }
                 let words: Vec<&str> = said.split_whitespace().collect();
                 let matched = words.join(" ").to_lowercase().contains("matched to");
                 assert!(matched || size == (60, 20), "{text}");
-                assert!(text.contains(&format!("▸{}", injury.name())), "{text}");
+                let name = names[*injury as usize];
+                assert!(text.contains(&format!("▸{name}")), "{text}");
             }
             press(&mut app, "j");
         }
@@ -423,19 +443,24 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
                 text.contains("still counting") || keys == "\x1b4 ",
                 "{text}"
             );
+            if keys == "\x1b4 " {
+                // One row says the gravest.
+                continue;
+            }
             for risk in &risks {
-                let (name, percent) = (risk.injury.name(), risk.percent());
-                let line = text
-                    .lines()
-                    .find(|line| line.contains(name) && line.contains(&percent));
-                if keys == "\x1b4 " {
-                    // One row says the gravest.
-                    continue;
-                }
-                assert!(
-                    line.unwrap_or_else(|| panic!("{name} {percent}\n{text}"))
-                        .contains(&risk.word())
-                );
+                let place = risk.injury as usize;
+                let names = [LONG[place], SHORT[place]];
+                let percent = risk.percent().replace("at least ", "≥");
+                let percent = percent.replace("under ", "<").replace("over ", ">");
+                let mut lines = text.lines();
+                let here = |line: &&str| {
+                    names.iter().any(|name| line.contains(name)) && line.contains(&percent)
+                };
+                let line = lines.find(here);
+                let line = line.unwrap_or_else(|| panic!("{names:?} {percent}\n{text}"));
+                let short = risk.word().replace(" to almost certain", "-certain");
+                let words = [risk.word(), short.replace(" to ", "-")];
+                assert!(words.iter().any(|word| line.contains(word)), "{line}");
             }
         }
     }
@@ -446,7 +471,7 @@ fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
     for preset in ["squash-ball", "bb-62", "paintball", "soccer-ball"] {
         let text = picture(&app(&[preset], Depth::Mono), (80, 24));
         for word in [
-            "globe rupture: ",
+            "globe rupture ",
             "retina",
             "edge",
             "lens",
@@ -455,7 +480,8 @@ fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
         ] {
             assert!(text.contains(word), "{word}\n{text}");
         }
-        assert!(text.contains("eye doctor today"), "{text}");
+        let words: Vec<&str> = text.split_whitespace().collect();
+        assert!(words.join(" ").contains("eye doctor today"), "{text}");
     }
 }
 
@@ -464,6 +490,9 @@ fn every_node_has_one_name_and_its_peak_is_visited() {
     for screen in ["1\t", "2", "3"] {
         let mut app = app(&["bb-62"], Depth::Mono);
         press(&mut app, &format!("\x1b{screen}"));
+        if screen.starts_with('1') {
+            press(&mut app, "f");
+        }
         let mut visited = std::collections::BTreeSet::new();
         let shown = app.model.shown.as_ref().unwrap();
         let peaks = [
@@ -492,17 +521,17 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
     for words in [
         "80 % ranges",
         "eye doctor today",
-        "; like a BB at",
+        "half are hurt at",
         "globe rupture",
-        "corneal abrasion",
-        "pressure, MPa",
+        "abrasion",
+        "scleral stress, MPa",
         "peak",
     ] {
         assert!(text.contains(words), "{words}\n{text}");
     }
     let text = picture(&app(&[], Depth::Mono), (160, 50));
     assert!(
-        text.contains("load, N") && text.contains("What to believe"),
+        text.contains("wall growth S, %") && text.contains("not told"),
         "{text}"
     );
 }

@@ -2,8 +2,9 @@
 
 use crate::run::trace::Trace;
 use crate::tui::app::App;
-use crate::tui::changes::{edit, presets, take_away, threshold, typing};
+use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
 use crate::tui::clock::Moment;
+use crate::tui::form::strength;
 use crate::tui::line::TextLine;
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
@@ -62,6 +63,9 @@ pub(crate) fn scroll(app: &mut App, by: i16) {
     if let Some(Overlay::Help(line)) = &mut model.overlay {
         *line = line.saturating_add_signed(by);
     }
+    if let Some(Overlay::Change(what)) = &mut model.overlay {
+        what.go(isize::from(by));
+    }
     if let Some(Overlay::Picker(picker)) = &mut model.overlay {
         picker.move_cursor(isize::from(by));
     }
@@ -80,6 +84,9 @@ pub(crate) fn accept(app: &mut App) {
                 Some(at) => {
                     model.overlay = None;
                     presets::open(model, at);
+                    model.form.selected = strength(&model.work.scenario);
+                    // The screen of the form is the first, its form the first pane.
+                    app.screens[0].show_pane(0);
                 }
                 None => {}
             }
@@ -92,8 +99,25 @@ pub(crate) fn accept(app: &mut App) {
             }
         }
         Some(Overlay::Threshold(_)) => threshold::accept(model),
+        Some(Overlay::Change(what)) => {
+            let name = what.name.clone();
+            let outcome = what.changed();
+            match outcome.and_then(|new| model.allows(&new).map(|()| new)) {
+                Ok(scenario) => {
+                    model.overlay = None;
+                    app.screens[app.screen].take_changed(model, &name, &scenario);
+                }
+                Err(why) => {
+                    if let Some(Overlay::Change(what)) = &mut model.overlay {
+                        what.error = Some(why);
+                    }
+                }
+            }
+        }
         Some(_) => {}
-        None => typing::accept(model),
+        None => {
+            typing::accept(model);
+        }
     }
 }
 
@@ -112,14 +136,13 @@ pub(crate) fn cancel(app: &mut App) {
         Some(_) => return,
         None => {}
     }
-    if let Some(typing) = model.form.typing.take() {
-        let work = model.work.with(typing.before);
-        edit::set_work(model, work);
-    } else if model.page.stop(None, &mut model.out) {
+    if model.form.typing.take().is_some() {
+        return;
+    }
+    if model.page.stop(None, &mut model.out) {
         model.notice = Some("no page is written".to_owned());
     } else if !app.screens[app.screen].cancel(model) {
-        // Its worker says that it was cancelled.
-        model.run.end(&mut model.out);
+        simulation::cancel(model);
     }
 }
 
@@ -129,6 +152,13 @@ pub(crate) fn reply(app: &mut App, yes: bool) {
     match model.overlay.take() {
         Some(Overlay::Prompt(Prompt::Adopt(_, scenario))) if yes => {
             edit::adopt(model, *scenario);
+        }
+        Some(Overlay::Prompt(Prompt::Page(stem, text))) => {
+            if yes {
+                model.out.effects.push(Effect::Page(stem, text));
+            } else {
+                model.notice = Some("no page is written".to_owned());
+            }
         }
         Some(Overlay::Prompt(Prompt::Quit { .. })) if yes => {
             model.out.effects.push(Effect::Quit(0));

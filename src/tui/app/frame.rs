@@ -78,7 +78,7 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
     // Where room is short the program's name gives way, then the question of the screen on show,
     // then the space between the names of the screens, then those of the others.
     let label = |place: usize, screen: &About, (form, asks): (Form, bool)| {
-        let (number, title) = (place + 1, screen.title);
+        let (number, title) = (format!("F{}", place + 1), screen.title);
         match form {
             _ if place == app.screen && asks => {
                 format!("[{number} {title}: {}]", screen.question)
@@ -103,7 +103,7 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
         ((Form::Tight, false), MARK),
         ((Form::Brief, true), name),
     ];
-    let fits = |(form, name): &((Form, bool), u16)| length(*form) + name < columns;
+    let fits = |(form, name): &((Form, bool), u16)| length(*form) + name <= columns;
     let form = candidates.into_iter().find(fits);
     let form = form.map_or((Form::Brief, false), |(form, _)| form);
     let named = columns.saturating_sub(length((Form::Wide, true)) + name) > text::width(PROGRAM);

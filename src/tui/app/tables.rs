@@ -1,16 +1,17 @@
 //! The keys that belong to no pane: those of every screen, those of time, and those of what stands
 //! in front of a screen; and all tables together.
 
-use crossterm::event::KeyCode;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::app::{App, actions};
-use crate::tui::changes::{edit, presets, threshold};
+use crate::tui::changes::{edit, presets, threshold, typing};
 use crate::tui::keys;
 use crate::tui::keys::chosen::{Clash, Keys};
 #[cfg(unix)]
 use crate::tui::keys::press::SUSPEND;
 use crate::tui::keys::press::{
-    BACK_TAB, DOWN, END, ENTER, ESC, HOME, PAGE_DOWN, PAGE_UP, Press, TAB, UP, alt, c, ctrl, plain,
+    BACK_TAB, DOWN, END, ENTER, ESC, HOME, LEFT, PAGE_DOWN, PAGE_UP, Press, RIGHT, TAB, UP, alt, c,
+    ctrl, plain,
 };
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::AppModel;
@@ -75,13 +76,14 @@ pub(crate) static EVERYWHERE: KeyTable<AppAct> = KeyTable::new("Everywhere", &[
     LEAVE,
 ]);
 
-/// The keys of each screen: its number alone, with Alt, and as a function key.
+/// The keys of each screen: a function key, its number with Alt, and alone, which types a value in
+/// the form.
 const SHOW_PRESSES: [[Press; 3]; SCREENS.len()] = {
     let mut presses = [[ESC; 3]; SCREENS.len()];
     let mut i = 0;
     while i < presses.len() {
         let digit = (b'1' + i as u8) as char;
-        presses[i] = [c(digit), alt(digit), plain(KeyCode::F(1 + i as u8))];
+        presses[i] = [plain(KeyCode::F(1 + i as u8)), alt(digit), c(digit)];
         i += 1;
     }
     presses
@@ -132,6 +134,20 @@ static TYPING: KeyTable<AppAct> = KeyTable::new("Typing", &[
     STOP,
 ]);
 
+/// While a value of the form is typed.
+#[rustfmt::skip]
+static VALUE: KeyTable<AppAct> = KeyTable::new("Typing a value", &[
+    bind(&[ENTER], actions::accept, "accept", "accept; until then nothing changes"),
+    bind(&[UP, BACK_TAB], |a| typing::accept_and_move(&mut a.model, -1), "", "accept, and the field above"),
+    bind(&[DOWN, TAB], |a| typing::accept_and_move(&mut a.model, 1), "accept, next", "accept, and the field below"),
+    bind(&[LEFT], |a| typing::sideways(&mut a.model, KeyCode::Left), "", "through the text; after a digit: accept"),
+    bind(&[RIGHT], |a| typing::sideways(&mut a.model, KeyCode::Right), "", "the same"),
+    bind(&[ESC], actions::cancel, "restore", "leave it as it was; F1 to F8 accept and show a screen"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
 /// In the list of presets to open.
 #[rustfmt::skip]
 static PICKER: KeyTable<AppAct> = KeyTable::new("List of presets", &[
@@ -159,6 +175,18 @@ static MARKER: KeyTable<AppAct> = KeyTable::new("Compare: find", &[
     bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten presets down"),
     bind(&[ENTER], actions::accept, "mark", "mark or unmark it, and find the next"),
     bind(&[ESC], actions::cancel, "close", "close the list; letters are searched for"),
+    LEAVE,
+    #[cfg(unix)]
+    STOP,
+]);
+
+/// While a field of a marked preset is changed.
+#[rustfmt::skip]
+static CHANGING: KeyTable<AppAct> = KeyTable::new("Compare: a value", &[
+    bind(&[UP, BACK_TAB], |a| actions::scroll(a, -1), "field", "the field above"),
+    bind(&[DOWN, TAB], |a| actions::scroll(a, 1), "&", "the field below"),
+    bind(&[ENTER], actions::accept, "take", "compare it with this value"),
+    bind(&[ESC], actions::cancel, "leave", "leave it as it was"),
     LEAVE,
     #[cfg(unix)]
     STOP,
@@ -201,7 +229,9 @@ static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
 ]);
 
 /// The tables of what can stand in front of a screen.
-static IN_FRONT: [&KeyTable<AppAct>; 6] = [&TYPING, &PICKER, &MARKER, &THRESHOLD, &QUESTION, &HELP];
+static IN_FRONT: [&KeyTable<AppAct>; 8] = [
+    &VALUE, &TYPING, &PICKER, &MARKER, &CHANGING, &THRESHOLD, &QUESTION, &HELP,
+];
 
 /// The keys of what stands in front of the screen now. Nothing behind it gets any.
 pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
@@ -209,11 +239,21 @@ pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
         Some(Overlay::Help(_)) => Some(&HELP),
         Some(Overlay::Picker(picker)) if picker.marked.is_some() => Some(&MARKER),
         Some(Overlay::Picker(_)) => Some(&PICKER),
+        Some(Overlay::Change(_)) => Some(&CHANGING),
         Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
         Some(Overlay::Name(..)) => Some(&TYPING),
         Some(Overlay::Prompt(_)) => Some(&QUESTION),
-        None => model.form.typing.is_some().then_some(&TYPING),
+        None => model.form.typing.is_some().then_some(&VALUE),
     }
+}
+
+/// The place of the screen that a key shows while a value is typed, which no letter does.
+pub(crate) fn shown_while_typing(model: &AppModel, event: KeyEvent) -> Option<usize> {
+    let letter =
+        matches!(event.code, KeyCode::Char(_)) && !event.modifiers.contains(KeyModifiers::ALT);
+    let behind = model.overlay.is_some() || letter;
+    let binding = SHOW.find(&model.keys, event).filter(|_| !behind)?;
+    Some(binding.act)
 }
 
 /// The tables of every screen that count behind the pane with the focus: those of time, if it has

@@ -140,6 +140,27 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
 }
 
 #[test]
+fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
+    let mut app = app();
+    answer(&mut app, 1);
+    press(&mut app, "ptennis\r");
+    assert_eq!(app.model.work.name(), "tennis-ball");
+    let speed = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
+    assert!(app.model.form.selected == speed, "its speed is next");
+    let ticket = running(&app);
+    let effects = press(&mut app, "\x1b");
+    assert!(effects[0] == Effect::Stop(ticket) && asked::<Simulate>(&effects).is_none());
+    assert_eq!(
+        (app.model.work.name(), app.model.stale()),
+        ("paper-300n", None)
+    );
+    let shown = app.model.shown.as_ref().unwrap();
+    assert_eq!(shown.scenario, app.model.work.scenario);
+    assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
+    assert_eq!(app.model.work.name(), "tennis-ball");
+}
+
+#[test]
 fn escape_cancels_a_run_and_an_edit_supersedes_it() {
     let mut app = app();
     assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
@@ -492,12 +513,18 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     assert_eq!(press(&mut app, &format!("{delete}n")), []);
     let effects = press(&mut app, &format!("{delete}y"));
     assert_eq!(effects, [Effect::Remove(hers.clone())]);
-    update(&mut app, Message::Removed(hers.clone(), Ok(())));
+    update(
+        &mut app,
+        Message::Removed(hers.clone(), Ok("its text".to_owned())),
+    );
     assert!(app.model.choices.iter().all(|choice| choice.name != hers));
     // What it held is still worked on under its name, and is not lost without a question.
     assert!(app.model.is_edited() && force(&app) == 310.0);
     assert_eq!(app.model.work.name(), "hers");
     press(&mut app, "\x1b");
+    let back = Effect::Restore(hers.clone(), "its text".to_owned());
+    assert_eq!(press(&mut app, "u"), [back]);
+    assert_eq!(force(&app), 310.0, "the removal came last");
     press(&mut app, "s");
     assert_eq!(offered(&app), "hers");
     press(&mut app, "\x1b");
@@ -506,6 +533,35 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
         app.model.overlay,
         Some(Overlay::Prompt(Prompt::Quit { .. }))
     ));
+}
+
+#[test]
+fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
+    let mut app = begun();
+    press(&mut app, "\x1b4/bb-62\r\x1b");
+    let names = |app: &App| -> Vec<String> {
+        let entries = &app.state::<Comparison>().entries;
+        entries.iter().map(|entry| entry.name.clone()).collect()
+    };
+    assert_eq!(names(&app), ["bb-62"]);
+    press(&mut app, "e-60\r");
+    assert!(app.model.overlay.is_some(), "no speed is below 0");
+    press(&mut app, "\x1560\r");
+    assert_eq!(
+        (names(&app), force(&app)),
+        (vec!["bb-62@60".to_owned()], 300.0)
+    );
+    let effects = press(&mut app, "e50\r");
+    let (_, asked) = asked::<SimulateMarked>(&effects).unwrap();
+    let Impact::Projectile(bb) = &asked.scenario.impact else {
+        panic!()
+    };
+    assert_eq!(bb.speed_m_s, 50.0);
+    // In the table another field of the same row; there and back is the preset again.
+    press(&mut app, "\te\x1b[A\x1b[A0.5\r");
+    assert_eq!(names(&app), ["bb-62@50,mass_g=0.5"]);
+    press(&mut app, "\x1b[Z ");
+    assert!(names(&app).is_empty(), "marking again unmarks");
 }
 
 #[test]

@@ -34,8 +34,8 @@ pub enum Message {
     Saved(String, Result<(), SaveError>),
     /// The preset of the first name has the second one, or not.
     Renamed(String, String, Result<(), SaveError>),
-    /// The preset of this name was removed, or not.
-    Removed(String, Result<(), SaveError>),
+    /// The preset of this name was removed, and its text, or not.
+    Removed(String, Result<String, SaveError>),
     /// These can be opened now.
     Choices(Vec<Choice>),
     /// What came of something that was done outside.
@@ -63,7 +63,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         Message::News(report) => take_report(app, report),
         Message::Saved(name, outcome) => presets::saved(model, name, outcome),
         Message::Renamed(from, to, outcome) => presets::renamed(model, &from, to, outcome),
-        Message::Removed(name, outcome) => presets::removed(model, &name, outcome),
+        Message::Removed(name, outcome) => presets::removed(model, name, outcome),
         Message::Choices(choices) => presets::replace_choices(model, choices),
         Message::Said(words) => model.notice = Some(words),
     }
@@ -102,7 +102,11 @@ fn key(app: &mut App, event: KeyEvent) {
     if let Some(table) = tables::in_front(&app.model) {
         match table.find(&app.model.keys, event) {
             Some(binding) => run(app, binding.act),
-            None => typing::key(&mut app.model, event),
+            None => match tables::shown_while_typing(&app.model, event) {
+                Some(place) if typing::accept(&mut app.model) => app.show(place),
+                Some(_) => {}
+                None => typing::key(&mut app.model, event),
+            },
         }
         return;
     }

@@ -4,6 +4,7 @@ use crate::scenario::Scenario;
 use crate::tui::changes::simulation;
 use crate::tui::form::words;
 use crate::tui::model::AppModel;
+use crate::tui::outbox::Effect;
 use crate::tui::simulation::is_alike;
 use crate::tui::work::Work;
 
@@ -33,8 +34,13 @@ pub(crate) fn set_work(model: &mut AppModel, work: Work) {
     }
 }
 
-/// Takes the last change back, or makes it again.
+/// Takes the last change back, or makes it again; a preset that was removed since comes first.
 pub(crate) fn travel(model: &mut AppModel, back: bool) {
+    let changes = model.history.depth().0;
+    if back && let Some((_, name, text)) = model.removed.pop_if(|(then, ..)| *then >= changes) {
+        model.out.effects.push(Effect::Restore(name, text));
+        return;
+    }
     let present = model.work.clone();
     let other = if back {
         model.history.undo(present)

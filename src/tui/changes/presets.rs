@@ -141,6 +141,7 @@ pub(crate) fn renamed(
         }
     };
     follow(&mut model.work);
+    model.answered.iter_mut().for_each(follow);
     model.history.amend(follow);
     if let Some(choice) = model.choices.iter_mut().find(|choice| choice.name == from) {
         choice.name.clone_from(&to);
@@ -156,9 +157,9 @@ pub(crate) fn renamed(
     open_picker_at(model, &to);
 }
 
-pub(crate) fn removed(model: &mut AppModel, name: &str, outcome: Result<(), SaveError>) {
+pub(crate) fn removed(model: &mut AppModel, name: String, outcome: Result<String, SaveError>) {
     match outcome {
-        Ok(()) => {
+        Ok(text) => {
             // What is worked on keeps its name, and is saved nowhere.
             let leave = |work: &mut Work| {
                 if work.source == name {
@@ -166,9 +167,11 @@ pub(crate) fn removed(model: &mut AppModel, name: &str, outcome: Result<(), Save
                 }
             };
             leave(&mut model.work);
+            model.answered.iter_mut().for_each(leave);
             model.history.amend(leave);
             model.choices.retain(|choice| choice.name != name);
-            model.notice = Some(format!("removed {name}"));
+            model.notice = Some(format!("removed {name}: Esc, then u brings it back"));
+            model.removed.push((model.history.depth().0, name, text));
         }
         Err(error) => model.notice = Some(error.to_string()),
     }

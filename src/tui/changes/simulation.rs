@@ -20,6 +20,26 @@ pub(crate) fn follow(model: &mut AppModel) {
             Arc::make_mut(&mut shown.answer).inputs = None;
         }
         shown.scenario.clone_from(scenario);
+        model.answered = Some(model.work.clone());
+    }
+}
+
+/// Gives up what the form asks for: the form goes back to what the answer on show is of. Without
+/// one the worker says that it was cancelled.
+pub(crate) fn cancel(model: &mut AppModel) {
+    let Some(answered) = model.answered.clone() else {
+        model.run.end(&mut model.out);
+        return;
+    };
+    if model.run.stop(None, &mut model.out) {
+        let left = std::mem::replace(&mut model.work, answered);
+        model.notice = Some(format!(
+            "back at {}: u goes on with the other",
+            model.work.name()
+        ));
+        model.history.record(left, "", model.now);
+        model.form.settle(&model.work.scenario);
+        follow(model);
     }
 }
 

@@ -4,6 +4,7 @@ use crate::report::command::{arguments, line};
 use crate::report::summary;
 use crate::tui::model::AppModel;
 use crate::tui::outbox::Effect;
+use crate::tui::overlay::{MEGABYTE, Overlay, Prompt};
 use crate::tui::page::WritePage;
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
@@ -71,8 +72,12 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.page.take_report(report) {
         match outcome {
             Some(page) => {
-                let effect = Effect::Page(asked.stem.clone(), page.into_bytes());
-                model.out.effects.push(effect);
+                let (stem, text) = (asked.stem.clone(), page.into_bytes());
+                if text.len() > MEGABYTE {
+                    model.overlay = Some(Overlay::Prompt(Prompt::Page(stem, text)));
+                } else {
+                    model.out.effects.push(Effect::Page(stem, text));
+                }
             }
             None => model.notice = model.page.complaint.take().map(|(_, why)| why),
         }

@@ -2,12 +2,12 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::scenario::Scenario;
 use crate::scenario::doubt::begun;
-use crate::scenario::fields::Kind;
-use crate::tui::changes::edit::set_work;
+use crate::scenario::fields::{Field, Kind};
+use crate::tui::changes::edit::change;
 use crate::tui::changes::threshold;
 use crate::tui::form::{FormRow, Typing, admitted, typed_text, with_text};
-use crate::tui::guest::allowed;
 use crate::tui::line::TextLine;
 use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
@@ -23,7 +23,7 @@ pub(crate) fn begin(model: &mut AppModel, empty: bool) {
     model.form.typing = Some(Typing {
         field,
         input: TextLine::of(if empty { String::new() } else { text }),
-        before: model.work.scenario.clone(),
+        fresh: empty,
         error: None,
     });
 }
@@ -70,9 +70,8 @@ pub(crate) fn paste(model: &mut AppModel, text: &str, begins_value: bool) {
     });
 }
 
-/// Changes the text that is being typed. A value that makes sense is simulated while it is typed;
-/// one that makes none leaves the value from before, not a part of what was typed. A value stands
-/// while its doubt is typed.
+/// Changes the text that is being typed. It says what is wrong with it and changes no value: the
+/// first digits of one are another one.
 pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {
@@ -88,13 +87,18 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
             }
             return;
         }
+        Some(Overlay::Change(what)) => {
+            change(&mut what.input);
+            what.error = None;
+            return;
+        }
         Some(Overlay::Threshold(_)) => {
             threshold::retype(model, change);
             return;
         }
         _ => {}
     }
-    let Some(typing) = &mut model.form.typing else {
+    let Some(mut typing) = model.form.typing.take() else {
         return;
     };
     change(&mut typing.input);
@@ -103,40 +107,51 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
         Kind::Number(..) => begun(text).unwrap_or(text),
         _ => text,
     };
-    let outcome = with_text(&typing.before, typing.field, known);
-    let outcome = outcome.and_then(|new| {
-        if model.guest {
-            allowed(&new).map(|()| new)
-        } else {
-            Ok(new)
-        }
-    });
-    typing.error = outcome.as_ref().err().cloned();
-    let scenario = outcome.unwrap_or_else(|_| typing.before.clone());
-    let work = model.work.with(scenario);
-    set_work(model, work);
+    typing.error = meant(model, typing.field, known).err();
+    model.form.typing = Some(typing);
 }
 
-/// Ends typing with what was typed, unless it makes no sense.
-pub(crate) fn accept(model: &mut AppModel) {
-    let Some(typing) = model.form.typing.take() else {
-        return;
+/// The scenario with this text in a field, if it may be worked on.
+fn meant(model: &AppModel, field: &Field, text: &str) -> Result<Scenario, String> {
+    let scenario = with_text(&model.work.scenario, field, text)?;
+    model.allows(&scenario).map(|()| scenario)
+}
+
+/// Ends typing with what was typed, unless it makes no sense; whether nothing is typed any more.
+pub(crate) fn accept(model: &mut AppModel) -> bool {
+    let Some(mut typing) = model.form.typing.take() else {
+        return true;
     };
-    let outcome = with_text(&typing.before, typing.field, typing.input.value());
-    match outcome.and_then(|new| model.allows(&new).map(|()| new)) {
+    match meant(model, typing.field, typing.input.value()) {
         Ok(scenario) => {
-            let before = model.work.with(typing.before);
-            if scenario != before.scenario {
-                model.history.record(before, "", model.now);
-            }
             let work = model.work.with(scenario);
-            set_work(model, work);
+            change(model, work, "");
         }
         Err(why) => {
-            model.form.typing = Some(Typing {
-                error: Some(why),
-                ..typing
-            });
+            typing.error = Some(why);
+            model.form.typing = Some(typing);
         }
+    }
+    model.form.typing.is_none()
+}
+
+/// Ends typing as [`accept`] does and moves the cursor by so many rows.
+pub(crate) fn accept_and_move(model: &mut AppModel, by: isize) {
+    if accept(model) {
+        model.form.move_cursor(&model.work.scenario, by);
+    }
+}
+
+/// A sideways arrow: through a text that was there, else it ends typing.
+pub(crate) fn sideways(model: &mut AppModel, code: KeyCode) {
+    if model
+        .form
+        .typing
+        .as_ref()
+        .is_some_and(|typing| typing.fresh)
+    {
+        accept(model);
+    } else {
+        type_into(model, |line| line.key(KeyEvent::from(code)));
     }
 }

@@ -15,7 +15,7 @@ use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
 use crate::tui::view::fundus::Fundus;
-use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
+use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{
     flag_lines, put, put_lines, put_right, whole_sentences, width, wrapped,
 };
@@ -122,7 +122,14 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
     } else {
         1
     };
-    rows((model, &shown.answer), (Some(row), each), area, buffer);
+    let heading = ("80 % ranges", theme.heading());
+    rows(
+        (model, &shown.answer),
+        heading,
+        (Some(row), each),
+        area,
+        buffer,
+    );
     let foot = below(area, 1 + each * count);
     for x in 0..foot.width {
         put(buffer, foot, (x, 0), "─", theme.line());
@@ -160,7 +167,10 @@ fn above(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer)
     if end + width(right) + 2 < area.width {
         put_right(buffer, area, (area.width - 1, last), right, style);
     }
-    let flags = flag_lines(&shown.answer.flags, room, 2);
+    let mut flags = flag_lines(&shown.answer.flags, room, 2);
+    if flags.len() < 2 {
+        flags.extend(counting(model, &shown.answer));
+    }
     put_lines(buffer, area, (1, last + 1), &flags, theme.warning());
     last + 1 + flags.len() as u16
 }

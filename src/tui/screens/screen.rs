@@ -8,6 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::run::trace::Trace;
+use crate::scenario::Scenario;
 use crate::tui::keys::Binding;
 use crate::tui::keys::Key;
 use crate::tui::keys::KeyList;
@@ -83,6 +84,9 @@ pub trait Screen: Keyed + Any {
 
     /// Takes the choice of this place in the list that it opened to mark some.
     fn mark_choice(&mut self, _model: &mut AppModel, _place: usize) {}
+
+    /// Takes another scenario for what is called so, after a field of it was changed.
+    fn take_changed(&mut self, _model: &mut AppModel, _name: &str, _scenario: &Scenario) {}
 
     /// Proposes what is more exact than the answer on show, or faster, or shall be shown to find
     /// that out first; whether this is its business, and whether it is to be shown.

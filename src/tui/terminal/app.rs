@@ -91,7 +91,7 @@ struct Screen {
 }
 
 /// Does something in the folder of the person's own presets.
-fn in_folder(act: impl FnOnce(&Path) -> Result<(), SaveError>) -> Result<(), SaveError> {
+fn in_folder<T>(act: impl FnOnce(&Path) -> Result<T, SaveError>) -> Result<T, SaveError> {
     match library::folder() {
         Some(folder) => act(&folder),
         None => Err(SaveError::Failed("there is no home folder".to_owned())),
@@ -377,6 +377,15 @@ impl EventLoop {
                 Effect::Remove(name) => {
                     let outcome = in_folder(|folder| remove(folder, &name));
                     self.send(Message::Removed(name, outcome))?;
+                    self.send(Message::Choices(choices()))?;
+                }
+                Effect::Restore(name, text) => {
+                    let outcome = in_folder(|folder| save(folder, &name, &text, false));
+                    let said = match outcome {
+                        Ok(()) => format!("{name} is back: p lists it"),
+                        Err(error) => error.to_string(),
+                    };
+                    self.send(Message::Said(said))?;
                     self.send(Message::Choices(choices()))?;
                 }
                 Effect::Page(stem, text) => {

@@ -139,7 +139,7 @@ fn plot(
     }
 }
 
-/// A curve without axes, with a mark at the present moment below it.
+/// A curve with its zero line, with a mark at the present moment below it.
 pub fn spark(
     curve: TimeCurve,
     span: (f64, f64),
@@ -152,6 +152,15 @@ pub fn spark(
     let mut raster = Raster::new(area, look.symbols);
     let curves = [curve];
     let range = range(&curves, span);
+    let (columns, rows) = raster.size();
+    let share = if range.1 > range.0 {
+        range.1 / (range.1 - range.0)
+    } else {
+        1.0
+    };
+    let zero = (f64::from(rows - 1) * share).round() + 0.5;
+    let line = Ink::solid(theme.line(), 0, '-').dotted(2);
+    raster.line((0.0, zero), (f64::from(columns - 1), zero), line);
     plot(&mut raster, &curves, span, range, true);
     raster.paint(buffer);
     let share = ((now - span.0) / (span.1 - span.0)).clamp(0.0, 1.0);

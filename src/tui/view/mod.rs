@@ -1,6 +1,7 @@
 //! What pictures are made of, whichever screen draws them: text, charts, the eye, lists and
 //! questions in front. All of it draws with Unicode.
 
+pub mod changing;
 pub mod chart;
 pub mod eye;
 pub mod footer;

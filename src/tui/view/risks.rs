@@ -1,19 +1,22 @@
-//! The risks of an answer: a row an injury, what each rests on, and the signs that count more.
+//! The risks of an answer: a row an injury, what each rests on, what limits them, and the signs
+//! that count more.
 //!
 //! The words and figures are those of [`Risk`] everywhere; here they are only fitted into the room
 //! that there is.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Risk, SIGNS, whole};
-use crate::report::figure::{Figure, with_unit};
+use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, whole};
+use crate::report::figure::{Figure, unusable, with_unit};
 use crate::report::format::significant;
 use crate::report::risks::uncounted;
+use crate::run::flags::FlagKind;
 use crate::tui::model::AppModel;
 use crate::tui::view::below;
-use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, width, wrapped};
+use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// What [`SIGNS`] comes to where room is short, and where it is shortest.
@@ -63,83 +66,204 @@ pub fn longest(risk: &Risk, room: usize) -> String {
     fitted(longest_fitting(&texts, room as u16), room)
 }
 
-/// What the tissue felt, where 50 % lies, and the BB that it would feel as much of.
+/// What the tissue felt, and where half of all eyes are hurt.
 fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
-    let (measure, like) = (risk.injury.measure(), risk.equivalent);
+    let measure = risk.injury.measure();
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let half = significant(risk.injury.curve().half * row.factor);
-    let whole = with_unit(&half, row.unit);
+    let half = with_unit(
+        &significant(risk.injury.curve().half * row.factor),
+        row.unit,
+    );
     let texts = [
-        format!("{} {felt}, 50 % at {whole}; like {like}", row.label),
-        format!("{} {felt}, 50 % at {half}; like {like}", row.label),
-        format!("{felt}, 50 % at {half}; like {like}"),
+        format!("{} {felt}; half of all eyes are hurt at {half}", row.label),
+        format!("{} {felt}; half are hurt at {half}", row.label),
+        format!("{felt}; half are hurt at {half}"),
     ];
     longest_fitting(&texts, room).to_owned()
 }
 
-/// Columns of an injury's name and a word of it; where the range and the risk end.
-const NAME: u16 = 21;
-const RANGE: u16 = 61;
-const ABOUT: u16 = 73;
+/// How what is said of an injury stands in columns: where its word begins, and where its middle,
+/// its range and the BB end.
+struct Columns {
+    word: u16,
+    about: u16,
+    range: u16,
+    like: u16,
+}
+
+const NARROW: Columns = Columns {
+    word: 14,
+    about: 35,
+    range: 43,
+    like: 50,
+};
+const BROAD: Columns = Columns {
+    word: 20,
+    about: 51,
+    range: 60,
+    like: 68,
+};
+
+impl Columns {
+    fn of(wide: u16) -> Option<Self> {
+        [BROAD, NARROW]
+            .into_iter()
+            .find(|columns| columns.like <= wide)
+    }
+}
+
+/// An injury's name of at most 13 letters.
+fn short_name(injury: Injury) -> &'static str {
+    match injury {
+        Injury::RetinaBack => "retina, back",
+        Injury::RetinaFront => "retina, edge",
+        Injury::LensDislocation => "lens torn off",
+        Injury::CornealAbrasion => injury.word(),
+        Injury::GlobeRupture | Injury::Hyphema => injury.name(),
+    }
+}
+
+/// What is said in words, in signs.
+fn in_signs(text: &str) -> String {
+    [("at least ", "≥"), ("under ", "<"), ("over ", ">")]
+        .into_iter()
+        .fold(text.to_owned(), |text, (words, sign)| {
+            text.replace(words, sign)
+        })
+}
+
 /// The fewest columns of a bar.
 const SHORTEST: u16 = 12;
 
 /// Draws each risk below a heading, in `each` rows: the second says what the tissue felt.
 pub fn rows(
     (model, answer): (&AppModel, &Answer),
+    (heading, style): (&str, Style),
     (chosen, each): (Option<usize>, u16),
     area: Rect,
     buffer: &mut Buffer,
 ) {
     let theme = Theme::of(model.look);
-    let parts = ["80 % ranges".to_owned()]
-        .into_iter()
-        .chain(counting(model, answer));
-    let heading = parts.collect::<Vec<_>>().join(", ");
-    put(buffer, area, (1, 0), &heading, theme.heading());
-    let in_columns = area.width > ABOUT;
-    let bar = Rect {
-        x: area.x + ABOUT + 2,
-        width: area.width.saturating_sub(ABOUT + 3),
+    // The mark of the chosen one stands before its name.
+    let mark = u16::from(chosen.is_some());
+    let area = Rect {
+        x: area.x + mark,
+        width: area.width.saturating_sub(mark),
         ..area
     };
-    if in_columns {
-        put_right(buffer, area, (ABOUT, 0), "about", theme.quiet());
+    put(buffer, area, (0, 0), heading, style);
+    let columns = Columns::of(area.width);
+    let bar = columns.as_ref().map_or(0, |columns| columns.like + 2);
+    let bar = Rect {
+        x: area.x + bar,
+        width: area.width.saturating_sub(bar + 1),
+        ..area
+    };
+    let with_bar = columns.is_some() && bar.width >= SHORTEST;
+    if let Some(columns) = &columns {
+        for (right, text) in [
+            (columns.about, "about"),
+            (columns.range, "range"),
+            (columns.like, "BB m/s"),
+        ] {
+            put_right(buffer, area, (right, 0), text, theme.quiet());
+        }
     }
-    if bar.width >= SHORTEST {
+    if with_bar {
         put(buffer, bar, (0, 0), "0", theme.quiet());
         put_right(buffer, bar, (bar.width, 0), "100 %", theme.quiet());
     }
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
         let style = theme.risk(risk);
-        let (sign, here) = match chosen {
-            Some(at) if at == i => ("▸", theme.focus()),
-            _ => (" ", theme.text()),
-        };
-        put(buffer, area, (0, y), sign, theme.strong());
-        if in_columns {
-            put(buffer, area, (1, y), risk.injury.name(), here);
-            put(buffer, area, (NAME, y), &risk.word(), style);
-            put_right(buffer, area, (RANGE, y), &risk.percent(), style);
-            if risk.usable {
-                put_right(buffer, area, (ABOUT, y), &whole(risk.risk), theme.text());
-            }
-        } else {
-            let said = longest(risk, usize::from(area.width - 2));
-            let name = said.split(':').next().map_or(0, width);
-            put(buffer, area, (1, y), &said, style);
-            put(buffer, area, (1, y), &said[..name.into()], here);
+        let here = chosen == Some(i);
+        let name = if here { theme.focus() } else { theme.text() };
+        if here {
+            buffer[(area.x - 1, area.y + y)]
+                .set_char('▸')
+                .set_style(theme.strong());
         }
-        if bar.width >= SHORTEST {
+        let Some(columns) = &columns else {
+            let said = longest(risk, usize::from(area.width));
+            let end = said.split(':').next().unwrap_or_default();
+            put(buffer, area, (0, y), &said, style);
+            put(buffer, area, (0, y), end, name);
+            continue;
+        };
+        let tight = columns.word == NARROW.word;
+        let (own, word) = if tight {
+            let word = risk.word().replace(" to almost certain", "-certain");
+            (short_name(risk.injury), word.replace(" to ", "-"))
+        } else {
+            (risk.injury.name(), risk.word())
+        };
+        put(buffer, area, (0, y), own, name);
+        put(buffer, area, (columns.word, y), &word, style);
+        put_right(
+            buffer,
+            area,
+            (columns.range, y),
+            &in_signs(&risk.percent()),
+            style,
+        );
+        if risk.usable {
+            let about = in_signs(&whole(risk.risk));
+            put_right(buffer, area, (columns.about, y), &about, theme.text());
+            let like = match risk.equivalent {
+                Equivalent::Under(speed) => format!("<{speed:.0}"),
+                Equivalent::At(speed) => format!("{speed:.0}"),
+                Equivalent::Over(speed) => format!(">{speed:.0}"),
+            };
+            put_right(buffer, area, (columns.like, y), &like, theme.text());
+        }
+        if with_bar {
             draw_bar(risk, theme, below(bar, y), buffer);
         }
         if each > 1 {
-            let felt = felt(answer, risk, area.width - 4);
-            put(buffer, area, (3, y + 1), &felt, theme.quiet());
+            let felt = felt(answer, risk, area.width - 2);
+            put(buffer, area, (2, y + 1), &felt, theme.quiet());
         }
     }
+}
+
+/// What limits an answer, the gravest first: why it is not usable, what the places of its injuries
+/// mean, what was raised, and what is still to be counted. In short where `rows` are few, and as
+/// much of it as they hold.
+pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Vec<String> {
+    let (risks, spoiled) = (answer.risks(), unusable(answer));
+    let said = |brief: bool| -> Vec<String> {
+        let mut said: Vec<String> = spoiled.iter().cloned().collect();
+        if risks.iter().any(Risk::bursts) {
+            said.push(BURST.to_owned());
+        }
+        let notes = risks.iter().flat_map(|risk| risk.notes.iter().copied());
+        let notes = notes.map(|note| if brief { in_short(note) } else { note });
+        // What spoils an answer is said already.
+        let flags = answer.flags.iter();
+        let flags = flags.filter(|flag| spoiled.is_none() || flag.kind != FlagKind::MeshFolded);
+        let flags = flags.map(|flag| {
+            if brief {
+                flag.kind.words()
+            } else {
+                &flag.message
+            }
+        });
+        let counting = counting(model, answer);
+        for part in notes.chain(flags).chain(counting.as_deref()) {
+            if !said.iter().any(|other| other == part) {
+                said.push(part.to_owned());
+            }
+        }
+        said
+    };
+    let (long, brief) = (said(false), said(true));
+    let whole = [long, brief.clone()].map(|said| wrapped(&said.join("; "), room));
+    let fewer = (1..brief.len()).rev();
+    let fewer = fewer.map(|count| wrapped(&(brief[..count].join("; ") + "; F8: more"), room));
+    let mut all = whole.into_iter().chain(fewer);
+    let fitting = all.find(|lines| lines.len() <= rows);
+    fitting.unwrap_or_else(|| wrapped(brief.first().map_or("", String::as_str), room))
 }
 
 /// The range of a risk from 0 to 100 %, and the risk itself.
@@ -158,7 +282,7 @@ fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
 
 /// Draws the signs into the last rows of an area.
 pub fn draw_signs(theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let signs = signs(area.width.saturating_sub(2));
+    let signs = signs(area.width - 1);
     let top = area.height.saturating_sub(signs.len() as u16);
     put_lines(buffer, area, (1, top), &signs, theme.heading());
 }
@@ -166,7 +290,8 @@ pub fn draw_signs(theme: Theme, area: Rect, buffer: &mut Buffer) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::injury::{Blow, Injury, Known};
+    use crate::injury::{Blow, Known};
+    use crate::tui::view::text::width;
 
     fn risk(injury: Injury, times: f64) -> Risk {
         let value = times * injury.curve().half;

@@ -7,7 +7,7 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::plain_text::printable;
 use crate::report::format::{self, digits};
-use crate::run::flags::{Flag, FlagKind};
+use crate::run::flags::Flag;
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {
@@ -126,18 +126,13 @@ pub fn numeral(value: f64, room: u16) -> String {
     fitting.next().unwrap_or(shortest)
 }
 
-/// A flag's name in words.
-pub fn flag_name(kind: FlagKind) -> String {
-    kind.name().replace('_', " ")
-}
-
 /// The names of flags in so many rows at most; none where there are none.
 pub fn flag_lines(flags: &[Flag], room: usize, rows: usize) -> Vec<String> {
     if flags.is_empty() {
         return Vec::new();
     }
-    let names: Vec<String> = flags.iter().map(|flag| flag_name(flag.kind)).collect();
-    let mut lines = wrapped(&format!("FLAGS {}", names.join(", ")), room);
+    let names: Vec<&str> = flags.iter().map(|flag| flag.kind.words()).collect();
+    let mut lines = wrapped(&format!("! {}", names.join(", ")), room);
     if lines.len() > rows {
         let rest = lines.split_off(rows.saturating_sub(1)).join(" ");
         lines.push(fitted(&rest, room));

@@ -9,7 +9,7 @@ use crate::tui::form::typed_text;
 use crate::tui::model::AppModel;
 use crate::tui::threshold::Asking;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::text::{flag_name, put, width, wrapped};
+use crate::tui::view::text::{put, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Draws it in the middle of `area`.
@@ -72,12 +72,9 @@ pub fn draw(model: &AppModel, asking: &Asking, area: Rect, buffer: &mut Buffer) 
             say(&never(&asked.0, found), theme.strong());
         }
         if let Some(crossing) = asking.chosen() {
-            let flags: Vec<String> = crossing.flags.iter().map(|f| flag_name(f.kind)).collect();
+            let flags: Vec<&str> = crossing.flags.iter().map(|f| f.kind.words()).collect();
             if !flags.is_empty() {
-                say(
-                    &format!("FLAGS there: {}", flags.join(", ")),
-                    theme.warning(),
-                );
+                say(&format!("There: {}", flags.join(", ")), theme.warning());
             }
             for note in crossing.risk.iter().flat_map(|there| &there.risk.notes) {
                 say(&format!("beware: {note}"), theme.warning());

@@ -5,6 +5,7 @@ use crate::tui::app::App;
 use crate::tui::app::driven::{asked, letter, opened};
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::outbox::Effect;
+use crate::tui::overlay::Overlay;
 use crate::tui::page::{WritePage, writing};
 use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::simulation::Simulate;
@@ -39,6 +40,28 @@ fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
         panic!("{effects:?}")
     };
     assert!(text.ends_with("contrecoup run paper-300n\n"), "{text}");
+}
+
+#[test]
+fn a_large_page_is_written_after_a_question_that_says_where_and_how_large() {
+    for (reply, written) in [('y', true), ('n', false)] {
+        let mut app = answered();
+        let effects = letter(&mut app, 'w');
+        let (ticket, _) = asked::<WritePage>(&effects).unwrap();
+        let report = Report::done::<WritePage>(ticket, Ok("x".repeat(1_200_000)));
+        let effects = update(&mut app, Message::News(report));
+        assert!(!effects.iter().any(|e| matches!(e, Effect::Page(..))));
+        let Some(Overlay::Prompt(question)) = &app.model.overlay else {
+            panic!("nothing is asked")
+        };
+        let folder = std::env::current_dir().unwrap();
+        let text = question.text();
+        assert!(text.contains("paper-300n.html of 1.2 MB"), "{text}");
+        assert!(text.contains(folder.to_str().unwrap()), "{text}");
+        let effects = letter(&mut app, reply);
+        let page = effects.iter().any(|e| matches!(e, Effect::Page(..)));
+        assert_eq!(page, written);
+    }
 }
 
 #[test]

@@ -126,6 +126,8 @@ pub struct Comparison {
     pub entries: Vec<Marked>,
     /// The row with the cursor in the list of presets.
     pub row: usize,
+    /// The row with the cursor in the table.
+    pub entry: usize,
     /// The column with the cursor.
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.

@@ -14,6 +14,7 @@ use crate::plain_text::quoted;
 use crate::run::kept::Traces;
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
+use crate::tui::changing::{Changing, began_as, called};
 use crate::tui::choices::Choice;
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
 use crate::tui::keys::{Binding, TimeKeys};
@@ -28,7 +29,7 @@ use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::Complete;
 use crate::tui::work::Work;
 use comparison::{
-    Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, REPLAYS, SimulateMarked, TABLE,
+    Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, Marked, REPLAYS, SimulateMarked, TABLE,
 };
 
 pub(super) const ABOUT: About = About {
@@ -62,6 +63,7 @@ const LIST_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: presets", &[
     bind(&[HOME], |s, m| s.move_cursor(m, -i16::MAX), "", "the first preset"),
     bind(&[END], |s, m| s.move_cursor(m, i16::MAX), "", "the last preset"),
     bind(&[c(' '), ENTER], Comparison::mark_row, "mark", "mark or unmark, two to six in all"),
+    bind(&[c('e')], Comparison::edit, "edit", "change its speed or another field, here only"),
     bind(&[c('/')], Comparison::find, "find", "find presets by letters, and mark them"),
 ]);
 
@@ -69,6 +71,9 @@ const LIST_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: presets", &[
 const TABLE_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: table", &[
     bind(&[LEFT, c('h')], |s, _| s.change_column(-1), "column", "the column to the left"),
     bind(&[RIGHT, c('l')], |s, _| s.change_column(1), "&", "the column to the right"),
+    bind(&[UP, c('k')], |s, _| s.move_entry(-1), "", "the row above"),
+    bind(&[DOWN, c('j')], |s, _| s.move_entry(1), "", "the row below"),
+    bind(&[c('e')], Comparison::edit, "edit", "change its speed or another field, here only"),
     bind(&[ENTER, c('o')], |s, _| s.sort_here(), "sort", "sort by the column; again: the other way"),
     bind(&[c('v')], |s, _| s.next_curve(), "curves", "the next curve below the table"),
     ALIGN,
@@ -203,9 +208,32 @@ impl Screen for Comparison {
         let outcome = self.mark_or_explain(choice);
         self.row = 1 + place;
         let mut picker = Picker::at(&model.choices, &choice.name);
-        picker.marked = Some(self.names());
+        picker.marked = Some(self.names(model));
         model.notice = outcome.err();
         model.overlay = Some(Overlay::Picker(picker));
+    }
+
+    /// Compares it as it is now; what was not marked is marked.
+    fn take_changed(&mut self, model: &mut AppModel, name: &str, scenario: &Scenario) {
+        let mut choices = model.choices.iter();
+        let Some(Choice {
+            name: source,
+            scenario: Ok(original),
+            ..
+        }) = choices.find(|choice| began_as(name, &choice.name))
+        else {
+            return;
+        };
+        let called = called(source, original, scenario);
+        let place = self.entries.iter().position(|entry| entry.name == name);
+        let there = place.map_or(&[][..], |at| &self.entries[at..=at]);
+        if there.iter().any(|entry| entry.scenario == *scenario) {
+            return;
+        }
+        match place {
+            Some(at) => self.entries[at] = Marked::new(&called, scenario),
+            None => model.notice = self.mark(&called, scenario).err(),
+        }
     }
 
     /// Points at the names of the panes and at rows of the list.
@@ -277,6 +305,41 @@ impl Comparison {
         self.row = row.min(model.choices.len());
     }
 
+    fn move_entry(&mut self, by: isize) {
+        let last = self.entries.len().saturating_sub(1);
+        self.entry = self.entry.saturating_add_signed(by).min(last);
+    }
+
+    /// Asks for another value of a field of what the cursor is on.
+    fn edit(&mut self, model: &mut AppModel) {
+        let listed = || self.row.checked_sub(1).and_then(|at| model.choices.get(at));
+        let marked = if self.pane == LIST {
+            let name = listed().map_or(FORM, |choice| &choice.name);
+            self.entries
+                .iter()
+                .find(|entry| began_as(&entry.name, name))
+        } else {
+            self.sorted().into_iter().nth(self.entry)
+        };
+        let (name, scenario) = match (marked, listed()) {
+            (Some(entry), _) => (&entry.name, &entry.scenario),
+            (
+                None,
+                Some(Choice {
+                    name,
+                    scenario: Ok(scenario),
+                    ..
+                }),
+            ) => (name, scenario),
+            _ => return model.notice = Some("F1 edits the form".to_owned()),
+        };
+        if name == FORM {
+            model.notice = Some("F1 edits the form".to_owned());
+        } else if let Some(what) = Changing::of(name, scenario) {
+            model.overlay = Some(Overlay::Change(Box::new(what)));
+        }
+    }
+
     fn change_column(&mut self, by: isize) {
         let last = self.columns().len() - 1;
         self.column = self.column.saturating_add_signed(by).min(last);
@@ -309,6 +372,12 @@ impl Comparison {
     }
 
     fn mark_or_explain(&mut self, choice: &Choice) -> Result<(), String> {
+        // What was changed here is unmarked as what it began as.
+        let mut changed = self.entries.iter();
+        if let Some(at) = changed.position(|entry| began_as(&entry.name, &choice.name)) {
+            self.entries.remove(at);
+            return Ok(());
+        }
         match &choice.scenario {
             Ok(scenario) => self.mark(&choice.name, scenario),
             Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
@@ -318,12 +387,13 @@ impl Comparison {
     /// Opens the list that is searched by letters.
     fn find(&mut self, model: &mut AppModel) {
         let mut picker = Picker::at(&model.choices, "");
-        picker.marked = Some(self.names());
+        picker.marked = Some(self.names(model));
         model.overlay = Some(Overlay::Picker(picker));
     }
 
-    fn names(&self) -> Vec<String> {
-        let entries = self.entries.iter();
-        entries.map(|entry| entry.name.clone()).collect()
+    fn names(&self, model: &AppModel) -> Vec<String> {
+        let choices = model.choices.iter().map(|choice| &choice.name);
+        let marked = choices.filter(|name| self.entries.iter().any(|e| began_as(&e.name, name)));
+        marked.cloned().collect()
     }
 }

@@ -7,12 +7,11 @@ use crate::answer::solve::Answer;
 use crate::many::comparison::ComparisonColumn;
 use crate::many::comparison::Found;
 use crate::report::risks::first_line;
+use crate::tui::changing::began_as;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
 use crate::tui::view::risks::longest;
-use crate::tui::view::text::{
-    fitted, flag_name, longest_fitting, put, put_lines, put_right, width, wrapped,
-};
+use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 use crate::tui::work::brief;
 
@@ -124,11 +123,13 @@ fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Bu
     for (i, name) in names.enumerate().skip(first).take(room) {
         let y = (i - first) as u16;
         let entries = &compare.entries;
-        let place = entries.iter().position(|entry| entry.name == name);
+        let same = |entry: &Marked| began_as(&entry.name, name);
+        let place = entries.iter().position(same);
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
         let chosen = i == compare.row;
         let style = if chosen { theme.focus() } else { theme.text() };
-        let text = fitted(brief(name), usize::from(wide) - 6);
+        let called = place.map_or(name, |at| &entries[at].name);
+        let text = fitted(brief(called), usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
         put(buffer, list, (1, y), &sign, lit);
         put(buffer, list, (5, y), &text, style);
@@ -230,12 +231,16 @@ fn table(
     }
     for (i, entry) in compare.sorted().into_iter().enumerate() {
         let at = compare.entries.iter().position(|e| e.name == entry.name);
+        let here = focused && i == compare.entry;
         let place = Rect {
             y: area.y + 2 + each * i as u16,
             height: each,
             ..area
         };
         row(model, entry, (at.unwrap_or(0), numbers), place, buffer);
+        if here {
+            put(buffer, place, (0, 0), "▸", theme.strong());
+        }
     }
 }
 
@@ -281,9 +286,9 @@ fn row(
         put_right(buffer, area, (right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
-        let flags = answer.flags.iter().map(|flag| flag_name(flag.kind));
+        let flags = answer.flags.iter().map(|flag| flag.kind.words());
         let names = flags.collect::<Vec<_>>().join(", ");
-        let texts = [names, format!("{} flags", answer.flags.len())];
+        let texts = [names, format!("{} warnings", answer.flags.len())];
         let text = longest_fitting(&texts, room as u16);
         put(buffer, area, (3, 1), text, theme.warning());
     }

@@ -26,7 +26,7 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     // A name to save under stands in front without taking the form away.
     let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
     let focused = pane == FORM && in_front;
-    let purpose = wrapped(PURPOSE, usize::from(area.width - 1));
+    let purpose = purpose(area);
     let bottom = area.height - foot(model, area);
     let note = note(model, pane);
     let said = wrapped(&note.0, usize::from(area.width - 2));
@@ -54,12 +54,22 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
 
 /// What the mark beside a value means.
 pub const UNVERIFIED: &str = "? unverified figure";
+/// From so many columns on the form is one beside signs that say all.
+const NARROWEST: u16 = 28;
 /// From so many rows on there is room to say it always, not only of the chosen value.
 const TALL: u16 = 20;
 
+/// What the program is for, where the narrowest screen has no room for it below the signs.
+fn purpose(area: Rect) -> Vec<String> {
+    match area.width {
+        ..NARROWEST => wrapped(PURPOSE, usize::from(area.width - 1)),
+        _ => Vec::new(),
+    }
+}
+
 /// Rows at the foot of the form.
 fn foot(model: &AppModel, area: Rect) -> u16 {
-    let purpose = wrapped(PURPOSE, usize::from(area.width - 1)).len() as u16;
+    let purpose = purpose(area).len() as u16;
     let marked = !unverified(&model.work.scenario).is_empty() && area.height >= TALL;
     purpose + 1 + u16::from(marked)
 }

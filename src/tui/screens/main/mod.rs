@@ -3,6 +3,7 @@
 pub mod form;
 mod pulse;
 mod score;
+mod traces;
 mod view;
 
 use ratatui::buffer::Buffer;
@@ -34,14 +35,16 @@ const HALF_WIDTH: &str = "impact.half_width_deg";
 pub(super) const ABOUT: About = About {
     title: "Main",
     question: score::QUESTION,
-    purpose: "form, eye, traces, score",
+    purpose: "form, injuries, eye, curves",
     new: || Box::new(Main::default()),
 };
 
-/// The place of the pane with the focus.
+/// The place of the pane with the focus, and what is drawn over time.
 #[derive(Default)]
 pub struct Main {
     pane: usize,
+    /// Whether the curves are those of node forces.
+    nodes: bool,
 }
 
 impl Panes for Main {
@@ -99,6 +102,7 @@ const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
     bind(&[SHIFT_RIGHT, c('L')], |_, m| step(m, Step::MUCH_MORE), "", "a large step up"),
     bind(&[ENTER], |_, m| enter(m), "edit", "edit the value, take the next choice, open the list, unfold"),
     bind(&[c('t')], |_, m| threshold::ask(m), "threshold", "at which value of it a result reaches what you ask"),
+    NODES,
     bind(&[c('a')], |_, m| m.form.fold(&m.work.scenario), "", "show or hide the advanced fields"),
 ]);
 
@@ -112,7 +116,15 @@ const DIAL_KEYS: PaneKeys<Main> = PaneKeys::new("Dial", &[
     bind(&[RIGHT, c('l')], |_, m| nudge(m, HALF_WIDTH, Step::MORE), "&", "widen the loaded arc"),
     bind(&[SHIFT_RIGHT, c('L')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_MORE), "", "widen it by a large step"),
     bind(&[SHIFT_LEFT, c('H')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_LESS), "", "narrow it by a large step"),
+    NODES,
 ]);
+
+const NODES: Binding<Act<Main>> = bind(
+    &[c('f')],
+    |s, _| s.nodes = !s.nodes,
+    "",
+    "forces of the paper's nodes over time, or what the eye feels",
+);
 
 /// Changes what the row with the cursor holds.
 fn step(model: &mut AppModel, step: Step) {
@@ -197,7 +209,7 @@ fn furthest(
 
 impl Screen for Main {
     fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw(self.pane, model, area, buffer);
+        view::draw((self.pane, self.nodes), model, area, buffer);
     }
 
     fn pane(&self) -> usize {
@@ -214,7 +226,7 @@ impl Screen for Main {
 
     /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
-        let parts = view::layout(area);
+        let parts = view::layout(area, model.form.advanced);
         let row_at = |model: &AppModel, pane: usize, (x, y): (u16, u16)| {
             let rows = form::visible(model, pane, parts.form);
             let inside = parts.form.contains((x, y).into());

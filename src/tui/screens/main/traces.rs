@@ -1,0 +1,238 @@
+//! The curves of the main screen: force of contact, pressure and stretch of an eye that is hit, the
+//! node forces of the paper's, each with its peak, its error and its zero line.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::answer::solve::Answer;
+use crate::report::figure::Figure;
+use crate::run::kept::Peak;
+use crate::run::quantity::Quantity;
+use crate::run::trace::Trace;
+use crate::tui::model::AppModel;
+use crate::tui::shown::ShownAnswer;
+use crate::tui::view::below;
+use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
+use crate::tui::view::raster::Ink;
+use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::theme::Theme;
+
+/// What an eye that is hit is asked for first.
+const FELT: [Quantity; 3] = [
+    Quantity::Contact,
+    Quantity::Pressure,
+    Quantity::EquatorStretch,
+];
+
+/// The results whose curves are drawn beside the eye, with their peaks: the node forces where they
+/// are asked for and where there is nothing else.
+fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
+    let peaks = |all: &[Quantity]| -> Vec<(Quantity, Peak)> {
+        let all = all.iter();
+        all.filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
+    };
+    let felt = peaks(&FELT);
+    if nodes || felt.is_empty() {
+        peaks(&Quantity::FORCES)
+    } else {
+        felt
+    }
+}
+
+/// From so many columns on there may be room for the time of a peak beside it.
+const TIMED: u16 = 26;
+/// The fewest columns of the curves: a name, a figure and its error.
+pub const NARROWEST: u16 = 18;
+/// Longer names are cut where room is short.
+const LONGEST: usize = 7;
+
+/// The name of a curve, its peak with its error and the time of that, which together fit with a
+/// space between them. Where room is short the spaces give way, then letters of the name, the
+/// time, and at last the error.
+fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
+    let name = of.row().short;
+    let ms = peak.time * 1e3;
+    let times = match room {
+        TIMED.. => vec![
+            format!("at {ms:.3} ms"),
+            format!("{ms:.3}ms"),
+            format!("{ms:.2}ms"),
+        ],
+        _ => vec![String::new()],
+    };
+    let brief = match name.get(..LONGEST - 2) {
+        Some(start) if name.len() > LONGEST => format!("{start}."),
+        _ => name.to_owned(),
+    };
+    let whole = figure.to_string();
+    let tight = whole.replace(" %", "%");
+    let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
+    let closest = close.replace(' ', "");
+    let bare = |count| figure.coarser(count).bare().replace(' ', "");
+    let small = figure.off.percent().is_some_and(|error| error < 1.0);
+    let error = figure.off.to_string().replace(' ', "");
+    let least = if small { "±<1%" } else { &error };
+    let closer = [(3, &error[..]), (2, &error), (2, least)];
+    let closer = closer.map(|(count, error)| bare(count) + error);
+    let bare = bare(2);
+    let none = String::new();
+    let mut candidates = Vec::new();
+    let label = of.row().trace.map_or(name, |trace| trace.label);
+    for time in times.iter().chain([&none]) {
+        for name in [label, name, &brief] {
+            for text in [&whole, &tight, &close, &closest] {
+                candidates.push((name.to_owned(), text.clone(), time.clone()));
+            }
+        }
+    }
+    candidates.extend(closer.map(|text| (brief.clone(), text, none.clone())));
+    let wide = |(name, text, time): &(String, String, String)| {
+        let after = if time.is_empty() { 0 } else { width(time) + 1 };
+        width(name) + 1 + width(text) + after
+    };
+    let mut fitting = candidates.into_iter().filter(|parts| wide(parts) <= room);
+    fitting.next().unwrap_or((brief, bare, none))
+}
+
+/// Draws the curves, each with its peak and when it came, and below them their time.
+pub fn draw(
+    model: &AppModel,
+    (shown, nodes): (&ShownAnswer, bool),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let theme = Theme::of(model.look);
+    let Some(recorded) = &shown.answer.run.traces else {
+        return;
+    };
+    let sparks = sparks(&shown.answer, nodes);
+    let values = |of: &Quantity| Trace::Of(*of).values(recorded);
+    let drawn = sparks.iter().map(|(of, _)| values(of));
+    let window = shown.answer.window();
+    // What comes before is little, and the eye beside it begins at rest.
+    let span = (0.0, active(&recorded.time, drawn, window).1);
+    let count = sparks.len().max(1) as u16;
+    let (area, axis) = if area.height > 2 * count {
+        let height = area.height - 1;
+        (Rect { height, ..area }, Some(below(area, height)))
+    } else {
+        (area, None)
+    };
+    if let Some(axis) = axis {
+        put(buffer, axis, (0, 0), "0", theme.quiet());
+        let end = format!("{:.1} ms", span.1 * 1e3);
+        put_right(buffer, axis, (axis.width, 0), &end, theme.quiet());
+    }
+    let each = (area.height / count).max(1);
+    for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
+        let top = area.y + each * i as u16;
+        let Some(figure) = Figure::of(&shown.answer, quantity) else {
+            continue;
+        };
+        if top >= area.y + area.height {
+            break;
+        }
+        let row = Rect::new(area.x, top, area.width, 1);
+        let (label, value, time) = caption(quantity, &figure, peak, area.width);
+        put(buffer, row, (0, 0), &label, theme.heading());
+        let left = area.width - width(&time);
+        put(buffer, row, (left, 0), &time, theme.quiet());
+        let right = if time.is_empty() { left } else { left - 1 };
+        let spoiled = shown.answer.spoiled().is_some();
+        let style = if spoiled {
+            theme.quiet()
+        } else {
+            theme.strong()
+        };
+        put_right(buffer, row, (right, 0), &value, style);
+        let values = values(&quantity);
+        if each < 2 || values.is_empty() {
+            continue;
+        }
+        let curve = TimeCurve {
+            time: &recorded.time,
+            values,
+            factor: 1.0,
+            ink: Ink::solid(theme.curve(i), 1, '*'),
+        };
+        let field = Rect::new(area.x, top + 1, area.width, each - 1);
+        spark(curve, span, model.time(), model.look, field, buffer);
+        if area.width < TIMED {
+            // The peaks come early, so the end of the curve has room for a word.
+            let time = format!(" {:.3} ms", peak.time * 1e3);
+            put_right(buffer, field, (area.width, 0), &time, theme.quiet());
+        }
+    }
+}
+
+/// Draws what else there is over time with its axes, as many as there is room for: the stress of
+/// the wall and how far the cornea is pushed in.
+pub fn charts(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+    let theme = Theme::of(model.look);
+    let Some(traces) = &shown.answer.run.traces else {
+        return;
+    };
+    let of = [
+        Quantity::ScleralStress,
+        Quantity::Apex,
+        Quantity::ShellGrowth,
+    ];
+    let there = |of: &Quantity| !Trace::Of(*of).values(traces).is_empty();
+    let there: Vec<Quantity> = of.into_iter().filter(there).take(2).collect();
+    let each = area.height / there.len().max(1) as u16;
+    for (i, of) in (0..).zip(there) {
+        let (course, row) = (Trace::Of(of), of.row());
+        let values = course.values(traces);
+        let reading = Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}"));
+        let place = Rect {
+            y: area.y + each * i,
+            height: each,
+            ..area
+        };
+        TimeChart {
+            title: &format!("{}, {}", course.label(traces), row.unit),
+            reading: &reading.unwrap_or_default(),
+            curves: vec![TimeCurve {
+                time: &traces.time,
+                values,
+                factor: row.factor,
+                ink: Ink::solid(theme.curve(i.into()), 2, '*'),
+            }],
+            span: active(&traces.time, std::iter::once(values), shown.answer.window()),
+            cursor: model.time(),
+            look: model.look,
+        }
+        .draw(place, buffer);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::figure::Off;
+
+    #[test]
+    fn a_caption_keeps_its_parts_apart_and_its_error() {
+        for &quantity in FELT.iter().chain(&Quantity::FORCES) {
+            for (number, error) in [("12", 35.0), ("5199", 0.016), ("0.20", 0.42), ("73", 119.0)] {
+                let figure = Figure {
+                    number: number.to_owned(),
+                    unit: quantity.row().unit,
+                    off: Off::Both(error),
+                    cut: None,
+                };
+                let peak = Peak {
+                    value: 1.0,
+                    time: 12.345e-3,
+                };
+                for room in NARROWEST..50 {
+                    let (label, value, time) = caption(quantity, &figure, peak, room);
+                    let long = width(&label) + 1 + width(&value);
+                    let after = if time.is_empty() { 0 } else { width(&time) + 1 };
+                    assert!(long + after <= room, "{label} {value} {time} in {room}");
+                    assert!(value.contains('±'), "{label} {value} in {room}");
+                }
+            }
+        }
+    }
+}
