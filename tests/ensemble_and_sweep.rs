@@ -207,6 +207,32 @@ fn a_torn_heading_is_written_again_and_another_file_is_left_alone() {
 }
 
 #[test]
+fn a_row_has_the_range_of_each_risk() {
+    let folder = tempfile::tempdir().unwrap();
+    let blow = ["sweep", "bb-62", "--set", "window_ms=0.2", "--json"];
+    let vary = ["--vary", "impact.speed_m_s=20,60"];
+    let output = run(folder.path(), &[&blow[..], &vary].concat());
+    let said = text(&output.stdout);
+    let rows = said
+        .lines()
+        .skip(1)
+        .map(|row| serde_json::from_str::<Value>(row).unwrap());
+    for row in rows {
+        for injury in ["globe_rupture", "retina_back", "hyphema"] {
+            let percent = |end: &str| {
+                let value = &row["results"][format!("{injury}{end}_percent")];
+                value.as_f64().unwrap()
+            };
+            let (low, middle, high) = (percent("_low"), percent(""), percent("_high"));
+            assert!(
+                low <= middle && middle <= high && low < high,
+                "{injury}: {row}"
+            );
+        }
+    }
+}
+
+#[test]
 fn damaged_rows_are_computed_again_and_that_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("t.csv");

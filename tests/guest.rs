@@ -250,7 +250,7 @@ fn a_guest_who_types_without_end_sees_frames_stays_small_and_leaves_at_once() {
     let left = begun.elapsed();
     println!("frames {drawn:?} in 2 s, {grown:?} kB more, left after {left:?}");
     assert!(
-        drawn.iter().all(|frames| *frames > 4),
+        drawn.iter().all(|frames| *frames > 1),
         "{drawn:?} frames in two seconds"
     );
     assert!(

@@ -195,7 +195,7 @@ pub struct EnsembleArgs {
     /// What to simulate. Doubt in an input is written `--set impact.force_n="300 +- 20"`.
     #[command(flatten)]
     pub scenario: ScenarioArgs,
-    /// How many samples: the bands of 1000 scatter a quarter as much as those of 64
+    /// How many samples: more of them make steadier bands
     #[arg(long, value_name = "N", default_value_t = 64,
           value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MAX_SAMPLES)))]
     pub samples: u32,

@@ -244,15 +244,17 @@ fn open(
         }
         let text = String::from_utf8_lossy(&line);
         let line_number = heading.lines().count() + done + 1;
-        let Some(number) = form.number(sweep, text.trim_end()) else {
+        let number = form.number(sweep, text.trim_end());
+        // What is longer than a row, or stands behind the last, is no row that was damaged.
+        if number.is_none() && done < rows.len() && read < LONGEST_LINE {
             // Nobody is hurt if it is lost.
             let _ = writeln!(
                 io::stderr(),
                 "{name}: line {line_number} is damaged: from there on rows are computed again"
             );
             break;
-        };
-        if Some(number) != rows.get(done).copied() {
+        }
+        if number.is_none() || number != rows.get(done).copied() {
             return Err(refused(format!(
                 "line {line_number}: {} is not the next row of this shard",
                 quoted(text.trim_end())

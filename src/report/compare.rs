@@ -9,13 +9,13 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::{A_BB, SIGNS};
+use crate::injury::SIGNS;
 use crate::many::comparison::Entry;
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{CUT, Figure};
 use crate::report::format::{WIDTH, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::risks::{first_line, range};
+use crate::report::risks::{first_line, legend, range};
 use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
@@ -63,7 +63,7 @@ impl Table {
                     cells
                 }
             };
-            (entry.name.clone(), cells)
+            (printable(&entry.name).into_owned(), cells)
         };
         let remark = |entry: &Entry| {
             let remarks = match entry.answer() {
@@ -76,7 +76,7 @@ impl Table {
                     std::iter::once(first).chain(flags).collect::<Vec<_>>()
                 }
             };
-            let name = entry.name.clone();
+            let name = printable(&entry.name).into_owned();
             remarks
                 .into_iter()
                 .map(move |remark| format!("{name}: {remark}"))
@@ -88,8 +88,7 @@ impl Table {
         let cut =
             |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers.iter().any(cut).then(|| CUT.to_owned());
-        let told = answers.iter().any(|(_, answer)| answer.silence().is_none());
-        let bb = told.then(|| A_BB.to_owned());
+        let bb = legend(answers.iter().map(|(_, answer)| *answer)).map(str::to_owned);
         Self {
             rows: entries.iter().map(row).collect(),
             notes: cut.into_iter().chain(bb).collect(),

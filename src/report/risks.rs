@@ -33,6 +33,13 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     lines
 }
 
+/// What a BB is, where any of these answers names one.
+pub fn legend<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> Option<&'static str> {
+    answers
+        .any(|answer| answer.silence().is_none())
+        .then_some(A_BB)
+}
+
 /// The gravest of [`lines`] in one sentence.
 pub fn first_line(answer: &Answer) -> String {
     let said = lines(answer);

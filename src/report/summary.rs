@@ -2,10 +2,9 @@
 //! errors, flags.
 
 use crate::answer::solve::Answer;
-use crate::injury::A_BB;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, causes, unusable};
-use crate::report::risks::first_line;
+use crate::report::risks::{first_line, legend};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 
@@ -30,11 +29,12 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
         none if none.is_empty() => "no flags".to_owned(),
         some => format!("flags: {some}"),
     };
+    let bb = legend(std::iter::once(answer)).map_or_else(String::new, |bb| format!("; {bb}"));
     let command = command.map_or_else(String::new, |command| format!("{command}\n"));
     format!(
         "{name}: {verdict}\n\
          {index}{figures} (±: {causes})\n\
-         {flags}; {A_BB}; research and education, not diagnosis\n{command}"
+         {flags}{bb}; research and education, not diagnosis\n{command}"
     )
 }
 

@@ -275,3 +275,28 @@ fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::run::kept::Keep;
+    use crate::run::watch::unwatched;
+    use crate::scenario::library::find;
+    use crate::scenario::set::set;
+
+    #[test]
+    fn places_around_the_eye_have_clock_hours_in_text_and_data() {
+        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
+        for (path, text) in [("impact.from", "Nose"), ("window_ms", "0.05")] {
+            set(&mut scenario, path, text).unwrap();
+        }
+        let scenario = scenario.check().unwrap();
+        let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        let data = crate::report::json::answer(&scenario, &answer, &[]);
+        let hour = data["results"]["scleral_stress_clock_h"].as_f64().unwrap();
+        assert_eq!(data["direction"], "from the nose at 30 deg");
+        let words = remark(&scenario, &answer, Quantity::ScleralStress);
+        assert!(words.ends_with(&format!(" ({})", o_clock(hour))), "{words}");
+    }
+}

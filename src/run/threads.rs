@@ -4,6 +4,8 @@
 //! same.
 
 use std::error::Error;
+#[cfg(feature = "app")]
+use std::io;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 
@@ -28,6 +30,18 @@ pub fn beside<A: Send, B>(other: impl FnOnce() -> A + Send, own: impl FnOnce() -
         };
         (other.expect("is taken once"), own)
     })
+}
+
+/// Starts a thread of its own.
+///
+/// # Errors
+/// Says that none can start.
+#[cfg(feature = "app")]
+pub fn start(work: impl FnOnce() + Send + 'static) -> io::Result<()> {
+    match thread::Builder::new().spawn(work) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(io::Error::other(format!("no thread can start: {error}"))),
+    }
 }
 
 /// Whether rayon has threads for the caller: a pool that it runs in, or the common one, which is

@@ -436,5 +436,7 @@ mod tests {
             fields,
             ["impact.angle_deg", "impact.outline.edge_mm", "eye.level"]
         );
+        let level = error.problems[2].to_string();
+        assert!(level.contains("numerics.geometry"), "{level}");
     }
 }

@@ -10,6 +10,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::run::threads;
 use crate::run::watch::Watch;
 use crate::tui::idle;
 use crate::tui::request::{Report, Request, Ticket};
@@ -50,7 +51,7 @@ impl Worker {
     ) -> io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let own = Arc::clone(&shared);
-        thread::Builder::new().spawn(move || {
+        threads::start(move || {
             if is_idle {
                 idle::give_way();
             }

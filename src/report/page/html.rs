@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::injury::{A_BB, SIGNS};
+use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::compare::Table;
@@ -16,7 +16,7 @@ use crate::report::page::charts;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::page::fundus;
-use crate::report::risks::{first_line, lines};
+use crate::report::risks::{first_line, legend, lines};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
@@ -197,6 +197,6 @@ fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
             p { "The same again: " code { (command) } }
         }
         ol { @for source in sources(entries) { li { (source) } } }
-        p { (version()) ". " (capital(A_BB)) ". " (SIGNS) }
+        p { (version()) ". " @if let Some(bb) = legend(entries.iter().filter_map(Entry::answer)) { (capital(bb)) ". " } (SIGNS) }
     }
 }

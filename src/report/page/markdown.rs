@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::injury::{A_BB, SIGNS};
+use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
 use crate::report::compare::Table;
@@ -10,7 +10,7 @@ use crate::report::figure::{SCALE, unusable};
 use crate::report::format::capital;
 use crate::report::limit;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
-use crate::report::risks::lines;
+use crate::report::risks::{legend, lines};
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.
@@ -33,7 +33,9 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    writeln!(out, "\n{}. {}. {SIGNS}", version(), capital(A_BB))
+    let bb = legend(entries.iter().filter_map(Entry::answer));
+    let bb = bb.map_or_else(String::new, |bb| format!("{}. ", capital(bb)));
+    writeln!(out, "\n{}. {bb}{SIGNS}", version())
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {

@@ -1,6 +1,7 @@
 //! Tests of the parent module.
 
 use crate::scenario::fields::tests::every_variant;
+use crate::scenario::library;
 use crate::scenario::load;
 use crate::scenario::set::*;
 use crate::scenario::{
@@ -313,4 +314,29 @@ fn a_doubt_goes_with_its_field() {
         ["impact.speed_m_s"]
     );
     scenario.check().unwrap();
+}
+
+#[test]
+fn an_hour_is_typed_as_a_clock_shows_it() {
+    let ball = library::find("bb-62").unwrap().scenario().unwrap();
+    let hour = |text: &str| {
+        let mut scenario = ball.clone();
+        set(&mut scenario, "impact.angle_clock", text)?;
+        match scenario.impact {
+            Impact::Projectile(ball) => Ok(ball.angle_clock),
+            Impact::ForcePulse(_) => panic!("it is a ball"),
+        }
+    };
+    for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("3", 3.0)] {
+        assert_eq!(
+            hour(text).map_err(|e: ScenarioError| e.to_string()),
+            Ok(wanted),
+            "{text}"
+        );
+    }
+    for text in ["7:60", "13:00", ":30", "7:3x"] {
+        assert!(hour(text).is_err(), "{text}");
+    }
+    let mut other = ball.clone();
+    assert!(set(&mut other, "impact.speed_m_s", "7:30").is_err());
 }

@@ -7,6 +7,7 @@ use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
+use crate::run::threads;
 use crate::tui::terminal::system;
 
 /// Alternate screen, bracketed paste, no cursor.
@@ -108,7 +109,7 @@ fn is_entered() -> bool {
 #[cfg(unix)]
 pub(super) fn abandon(code: i32) -> ! {
     // The app may be held up in a write, so this one must not be waited for.
-    let _ = thread::Builder::new().spawn(|| {
+    let _ = threads::start(|| {
         if let Ok(out) = system::out() {
             leave(&out);
         }

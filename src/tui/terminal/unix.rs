@@ -17,6 +17,7 @@ use signal_hook::consts::{
 use signal_hook::iterator;
 use signal_hook::low_level::emulate_default_handler;
 
+use crate::run::threads;
 use crate::tui::terminal::event::Event;
 use crate::tui::terminal::pacer::Pacer;
 use crate::tui::terminal::{mouse, session};
@@ -108,7 +109,7 @@ pub(super) fn signals() -> io::Result<Signals> {
 /// Where no thread can start.
 pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) -> io::Result<()> {
     let sender = send.clone();
-    thread::Builder::new().spawn(move || {
+    threads::start(move || {
         let mut told = false;
         for signal in signals.forever() {
             let event = match signal {
@@ -123,7 +124,7 @@ pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) ->
                     }
                     told = true;
                     // Without a thread for it the app has all the time it takes.
-                    let _ = thread::Builder::new().spawn(move || {
+                    let _ = threads::start(move || {
                         thread::sleep(LAST_CALL);
                         session::abandon(code);
                     });
@@ -136,8 +137,7 @@ pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) ->
         }
     })?;
     let sender = send.clone();
-    thread::Builder::new().spawn(move || read_keyboard(&sender))?;
-    Ok(())
+    threads::start(move || read_keyboard(&sender))
 }
 
 /// So many bytes are read at once: what is typed faster than it is done waits in the terminal.

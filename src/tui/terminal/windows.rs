@@ -5,10 +5,10 @@
 
 use std::io;
 use std::sync::mpsc::SyncSender;
-use std::thread;
 
 use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
 
+use crate::run::threads;
 use crate::tui::terminal::event::Event;
 use crate::tui::terminal::input::TerminalInput;
 use crate::tui::terminal::pacer::Pacer;
@@ -68,7 +68,7 @@ pub(super) fn signals() -> io::Result<Signals> {
 /// Where no thread can start.
 pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
     let send = send.clone();
-    thread::Builder::new().spawn(move || {
+    threads::start(move || {
         loop {
             let event = match console::read() {
                 Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
@@ -85,8 +85,7 @@ pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
                 return;
             }
         }
-    })?;
-    Ok(())
+    })
 }
 
 /// Nothing to stop for; no key asks for it.
