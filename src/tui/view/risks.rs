@@ -11,7 +11,7 @@ use ratatui::style::Style;
 use crate::answer::solve::Answer;
 use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, whole};
 use crate::report::figure::{Figure, unusable, with_unit};
-use crate::report::format::significant;
+use crate::report::format::digits;
 use crate::report::risks::uncounted;
 use crate::run::flags::FlagKind;
 use crate::tui::model::AppModel;
@@ -71,10 +71,7 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let measure = risk.injury.measure();
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let half = with_unit(
-        &significant(risk.injury.curve().half * row.factor),
-        row.unit,
-    );
+    let half = with_unit(&digits(risk.injury.curve().half * row.factor, 2), row.unit);
     let texts = [
         format!("{} {felt}; half of all eyes are hurt at {half}", row.label),
         format!("{} {felt}; half are hurt at {half}", row.label),
@@ -102,7 +99,7 @@ const BROAD: Columns = Columns {
     word: 20,
     about: 51,
     range: 60,
-    like: 68,
+    like: 70,
 };
 
 impl Columns {
@@ -161,11 +158,14 @@ pub fn rows(
         ..area
     };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
+    let tight = columns
+        .as_ref()
+        .is_some_and(|columns| columns.word == NARROW.word);
     if let Some(columns) = &columns {
         for (right, text) in [
             (columns.about, "about"),
             (columns.range, "range"),
-            (columns.like, "BB m/s"),
+            (columns.like, if tight { "BB m/s" } else { "like a BB" }),
         ] {
             put_right(buffer, area, (right, 0), text, theme.quiet());
         }
@@ -191,7 +191,6 @@ pub fn rows(
             put(buffer, area, (0, y), end, name);
             continue;
         };
-        let tight = columns.word == NARROW.word;
         let (own, word) = if tight {
             let word = risk.word().replace(" to almost certain", "-certain");
             (short_name(risk.injury), word.replace(" to ", "-"))
@@ -215,7 +214,14 @@ pub fn rows(
                 Equivalent::At(speed) => format!("{speed:.0}"),
                 Equivalent::Over(speed) => format!(">{speed:.0}"),
             };
-            put_right(buffer, area, (columns.like, y), &like, theme.text());
+            let unit = if tight { "" } else { " m/s" };
+            put_right(
+                buffer,
+                area,
+                (columns.like, y),
+                &(like + unit),
+                theme.text(),
+            );
         }
         if with_bar {
             draw_bar(risk, theme, below(bar, y), buffer);
@@ -291,6 +297,7 @@ pub fn draw_signs(theme: Theme, area: Rect, buffer: &mut Buffer) {
 mod tests {
     use super::*;
     use crate::injury::{Blow, Known};
+    use crate::tui::view::text::width;
 
     fn risk(injury: Injury, times: f64) -> Risk {
         let value = times * injury.curve().half;

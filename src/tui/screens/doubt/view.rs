@@ -172,7 +172,7 @@ fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
         put_right(buffer, area, (right, 1), word, theme.quiet());
     }
     let room = area.width - LABEL - 4 - 3 * NUMBER;
-    let text = longest_fitting(&["◆ as it stands   answer", "answer"], room);
+    let text = longest_fitting(&["◆ as entered   answer", "answer"], room);
     put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
 }
 
