@@ -9,11 +9,13 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, whole};
+use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, span, whole};
+use crate::many::bands::Band;
 use crate::report::figure::{Figure, unusable, with_unit};
 use crate::report::format::digits;
 use crate::report::risks::uncounted;
 use crate::run::flags::FlagKind;
+use crate::tui::ensemble::widened;
 use crate::tui::model::AppModel;
 use crate::tui::view::below;
 use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, wrapped};
@@ -233,6 +235,17 @@ pub fn rows(
     }
 }
 
+/// By how much the samples of the inputs widen the ranges, once they are there.
+fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
+    let ensemble = model.ensemble.of(&model.shown.as_ref()?.scenario)?;
+    let said = |(injury, band): &(Injury, Band)| {
+        let range = span((band.low / 100.0, band.high / 100.0));
+        format!("{} {range}", injury.word())
+    };
+    let all: Vec<String> = widened(ensemble, answer).iter().map(said).collect();
+    (!all.is_empty()).then(|| format!("wider by doubt in the inputs: {}", all.join(", ")))
+}
+
 /// What limits an answer, the gravest first: why it is not usable, what the places of its injuries
 /// mean, what was raised, and what is still to be counted. In short where `rows` are few, and as
 /// much of it as they hold.
@@ -256,7 +269,9 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
             }
         });
         let counting = counting(model, answer);
-        for part in notes.chain(flags).chain(counting.as_deref()) {
+        let wider = wider(model, answer);
+        let rest = wider.iter().chain(&counting).map(String::as_str);
+        for part in notes.chain(flags).chain(rest) {
             if !said.iter().any(|other| other == part) {
                 said.push(part.to_owned());
             }

@@ -74,7 +74,7 @@ impl LogAxis {
 
 /// A tick's number, which has one digit or two.
 pub fn tick_label(value: f64) -> String {
-    if !(0.99e-3..1e5).contains(&value) {
+    if !(0.99e-3..1e6).contains(&value) {
         return format!("{value:.0e}");
     }
     let digits = (1.0 - value.log10() - 1e-9).ceil().max(0.0) as usize;

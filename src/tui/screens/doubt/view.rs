@@ -17,6 +17,7 @@ use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
 use crate::report::risks::range;
 use crate::run::quantity::Quantity;
+use crate::tui::ensemble::shown_band;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
@@ -107,28 +108,6 @@ pub fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
     let mut results = ensemble.results();
     results.sort_by_key(|of| !of.is_risk());
     results
-}
-
-/// The answer's own range of a risk, in %.
-fn own(answer: &Answer, of: Quantity) -> Option<Band> {
-    let risk = answer.risk(Injury::of(of)?)?;
-    Some(Band {
-        low: 100.0 * risk.range.0,
-        median: 100.0 * risk.risk,
-        high: 100.0 * risk.range.1,
-    })
-}
-
-/// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.
-/// Whether the samples' is wider than that.
-fn shown_band(ensemble: &Ensemble, answer: Option<&Answer>, of: Quantity) -> Option<(Band, bool)> {
-    let band = ensemble.band(of)?;
-    let wide = |band: Band| band.high - band.low;
-    Some(match answer.and_then(|answer| own(answer, of)) {
-        Some(own) if wide(band) > wide(own) => (band, true),
-        Some(own) => (own, false),
-        None => (band, false),
-    })
 }
 
 /// What is computed before the first bands, and when those come.
