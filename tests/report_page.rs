@@ -36,7 +36,7 @@ fn a_page_holds_the_answer_and_loads_nothing() {
         "globe rupture</strong>",
         "like a BB at",
         "window_short",
-        "Corneal apex",
+        "Cornea pushed in",
         "0.345 g",
         "contrecoup report bb-56 --set 'window_ms=0.3'",
         "doi:10.4172/jcsb.1000128",
@@ -62,7 +62,7 @@ fn several_are_compared_and_other_ends_of_names_give_other_forms() {
     assert!(page.contains("Side by side"));
     assert_eq!(page.matches("class=\"replay\"").count(), 2);
     let words = read(&written(folder.path(), "two.md", &two));
-    assert!(words.starts_with("# Side by side") && words.contains("| Corneal apex |"));
+    assert!(words.starts_with("# Side by side") && words.contains("| Cornea pushed in |"));
     let picture = read(&written(folder.path(), "two.SVG", &two));
     assert!(picture.starts_with("<svg") && picture.contains("300 N for 0.2 ms"));
     let output = program(&["report", "paper-300n", "-o", "page.pdf"]).output();

@@ -77,7 +77,7 @@ pub fn text(
     writeln!(
         out,
         "{:<22}{:>12}{:>12}{:>12}{:>16}",
-        "", "5 %", "median", "95 %", "as it stands"
+        "", "5 %", "median", "95 %", "as entered"
     )?;
     let mut risks = false;
     for quantity in ensemble.results() {
@@ -158,7 +158,7 @@ fn outside(ensemble: &Ensemble) -> Vec<String> {
         let why = why.map_or_else(String::new, |input| {
             format!(", as {input} stands at an end of its spread")
         });
-        format!("! as it stands outside its band: {labels}{why}")
+        format!("! as entered it lies outside its band: {labels}{why}")
     };
     found.iter().map(said).collect()
 }

@@ -95,14 +95,13 @@ pub struct Figure {
 }
 
 /// What the signs of [`Figure::cell`] mean.
-pub const CUT: &str =
-    "≥: at least, ~: not final; the run ended too early (a longer window_ms tells)";
+pub const CUT: &str = "≥: at least, ~: so far; the run ended too early (a longer window_ms tells)";
 
 /// What stands before a result that the run cut off, in words.
 pub fn cut_word(cut: Option<Cut>) -> &'static str {
     match cut {
         Some(Cut::AtLeast) => AT_LEAST,
-        Some(Cut::NotFinal) => "not final:",
+        Some(Cut::NotFinal) => "so far",
         None => "",
     }
 }

@@ -60,7 +60,7 @@ mod tests {
             lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "),
             "{text}"
         );
-        assert!(lines[1].starts_with("damage index not final: "), "{text}");
+        assert!(lines[1].starts_with("damage index so far "), "{text}");
         // The window ends while the ball presses on: each other figure may still grow.
         assert_eq!(
             lines[1].matches("; ").count(),

@@ -205,12 +205,7 @@ impl Quantity {
                     |t| &t.apex,
                     (Group::Motion, 1),
                 )),
-                ..number(
-                    "apex_displacement_mm",
-                    "cornea pushed in",
-                    "pushed in",
-                    "mm",
-                )
+                ..number("apex_displacement_mm", "cornea pushed in", "pushed", "mm")
             },
             Self::ForceCentre => Row {
                 // Far smoother than those of the shell, and really better.
@@ -356,7 +351,7 @@ impl Quantity {
                 trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| {
                     &t.tissue[1]
                 })),
-                ..number("back_stretch_percent", "stretch at back", "back wall", "%")
+                ..number("back_stretch_percent", "stretch at back", "back", "%")
             },
             Self::EdgeGrowth => Row {
                 leads: Leads::Watched,
@@ -364,12 +359,7 @@ impl Quantity {
                 trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| {
                     &t.tissue[2]
                 })),
-                ..number(
-                    "edge_growth_percent",
-                    "retina edge growth",
-                    "ret. edge",
-                    "%",
-                )
+                ..number("edge_growth_percent", "retina edge growth", "edge", "%")
             },
             Self::LensPull => Row {
                 leads: Leads::Watched,
@@ -394,10 +384,10 @@ impl Quantity {
                 )
             },
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
-            Self::RetinaBack => risk("retina_back_percent", "retina at the back", "retina"),
-            Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret. front"),
+            Self::RetinaBack => risk("retina_back_percent", "retina at the back", "ret.back"),
+            Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret.edge"),
             Self::LensDislocation => {
-                risk("lens_dislocation_percent", "lens dislocation", "lens torn")
+                risk("lens_dislocation_percent", "lens dislocation", "luxation")
             }
             Self::Hyphema => risk("hyphema_percent", "hyphema", "hyphema"),
             Self::CornealAbrasion => {

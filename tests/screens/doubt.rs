@@ -29,7 +29,7 @@ fn open_changed(app: &mut App, then: impl Fn(&mut Ensemble)) {
 fn bands_of_the_scenario_before_are_not_shown() {
     let mut app = app(&[], Depth::Mono);
     open_sampled(&mut app);
-    assert!(picture(&app, (80, 24)).contains("as it stands"));
+    assert!(picture(&app, (80, 24)).contains("as entered"));
     press(&mut app, "\x1b1\r\x15200\r\x1b6");
     let report = Report::progress(ticket(&app.model.ensemble.task), 0.01, Duration::ZERO);
     update(&mut app, Message::News(report));

@@ -305,7 +305,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&["off-axis-triangle"], "\x1b7x-"),
-        &["Angle across, Duration up", "not known yet", "o yours"],
+        &["Angle across, Duration up", "not known yet", "o your blow"],
     );
     said(
         &after(&[], "\x1b8"),

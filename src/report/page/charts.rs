@@ -14,7 +14,7 @@ use crate::run::trace::Trace;
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
-const MOST_POINTS: usize = 500;
+const MOST_POINTS: usize = 300;
 /// Colours that people tell apart whatever their sight (Okabe and Ito).
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
@@ -36,8 +36,6 @@ pub struct PageChart {
     pub across: &'static str,
     pub up: String,
     pub curves: Vec<PlottedCurve>,
-    /// Whether the names of the curves stand to the left.
-    pub names_left: bool,
     /// Points that stand out, each in the colour of its curve.
     pub marks: Vec<(usize, (f64, f64))>,
 }
@@ -66,6 +64,18 @@ impl PageChart {
         Some(text.replacen(&fixed, "<svg", 1))
     }
 
+    /// The names of its curves with the colour of each, to stand where they hide nothing; none of a
+    /// single curve, which the title names.
+    pub fn names(&self) -> Vec<(&str, String)> {
+        let css = |i: usize| {
+            let RGBColor(red, green, blue) = COLOURS[i % COLOURS.len()];
+            format!("color:rgb({red},{green},{blue})")
+        };
+        let curves = self.curves.iter().enumerate();
+        let named = curves.map(|(i, curve)| (curve.name.as_str(), css(i)));
+        named.filter(|_| self.curves.len() > 1).collect()
+    }
+
     fn draw(&self, text: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
         let points = || self.curves.iter().flat_map(|curve| &curve.points);
         let marks = || self.marks.iter().map(|(_, point)| point);
@@ -92,31 +102,16 @@ impl PageChart {
             .draw()?;
         for (i, curve) in self.curves.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
-            chart
-                .draw_series(LineSeries::new(
-                    curve.points.iter().copied(),
-                    colour.stroke_width(2),
-                ))?
-                .label(&curve.name)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2))
-                });
+            chart.draw_series(LineSeries::new(
+                curve.points.iter().copied(),
+                colour.stroke_width(2),
+            ))?;
         }
         let dots = self
             .marks
             .iter()
             .map(|(curve, point)| Circle::new(*point, 4, COLOURS[curve % COLOURS.len()].filled()));
         chart.draw_series(dots)?;
-        chart
-            .configure_series_labels()
-            .position(if self.names_left {
-                SeriesLabelPosition::UpperLeft
-            } else {
-                SeriesLabelPosition::UpperRight
-            })
-            .background_style(WHITE.mix(0.85))
-            .border_style(TRANSPARENT)
-            .draw()?;
         root.present()?;
         Ok(())
     }
@@ -163,16 +158,17 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
     })
 }
 
-/// What drives the eye, and the forces of the monitored nodes.
+/// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
+/// that force they would be flat lines.
 pub fn forces(answer: &Answer) -> PageChart {
+    let hit = answer.result(Quantity::Contact).is_some();
     let nodes = crate::run::trace::TRACES.iter().copied();
-    let nodes = nodes.filter(|course| course.row().place.0 == Group::NodeForces);
+    let nodes = nodes.filter(|course| !hit && course.row().place.0 == Group::NodeForces);
     let courses = [Trace::Other(OtherTrace::Drive)].into_iter().chain(nodes);
     PageChart {
         across: "ms",
         up: "force, N".to_owned(),
         curves: courses.filter_map(|course| curve(answer, course)).collect(),
-        names_left: false,
         marks: Vec::new(),
     }
 }
@@ -189,7 +185,6 @@ pub fn motion(answer: &Answer) -> PageChart {
         across: "ms",
         up,
         curves,
-        names_left: false,
         marks: Vec::new(),
     }
 }
@@ -207,7 +202,6 @@ pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
         across: "ms",
         up: "force on the eye, N".to_owned(),
         curves: answers.iter().filter_map(one).collect(),
-        names_left: false,
         marks: Vec::new(),
     }
 }
@@ -235,10 +229,9 @@ pub fn injuries(answer: &Answer) -> PageChart {
         marks.push((i, (at, 100.0 * risk.risk)));
     }
     PageChart {
-        across: "measure, as a share of that of 50 %",
+        across: "what the tissue felt, as a share of what hurts half of all eyes",
         up: "risk, %".to_owned(),
         curves,
-        names_left: true,
         marks,
     }
 }
@@ -256,12 +249,14 @@ mod tests {
                 name: "a < b".to_owned(),
                 points,
             }],
-            names_left: false,
             marks: vec![(0, (1.0, 2.0))],
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();
         assert!(svg.starts_with("<svg viewBox=") && svg.contains("force, N"));
-        assert!(svg.contains("a &lt; b"), "{svg}");
+        assert!(
+            !svg.contains("a &lt; b"),
+            "a name over the curves hides them: {svg}"
+        );
         assert!(chart(Vec::new()).svg().is_none());
     }
 }

@@ -60,7 +60,14 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
 fn figure(caption: &str, chart: &charts::PageChart) -> Markup {
     html! {
         @if let Some(svg) = chart.svg() {
-            figure { figcaption { (caption) } (PreEscaped(svg)) }
+            figure {
+                figcaption { (caption) }
+                (PreEscaped(svg))
+                @let names = chart.names();
+                @if !names.is_empty() {
+                    p.names { @for (name, colour) in names { span style=(colour) { "━ " (name) } " " } }
+                }
+            }
         }
     }
 }

@@ -66,7 +66,7 @@ pub(crate) fn adopt(model: &mut AppModel, scenario: Scenario) {
         (Some(integrator), Some(step)) => format!("{}, step {step} µs", integrator.name()),
         _ => "automatic integrator and step".to_owned(),
     };
-    let notice = format!("adopted level {level}, {how}; u takes it back");
+    let notice = format!("computed with level {level}, {how} now; u takes it back");
     let work = model.work.with(scenario);
     change(model, work, "");
     if model.notice.is_none() {

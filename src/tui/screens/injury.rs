@@ -134,13 +134,24 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
     for x in 0..foot.width {
         put(buffer, foot, (x, 0), "─", theme.line());
     }
-    let mut sentences: Vec<String> = risk.notes.iter().map(|note| (*note).to_owned()).collect();
+    // What is believed comes first, and last what does not count here.
+    let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];
     let mut basis = basis(&shown.answer, risk);
+    let published = basis.split_off(1);
     if each > 1 {
         // The rest of it stands in the row.
         basis[0] = format!("matched to {}", risk.injury.curve().matched);
     }
     sentences.append(&mut basis);
+    let counts = shown.answer.case.blow.tested > 0.0;
+    if counts {
+        sentences.extend(published);
+    } else if !published.is_empty() {
+        let said = published.join("; ");
+        sentences.push(format!(
+            "not counted, as such an object was not tested: {said}"
+        ));
+    }
     let sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
     let said = whole_sentences(&sentences, room, foot.height.saturating_sub(1).into());
     put_lines(buffer, foot, (1, 1), &said, theme.text());

@@ -28,7 +28,13 @@ pub fn draw(model: &AppModel, live: Vec<(String, &str)>, area: Rect, buffer: &mu
     if let Some(writing) = writing(&model.page) {
         x = put(buffer, area, (x, 0), &writing, theme.bar_strong()) + 2;
     } else if let Some(ahead) = model.ahead() {
-        x = put(buffer, area, (x, 0), &format!("idle: {ahead}"), theme.bar()) + 2;
+        x = put(
+            buffer,
+            area,
+            (x, 0),
+            &format!("computing ahead: {ahead}"),
+            theme.bar(),
+        ) + 2;
     }
     // The keys for help and for leaving are always there.
     let is_last = |word: &str| word == "keys" || word == "quit";

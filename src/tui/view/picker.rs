@@ -23,8 +23,8 @@ const ABOVE: u16 = 2;
 
 /// What the first start says below the list.
 const WELCOME: [&str; 2] = [
-    "Every number can be changed then. p lists these again.",
-    "Esc: the paper's own blow, a force of 300 N for 0.2 ms.",
+    "Speed and all else can be changed afterwards. p: this list again.",
+    "Esc: the blow of the paper, a force of 300 N for 0.2 ms.",
 ];
 
 /// Draws the list in the middle of `area`.

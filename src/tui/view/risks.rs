@@ -9,11 +9,13 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, whole};
+use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, span, whole};
+use crate::many::bands::Band;
 use crate::report::figure::{Figure, unusable, with_unit};
-use crate::report::format::significant;
+use crate::report::format::digits;
 use crate::report::risks::uncounted;
 use crate::run::flags::FlagKind;
+use crate::tui::ensemble::widened;
 use crate::tui::model::AppModel;
 use crate::tui::view::below;
 use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, wrapped};
@@ -71,10 +73,7 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let measure = risk.injury.measure();
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let half = with_unit(
-        &significant(risk.injury.curve().half * row.factor),
-        row.unit,
-    );
+    let half = with_unit(&digits(risk.injury.curve().half * row.factor, 2), row.unit);
     let texts = [
         format!("{} {felt}; half of all eyes are hurt at {half}", row.label),
         format!("{} {felt}; half are hurt at {half}", row.label),
@@ -102,7 +101,7 @@ const BROAD: Columns = Columns {
     word: 20,
     about: 51,
     range: 60,
-    like: 68,
+    like: 70,
 };
 
 impl Columns {
@@ -161,11 +160,14 @@ pub fn rows(
         ..area
     };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
+    let tight = columns
+        .as_ref()
+        .is_some_and(|columns| columns.word == NARROW.word);
     if let Some(columns) = &columns {
         for (right, text) in [
             (columns.about, "about"),
             (columns.range, "range"),
-            (columns.like, "BB m/s"),
+            (columns.like, if tight { "BB m/s" } else { "like a BB" }),
         ] {
             put_right(buffer, area, (right, 0), text, theme.quiet());
         }
@@ -191,7 +193,6 @@ pub fn rows(
             put(buffer, area, (0, y), end, name);
             continue;
         };
-        let tight = columns.word == NARROW.word;
         let (own, word) = if tight {
             let word = risk.word().replace(" to almost certain", "-certain");
             (short_name(risk.injury), word.replace(" to ", "-"))
@@ -215,7 +216,14 @@ pub fn rows(
                 Equivalent::At(speed) => format!("{speed:.0}"),
                 Equivalent::Over(speed) => format!(">{speed:.0}"),
             };
-            put_right(buffer, area, (columns.like, y), &like, theme.text());
+            let unit = if tight { "" } else { " m/s" };
+            put_right(
+                buffer,
+                area,
+                (columns.like, y),
+                &(like + unit),
+                theme.text(),
+            );
         }
         if with_bar {
             draw_bar(risk, theme, below(bar, y), buffer);
@@ -225,6 +233,17 @@ pub fn rows(
             put(buffer, area, (2, y + 1), &felt, theme.quiet());
         }
     }
+}
+
+/// By how much the samples of the inputs widen the ranges, once they are there.
+fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
+    let ensemble = model.ensemble.of(&model.shown.as_ref()?.scenario)?;
+    let said = |(injury, band): &(Injury, Band)| {
+        let range = span((band.low / 100.0, band.high / 100.0));
+        format!("{} {range}", injury.word())
+    };
+    let all: Vec<String> = widened(ensemble, answer).iter().map(said).collect();
+    (!all.is_empty()).then(|| format!("wider by doubt in the inputs: {}", all.join(", ")))
 }
 
 /// What limits an answer, the gravest first: why it is not usable, what the places of its injuries
@@ -250,7 +269,9 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
             }
         });
         let counting = counting(model, answer);
-        for part in notes.chain(flags).chain(counting.as_deref()) {
+        let wider = wider(model, answer);
+        let rest = wider.iter().chain(&counting).map(String::as_str);
+        for part in notes.chain(flags).chain(rest) {
             if !said.iter().any(|other| other == part) {
                 said.push(part.to_owned());
             }

@@ -108,7 +108,7 @@ fn the_cursor_moves_and_its_values_are_adopted() {
     assert!(asked::<Simulate>(&effects).is_some());
     let (_, adopted) = app.state::<Map>().adopted(&before).unwrap();
     assert_eq!(app.model.work.scenario, adopted);
-    assert!(app.model.notice.as_ref().unwrap().contains("adopted"));
+    assert!(app.model.notice.as_ref().unwrap().contains("now "));
     key(&mut app, KeyCode::Enter);
     assert!(app.model.notice.as_ref().unwrap().contains("your values"));
     letter(&mut app, 'u');

@@ -1,5 +1,8 @@
 //! A logarithmic axis: where a value lies on it, and which values are labelled.
 
+/// Fewer ticks than so many tell nothing of an axis.
+const FEW: usize = 3;
+
 /// A logarithmic axis between two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogAxis {
@@ -36,12 +39,23 @@ impl LogAxis {
     pub fn ticks(self, most: usize) -> Vec<f64> {
         let (first, last) = (self.low.floor() as i32, self.high.ceil() as i32);
         let within = |v: &f64| (self.low..=self.high).contains(&v.log10());
-        let fine: Vec<f64> = (first..=last)
-            .flat_map(|n| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(n)))
-            .filter(within)
-            .collect();
-        if fine.len() <= most {
-            return fine;
+        let over = |steps: &[f64]| -> Vec<f64> {
+            let decades = (first..=last).map(|n| 10f64.powi(n));
+            let values = decades.flat_map(|one| steps.iter().map(move |m| m * one));
+            values.filter(within).collect()
+        };
+        let even = |count: u32| -> Vec<f64> {
+            (0..9 * count)
+                .map(|i| 1.0 + f64::from(i) / f64::from(count))
+                .collect()
+        };
+        // The narrower the axis, the finer the steps.
+        let sets = [vec![1.0, 2.0, 5.0], even(1), even(2), even(5), even(10)];
+        let all = sets.iter().map(|steps| over(steps));
+        let fitting: Vec<Vec<f64>> = all.filter(|ticks| ticks.len() <= most).collect();
+        let mut enough = fitting.iter().filter(|ticks| ticks.len() >= FEW);
+        if let Some(ticks) = enough.next().or(fitting.last()) {
+            return ticks.clone();
         }
         let mut apart = 1;
         loop {
@@ -58,13 +72,17 @@ impl LogAxis {
     }
 }
 
-/// A tick's number: it has one digit.
+/// A tick's number, which has one digit or two.
 pub fn tick_label(value: f64) -> String {
-    if (0.99e-3..1e5).contains(&value) {
-        let digits = (-value.log10() - 1e-9).ceil().max(0.0) as usize;
-        format!("{value:.digits$}")
+    if !(0.99e-3..1e6).contains(&value) {
+        return format!("{value:.0e}");
+    }
+    let digits = (1.0 - value.log10() - 1e-9).ceil().max(0.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
-        format!("{value:.0e}")
+        text
     }
 }
 
@@ -78,7 +96,11 @@ mod tests {
         assert_eq!(axis.ticks(4).len(), 4);
         assert!(axis.ticks(4).iter().all(|t| (t.log10() % 1.0).abs() < 1e-9));
         let narrow = LogAxis::over([1.1, 4.0].into_iter());
-        assert_eq!(narrow.ticks(5), [1.0, 2.0]);
+        assert_eq!(narrow.ticks(5), [1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(narrow.ticks(2), [1.0, 2.0]);
+        let error = LogAxis::over([4.3, 4.8].into_iter());
+        let ticks: Vec<String> = error.ticks(8).into_iter().map(tick_label).collect();
+        assert_eq!(ticks, ["4", "4.5", "5"]);
         let labels = [1e-6, 1e-3, 0.02, 0.1, 1.0, 50.0].map(tick_label);
         assert_eq!(labels, ["1e-6", "0.001", "0.02", "0.1", "1", "50"]);
     }

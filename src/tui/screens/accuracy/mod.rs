@@ -21,7 +21,7 @@ use measurement::{Measurement, Proposal, adopted};
 pub(super) const ABOUT: About = About {
     title: "Accuracy",
     question: "How exact, at what cost?",
-    purpose: "total error against time",
+    purpose: "how much less error costs how much time",
     new: || Box::new(Measurement::default()),
 };
 
@@ -33,9 +33,9 @@ impl Panes for Measurement {
 const KEYS: PaneKeys<Measurement> = PaneKeys::new(ABOUT.title, &[
     bind(&[LEFT, c('h')], |s, m| s.step(&m.work.scenario, Step::LESS), "point", "the next faster point"),
     bind(&[RIGHT, c('l')], |s, m| s.step(&m.work.scenario, Step::MORE), "&", "the next slower point"),
-    bind(&[ENTER], Measurement::adopt_chosen, "adopt", "give the scenario its level, integrator and step"),
-    bind(&[SHIFT_LEFT, c('H')], |s, m| s.step(&m.work.scenario, Step::MUCH_LESS), "", "the next faster point of the front"),
-    bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step(&m.work.scenario, Step::MUCH_MORE), "", "the next slower point of the front"),
+    bind(&[ENTER], Measurement::adopt_chosen, "use it", "compute the blow with its level, integrator and step"),
+    bind(&[SHIFT_LEFT, c('H')], |s, m| s.step(&m.work.scenario, Step::MUCH_LESS), "", "the next faster that none beats"),
+    bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step(&m.work.scenario, Step::MUCH_MORE), "", "the next slower that none beats"),
     bind(&[c('v')], |s, m| s.next_result(&m.work.scenario), "result", "the error of the next result"),
     bind(&[c('m')], |s, _| s.measure_again(), "", "go on after Esc, or measure again"),
 ]);

@@ -13,6 +13,7 @@ use crate::many::accuracy::ROUNDS;
 use crate::many::accuracy::TOLERANCES;
 use crate::many::accuracy::Total;
 use crate::many::accuracy::cheapest;
+use crate::report::format::digits;
 use crate::report::format::percent;
 use crate::report::format::significant;
 use crate::run::quantity::Quantity;
@@ -86,13 +87,39 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut B
         };
         put(buffer, area, (1, top + i as u16), line, style);
     }
-    let plot = Rect::new(area.x, area.y + 1, area.width, top.saturating_sub(1));
+    let lines = wrapped(&costs(&shown), usize::from(room));
+    put_lines(buffer, area, (1, 1), &lines, theme.strong());
+    let first = 1 + lines.len() as u16;
+    let plot = Rect::new(
+        area.x,
+        area.y + first,
+        area.width,
+        top.saturating_sub(first),
+    );
     if plot.height < LEAST.1 + 2 || plot.width < LEAST.0 + LABELS {
         let text = "too small for the chart";
         put(buffer, area, (1, 1), text, theme.warning());
         return;
     }
     chart(&shown, here, model.look, plot, buffer);
+}
+
+/// What less error costs: the fastest run, the most exact one, and one between them.
+fn costs(shown: &[Total]) -> String {
+    let mut front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
+    front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let places = [0, front.len() / 2, front.len().saturating_sub(1)];
+    let mut picked: Vec<&Total> = places
+        .iter()
+        .filter_map(|at| front.get(*at).copied())
+        .collect();
+    picked.dedup_by_key(|total| total.seconds.to_bits());
+    let time = |total: &Total| format!("{} ms", digits(total.seconds * 1e3, 2));
+    let parts = picked.iter().enumerate().map(|(i, total)| {
+        let costs = if i == 0 { " off costs" } else { " off:" };
+        format!("{}{costs} {}", percent(total.error()), time(total))
+    });
+    parts.collect::<Vec<_>>().join("; ") + "."
 }
 
 /// What stands in place of the chart before there is one.
@@ -133,7 +160,7 @@ fn legend(shown: &[Total]) -> Vec<String> {
         .filter(there)
         .map(|i| format!("{} {}", i.method().letter, i.name()))
         .collect();
-    parts.push("capitals: unbeaten in time and error".to_owned());
+    parts.push("capital: none is both faster and closer".to_owned());
     parts.push("> more exact, < faster".to_owned());
     parts
 }
@@ -186,8 +213,8 @@ fn front(shown: &[Total], here: usize) -> String {
     let of: Vec<String> = of.map(|percent| format!("{percent} %")).collect();
     match (shown[here].on_front, of.is_empty()) {
         (_, false) => format!("the cheapest for {}", of.join(", ")),
-        (true, true) => "on the front".to_owned(),
-        (false, true) => "beaten: not on the front".to_owned(),
+        (true, true) => "none is both faster and closer".to_owned(),
+        (false, true) => "another is faster and closer".to_owned(),
     }
 }
 
@@ -262,6 +289,7 @@ fn axes(
         put_right(buffer, area, (LABELS, y), &label, theme.quiet());
         put(buffer, area, (LABELS, y), "┤", theme.line());
     }
+    put(buffer, area, (0, 0), "%", theme.quiet());
     let mut free = 0;
     for value in times.ticks(usize::from(field.width / 8)) {
         let x = LABELS + 1 + (times.share(value) * f64::from(field.width - 1)).round() as u16;

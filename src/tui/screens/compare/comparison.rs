@@ -90,9 +90,9 @@ impl Alignment {
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Clock => "all on one clock",
-            Self::Contact => "aligned at first contact",
-            Self::Deepest => "aligned where deepest",
+            Self::Clock => "same time from the start",
+            Self::Contact => "same time from first contact",
+            Self::Deepest => "same time from where deepest",
         }
     }
 

@@ -288,7 +288,14 @@ fn row(
     if !answer.flags.is_empty() {
         let flags = answer.flags.iter().map(|flag| flag.kind.words());
         let names = flags.collect::<Vec<_>>().join(", ");
-        let texts = [names, format!("{} warnings", answer.flags.len())];
+        let texts = [
+            names,
+            format!(
+                "{} warning{}",
+                answer.flags.len(),
+                if answer.flags.len() == 1 { "" } else { "s" }
+            ),
+        ];
         let text = longest_fitting(&texts, room as u16);
         put(buffer, area, (3, 1), text, theme.warning());
     }

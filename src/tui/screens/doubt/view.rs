@@ -17,6 +17,7 @@ use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
 use crate::report::risks::range;
 use crate::run::quantity::Quantity;
+use crate::tui::ensemble::shown_band;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
@@ -109,28 +110,6 @@ pub fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
     results
 }
 
-/// The answer's own range of a risk, in %.
-fn own(answer: &Answer, of: Quantity) -> Option<Band> {
-    let risk = answer.risk(Injury::of(of)?)?;
-    Some(Band {
-        low: 100.0 * risk.range.0,
-        median: 100.0 * risk.risk,
-        high: 100.0 * risk.range.1,
-    })
-}
-
-/// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.
-/// Whether the samples' is wider than that.
-fn shown_band(ensemble: &Ensemble, answer: Option<&Answer>, of: Quantity) -> Option<(Band, bool)> {
-    let band = ensemble.band(of)?;
-    let wide = |band: Band| band.high - band.low;
-    Some(match answer.and_then(|answer| own(answer, of)) {
-        Some(own) if wide(band) > wide(own) => (band, true),
-        Some(own) => (own, false),
-        None => (band, false),
-    })
-}
-
 /// What is computed before the first bands, and when those come.
 fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
@@ -172,7 +151,7 @@ fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
         put_right(buffer, area, (right, 1), word, theme.quiet());
     }
     let room = area.width - LABEL - 4 - 3 * NUMBER;
-    let text = longest_fitting(&["◆ as it stands   answer", "answer"], room);
+    let text = longest_fitting(&["◆ as entered   answer", "answer"], room);
     put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
 }
 

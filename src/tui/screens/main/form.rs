@@ -263,13 +263,24 @@ fn shown_value(model: &AppModel, field: &Field) -> String {
             }
             _ => text,
         },
-        (Kind::Choice(_), name) => spaced(name),
+        (Kind::Choice(_), name) => in_words(name),
         _ => text,
     };
     if field.unit.is_empty() {
         text
     } else {
         format!("{text} {}", field.unit)
+    }
+}
+
+/// A choice as a person would say it.
+fn in_words(name: &str) -> String {
+    match name {
+        "Inflated" => "gas or foam".to_owned(),
+        "Splashing" => "liquid in a skin".to_owned(),
+        "Elastic" => "elastic solid".to_owned(),
+        "Linear" => "like a spring".to_owned(),
+        _ => spaced(name),
     }
 }
 

@@ -244,7 +244,7 @@ fn part(
     if let Some(limit) = alone(&shown.answer, of)
         && left + FINER + SHORTEST <= right
     {
-        let text = format!("on finer meshes {limit}");
+        let text = format!("with ever finer mesh {limit}");
         put(buffer, area, (left, 0), &text, theme.quiet());
         left += FINER;
     }

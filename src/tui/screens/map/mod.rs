@@ -41,7 +41,7 @@ const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
     bind(&[SHIFT_RIGHT, c('L')], |s, _| s.step(Step::MUCH_MORE, true), "", "the cursor far to the right"),
     bind(&[SHIFT_UP, c('K')], |s, _| s.step(Step::MUCH_MORE, false), "", "the cursor far up"),
     bind(&[SHIFT_DOWN, c('J')], |s, _| s.step(Step::MUCH_LESS, false), "", "the cursor far down"),
-    bind(&[ENTER], adopt, "adopt", "give the scenario the values under the cursor"),
+    bind(&[ENTER], adopt, "use them", "give the scenario the values under the cursor"),
     bind(&[c('x')], |s, m| s.turn(&m.work.scenario, true), "across", "the next input across"),
     bind(&[c('X')], |s, m| s.turn(&m.work.scenario, false), "up", "the next input up"),
     bind(&[c('+'), c('=')], |s, m| s.zoom(&m.work.scenario, true), "range", "wider ranges"),
@@ -132,6 +132,6 @@ fn adopt(map: &mut Map, model: &mut AppModel) {
     let work = model.work.with(scenario);
     change(model, work, "");
     if model.notice.is_none() {
-        model.notice = Some(format!("adopted {}; u takes it back", parts.join(", ")));
+        model.notice = Some(format!("now {}; u takes it back", parts.join(", ")));
     }
 }

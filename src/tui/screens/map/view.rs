@@ -29,8 +29,9 @@ use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
 const LABELS: u16 = 8;
-/// Shares of the scale with a line and the sign of the line.
-const LINES: [(f64, &str); 2] = [(0.5, "+"), (1.0, "#")];
+/// Shares of the scale with a line, on which its figure stands.
+const LINES: [f64; 3] = [0.1, 0.5, 0.9];
+const LINE: &str = "+";
 /// Signs of a value above the whole scale, and of a place where no number holds.
 const ABOVE: &str = "*";
 const FOLDED: &str = "▒";
@@ -96,6 +97,7 @@ pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
                 drawn.insert(sign);
             }
         }
+        figures((grid, quantity, whole), field, theme, buffer);
         mark_scenario(model, (x, y), field, theme, buffer);
     }
     let (px, py) = map.place();
@@ -121,16 +123,13 @@ pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     } else {
         format!("steps of {}", with_unit(&part(0.1), unit))
     };
-    let mut legend = format!("0-9: {steps}");
-    for (share, sign) in LINES {
-        legend.extend(["  ", sign, " ", &with_unit(&part(share), unit)]);
-    }
+    let mut legend = format!("0-9: {steps}  {LINE} lines");
     for (sign, words) in [(ABOVE, "above that"), (FOLDED, "folded")] {
         if drawn.contains(&sign) {
             legend.extend(["  ", sign, " ", words]);
         }
     }
-    legend += "  o yours";
+    legend += "  o your blow";
     put(
         buffer,
         area,
@@ -214,8 +213,8 @@ fn cell(
             })
             .any(|other| (other < level) != (value < level))
     };
-    if let Some((_, sign)) = LINES.iter().find(|(level, _)| crosses(*level)) {
-        return (sign, theme.strong());
+    if LINES.iter().any(|level| crosses(*level)) {
+        return (LINE, theme.strong());
     }
     if reading.folded {
         return (FOLDED, heat);
@@ -225,6 +224,47 @@ fn cell(
     }
     let tenths = (value * 10.0).max(0.0) as usize;
     (DIGITS[tenths.min(9)], heat)
+}
+
+/// Writes on each line its figure, on rows of their own.
+fn figures(
+    (grid, quantity, whole): (&Grid, Quantity, f64),
+    field: Rect,
+    theme: Theme,
+    buffer: &mut Buffer,
+) {
+    let value = |column: u16, row: u16| {
+        let (x, y) = place((column, row), field);
+        Some(grid.read(quantity, (x, y))?.value? / whole)
+    };
+    for (i, level) in (1..).zip(LINES) {
+        let crossing = |row: u16| {
+            let mut columns = 1..field.width;
+            columns.find(|column| {
+                let (before, here) = (value(column - 1, row), value(*column, row));
+                before
+                    .zip(here)
+                    .is_some_and(|(a, b)| (a < level) != (b < level))
+            })
+        };
+        let wanted = field.height * i / (LINES.len() as u16 + 2);
+        let mut rows: Vec<u16> = (0..field.height).collect();
+        rows.sort_by_key(|row| row.abs_diff(wanted));
+        let Some((row, column)) = rows.into_iter().find_map(|row| Some((row, crossing(row)?)))
+        else {
+            continue;
+        };
+        let text = format!(
+            " {} ",
+            with_unit(&rounded(level * whole).to_string(), quantity.row().unit)
+        );
+        let left = column.saturating_sub(width(&text) / 2);
+        let left = left.min(field.width.saturating_sub(width(&text)));
+        for x in 0..width(&text) {
+            buffer[(field.x + left + x, field.y + row)].reset();
+        }
+        put(buffer, field, (left, row), &text, theme.strong());
+    }
 }
 
 /// Marks where the scenario itself lies, if it is on the map.
