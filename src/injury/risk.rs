@@ -87,8 +87,8 @@ const NOTES: [(&str, &str); 6] = [
         "no eye was tested with a given force",
     ),
     (
-        "bone is taken as a round rim: numerics.geometry=Full has its measured shape",
-        "bone taken as a round rim",
+        "bone is taken as round: see numerics.geometry",
+        "bone taken as round",
     ),
     (
         "from the side this place is a ring around the blow, not the anatomical one",
