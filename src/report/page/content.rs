@@ -16,7 +16,7 @@ use crate::scenario::fields::{FIELDS, Kind, find};
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
     Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
 /// Frames of the replay at most, half of them in the time in which most happens, in s.
-pub(super) const FRAMES: f64 = 80.0;
+pub(super) const FRAMES: f64 = 64.0;
 const LIVELY: f64 = 0.6e-3;
 
 /// What a run must keep for a page: traces, and the frames of its replay.

@@ -219,19 +219,22 @@ impl<'a> Picture<'a> {
 }
 
 /// The first of several lists of numbers, and of each other one by how much it differs from the
-/// one before, if that is as long.
+/// one before, if that is as long; a space where it is the same.
 fn moves(lists: &[Vec<i64>]) -> Vec<String> {
     let by = |pair: &[Vec<i64>]| {
-        if pair[0].len() != pair[1].len() {
-            return pair[1].clone();
+        if pair[0] == pair[1] {
+            return " ".to_owned();
         }
-        pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect()
+        let as_long = pair[0].len() == pair[1].len();
+        let moved = pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a);
+        packed(&if as_long {
+            moved.collect()
+        } else {
+            pair[1].clone()
+        })
     };
-    let first = lists.first().cloned().into_iter();
-    first
-        .chain(lists.windows(2).map(by))
-        .map(|list| packed(&list))
-        .collect()
+    let first = lists.first().map(|list| packed(list)).into_iter();
+    first.chain(lists.windows(2).map(by)).collect()
 }
 
 /// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
@@ -339,7 +342,7 @@ mod tests {
         let numbers = |list: &Value| -> Vec<i64> {
             let mut text = list.as_str().unwrap();
             let mut numbers = Vec::new();
-            while let Some(sign) = text.chars().next() {
+            while let Some(sign) = text.trim_start().chars().next() {
                 let end = if sign == '!' {
                     text.find(';').unwrap()
                 } else {

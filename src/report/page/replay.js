@@ -14,7 +14,12 @@ for (const box of document.querySelectorAll(".replay")) {
   };
   const summed = (lists) => {
     let now = [];
-    return lists.map(unpacked).map((list) => (now = list.length === now.length ? list.map((by, i) => now[i] + by) : list));
+    return lists.map((text) => {
+      if (text === " ") return now;
+      const list = unpacked(text);
+      now = list.length === now.length ? list.map((by, i) => now[i] + by) : list;
+      return now;
+    });
   };
   const shapes = motion.shapes.map((rings) => rings.map(summed));
   const places = summed(motion.places);

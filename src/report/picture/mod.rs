@@ -125,7 +125,7 @@ const PRESSED: f64 = 72.0 * PI / 180.0;
 /// How near the object must be to press, in m.
 const NEAR_M: f64 = 0.35e-3;
 /// Thickness of the bone and radius of its rim as drawn, in m.
-const BONE_M: (f64, f64) = (2.6e-3, 2.4e-3);
+const BONE_M: (f64, f64) = (2.6e-3, 1.8e-3);
 /// Half of the width of the nerve, in m.
 const NERVE_M: f64 = 1.9e-3;
 /// Thickness of the iris, in m.
@@ -366,7 +366,7 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
         (last, &wall[count - 2], count - 1),
     ] {
         let along = (next - edge).normalize();
-        let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.9;
+        let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.8;
         rings.push(circle(middle, BONE_M.1));
     }
     let part = Part::Bone;

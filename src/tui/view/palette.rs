@@ -146,7 +146,7 @@ roles! {
     interior: 243, 242, Some(7), "what fills the globe";
     lens: 152, 24, Some(14), "the lens";
     shell: 252, 238, Some(7), "cornea and sclera as lines";
-    retina: 197, 161, Some(9), "the retina";
+    retina: 197, 125, Some(9), "the retina";
     fat: 101, 95, None, "the fat behind the eye";
     orbit: 137, 94, Some(3), "the bone as a line";
     cornea: 123, 44, Some(14), "the cornea";

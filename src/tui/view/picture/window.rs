@@ -48,7 +48,7 @@ impl Window {
             (whole, 0.5 * (low.y + high.y))
         } else {
             (
-                fits(GLOBE_M.0, GLOBE_M.1).max((0.75 * whole).min(NEAR_M)),
+                fits(GLOBE_M.0, GLOBE_M.1).max((0.8 * whole).min(NEAR_M)),
                 0.0,
             )
         };
