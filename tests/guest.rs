@@ -242,7 +242,9 @@ fn a_guest_who_types_without_end_sees_frames_stays_small_and_leaves_at_once() {
         fs::read_to_string(format!("/proc/{}/stat", term.pid()))
             .is_ok_and(|stat| !stat.contains(") Z "))
     };
-    terms.iter().for_each(|term| term.signal("HUP"));
+    for term in &terms {
+        term.signal("HUP");
+    }
     let begun = std::time::Instant::now();
     while terms.iter().any(is_there) && begun.elapsed() < support::PATIENCE {
         std::thread::sleep(Duration::from_millis(5));

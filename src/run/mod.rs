@@ -17,6 +17,6 @@ pub mod refusal;
 pub mod result_trace;
 pub mod rules;
 pub mod sectors;
-pub mod threads;
+pub(crate) mod threads;
 pub mod trace;
 pub mod watch;
