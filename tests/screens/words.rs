@@ -578,3 +578,57 @@ fn front_back_and_up_are_named_on_the_eye_and_its_monitored_nodes_marked() {
         }
     }
 }
+
+#[test]
+fn main_answers_first_then_says_what_limits_that_and_draws_what_the_eye_feels() {
+    let mut app = app(&["squash-ball"], Depth::Mono);
+    let shown = app.model.shown.as_mut().unwrap();
+    let mut answer = (*shown.answer).clone();
+    answer.flags.clear();
+    shown.answer = Arc::new(answer);
+    for size in [(80, 24), (120, 40), (200, 60)] {
+        let text = picture(&app, size);
+        let row = |name: &str| text.lines().position(|line| line.contains(name)).unwrap();
+        for (long, short) in LONG.into_iter().zip(SHORT) {
+            let name = if text.contains(long) { long } else { short };
+            let line = text.lines().nth(row(name)).unwrap();
+            assert!(line.matches('%').count() >= 2, "{line}");
+        }
+        let last = if size.0 == 120 { LONG[5] } else { SHORT[5] };
+        assert!(row(last) < row("larger than any"), "{text}");
+        assert!(row("larger than any") < row("Index "), "{text}");
+        for name in ["contact ", "press", "stretch"] {
+            let line = line_from(&text, name);
+            assert!(line.contains('±'), "{line}");
+        }
+        assert!(!text.contains("right "), "node forces are behind a key");
+    }
+    let line = picture(&app, (80, 24));
+    let index = line_from(&line, "Index ");
+    let parts = ["S ", "M ", "E ", "of limit"];
+    assert!(parts.iter().all(|part| index.contains(part)), "{index}");
+    press(&mut app, "f");
+    assert!(picture(&app, (80, 24)).contains("right "));
+}
+
+#[test]
+fn accuracy_says_first_what_less_error_costs_and_a_map_has_figures_on_its_lines() {
+    let mut app = app(&[], Depth::Mono);
+    open_measured(&mut app);
+    for size in SIZES {
+        let text = picture(&app, size);
+        let second = text.lines().nth(2).unwrap();
+        assert!(
+            second.contains(" % off costs ") && second.contains(" ms"),
+            "{text}"
+        );
+    }
+    open_mapped(&mut app);
+    for size in SIZES {
+        let text = picture(&app, size);
+        let figures = [" 10 ", " 50 ", " 90 "];
+        let inside: String = text.lines().skip(2).take(size.1 as usize - 8).collect();
+        let seen = figures.iter().filter(|figure| inside.contains(**figure));
+        assert!(seen.count() >= 2, "{text}");
+    }
+}
