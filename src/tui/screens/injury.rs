@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::injury::Injury;
+use crate::injury::{Injury, in_short};
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::capital;
 use crate::report::risks::{basis, first_line};
@@ -152,8 +152,14 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
             "not counted, as such an object was not tested: {said}"
         ));
     }
-    let sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
-    let said = whole_sentences(&sentences, room, foot.height.saturating_sub(1).into());
+    let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
+    let rows = usize::from(foot.height.saturating_sub(1));
+    if wrapped(&sentences[..2].join(" "), room).len() > rows {
+        for note in &risk.notes {
+            sentences[0] = sentences[0].replace(note, in_short(note));
+        }
+    }
+    let said = whole_sentences(&sentences, room, rows);
     put_lines(buffer, foot, (1, 1), &said, theme.text());
 }
 

@@ -156,6 +156,10 @@ fn side_panel(
         let now = traces.and_then(|t| value_at(&t.time, course.values(t), time));
         let reading = |value: f64| at_a_moment(&shown.answer, course, value * row.factor);
         let text = now.map_or("-".to_owned(), reading);
+        let label = match course {
+            Trace::Of(of) if width(label) + width(&text) + 1 >= area.width => of.row().short,
+            _ => label,
+        };
         put(buffer, area, (0, y), label, theme.text());
         put_right(buffer, area, (area.width - 1, y), &text, theme.strong());
         y += 1;
