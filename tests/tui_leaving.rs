@@ -23,7 +23,7 @@ fn q_and_control_c_leave_a_clean_terminal() {
     // Also while something is typed.
     let mut term = started();
     term.keys("\r12");
-    term.wait_for("Esc cancel");
+    term.wait_for("Esc restore");
     term.keys("\x03");
     assert_eq!(term.exit_code(), 130);
     term.assert_restored();

@@ -26,7 +26,7 @@ pub const HOME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/support/home"
 /// Keys as a terminal sends them.
 pub const RIGHT: &str = "\x1b[C";
 /// From the first row of the form to the peak force.
-pub const TO_FORCE: &str = "\x1b[B\x1b[B\x1b[B";
+pub const TO_FORCE: &str = "\x1b[B\x1b[A";
 pub const UP: &str = "\x1b[A";
 pub const DOWN: &str = "\x1b[B";
 

@@ -93,7 +93,7 @@ struct Columns {
 
 const NARROW: Columns = Columns {
     word: 14,
-    about: 35,
+    about: 34,
     range: 43,
     like: 50,
 };

@@ -416,7 +416,7 @@ impl<C: Cells> Marching for Motion<'_, C> {
 
     /// Whether the middle of the object lies within the shell.
     fn gone_through(&self, steps: usize, last: bool) -> bool {
-        if steps % LOOK_EVERY != 0 && !last {
+        if !(last || steps.is_multiple_of(LOOK_EVERY)) {
             return false;
         }
         let flying = &self.flying;

@@ -118,6 +118,7 @@ pub fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer)
             format!("Index {index} ({SCALE}): {long}"),
             format!("Index {index}: {long}"),
             format!("Index {index}: {short} of limit"),
+            format!("Index {rough}: {short} of limit"),
             format!("Index {rough}: {short}"),
         ];
         let text = longest_fitting(&texts, area.width);
