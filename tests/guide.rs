@@ -100,7 +100,7 @@ fn a_reader_who_leaves_early_is_no_failure() {
 fn the_readme_asks_of_each_screen_what_the_app_does() {
     let readme = include_str!("../README.md");
     for (i, screen) in contrecoup::tui::screens::SCREENS.iter().enumerate() {
-        let row = format!("| `{}` | {} | {}", i + 1, screen.title, screen.question);
+        let row = format!("| `F{}` | {} | {}", i + 1, screen.title, screen.question);
         assert!(readme.contains(&row), "{row}");
     }
 }

@@ -4,7 +4,7 @@
 //! range goes from Phi((log10(m (1 - err)/m50) - 1.28 s)/eyes) to the same with plus signs, where
 //! err is the error of m by step and mesh and s adds to `known`, in quadrature, what the inputs are
 //! not known to. To `known` comes 0.10 for an object wider than any that was tested, and 0.10 for
-//! what is not anatomical under a blow from the side; and, in quadrature, what the round rim of the
+//! what is not anatomical under a blow from the side. To s comes as well what the round rim of the
 //! axisymmetric eye brings to an object that meets it.
 //!
 //! Where the blow is like those that were tested (weight w, see [`Blow`]) the published energy
@@ -124,8 +124,7 @@ impl Injury {
     fn known_for(self, blow: &Blow) -> f64 {
         let anatomical = self == Self::GlobeRupture || self == Self::CornealAbrasion;
         let aslant = if anatomical { 0.0 } else { blow.aslant };
-        let curve = self.curve().known + UNTESTED * (blow.wider + aslant);
-        hypot(curve, blow.round_rim * ROUND_RIM[self as usize])
+        self.curve().known + UNTESTED * (blow.wider + aslant)
     }
 
     /// `tissue` blended with what the published curves say of the energy of the blow times a
@@ -148,7 +147,8 @@ impl Injury {
     /// what else is not known: of the measure and of the energy, as [`Known`] has it.
     fn risk_if(self, blow: &Blow, measure: f64, off: f64, inputs: (f64, f64)) -> f64 {
         let curve = self.curve();
-        let way = off * hypot(self.known_for(blow), inputs.0);
+        let bone = blow.round_rim * ROUND_RIM[self as usize];
+        let way = off * hypot(hypot(self.known_for(blow), inputs.0), bone);
         let tissue = normal::below((log10(measure / curve.half) + way) / curve.eyes);
         let energy = off * hypot(curve.energy_known, inputs.1);
         self.blended(blow, pow(10.0, energy), tissue)

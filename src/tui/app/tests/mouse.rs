@@ -3,7 +3,7 @@
 use crate::scenario::Impact;
 use crate::tui::app::App;
 use crate::tui::app::driven::asked;
-use crate::tui::app::tests::app;
+use crate::tui::app::tests::{answer, app};
 use crate::tui::app::update::{Message, update};
 use crate::tui::form::FormRow;
 use crate::tui::outbox::Effect;
@@ -38,6 +38,7 @@ const MIDDLE: (u16, u16) = (45, 16);
 #[test]
 fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
     let mut app = app();
+    answer(&mut app, 1);
     assert_eq!(
         does(&mut app, Drag(Left), MIDDLE),
         [],
