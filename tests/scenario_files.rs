@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use contrecoup::scenario::fields::{Bounds, FIELDS, Kind};
 use contrecoup::scenario::load::{load, parse, to_ron};
 use contrecoup::scenario::set::set;
-use contrecoup::scenario::{Impact, MOST_ENERGY_J, Model, NumericsInput, Outline, Scenario};
+use contrecoup::scenario::{
+    Impact, MOST_ENERGY_J, Model, NumericsInput, Outline, Scenario, Support,
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -187,6 +189,9 @@ fn keep_rules(scenario: &mut Scenario) {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
                 shot.angle_deg *= 0.3;
+                if model.support == Support::Gelatin {
+                    shot.diameter_mm = shot.diameter_mm.min(39.0);
+                }
                 scenario.eye.level = scenario.eye.level.min(3);
                 shot.mass_g *= (0.999 * MOST_ENERGY_J / shot.energy_j()).min(1.0);
                 if let Outline::Cylinder { edge_mm } = &mut shot.outline {
