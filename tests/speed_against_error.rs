@@ -131,5 +131,5 @@ fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
     program(&["accuracy", "paper-300n", "--result", "apex"])
         .assert()
         .code(2)
-        .stderr(contains("did you mean apex_displacement_mm"));
+        .stderr(contains("the nearest: apex_displacement_mm"));
 }
