@@ -105,7 +105,7 @@ fn a_guest_tries_everything_and_no_file_appears_and_none_is_read() {
     term.keys("\x1b");
     term.wait_without("air-rifle-pellet");
     // A curve that is pasted.
-    term.keys(&"\x1b[B".repeat(7));
+    term.keys(&"\x1b[B".repeat(4));
     term.wait_for("▸Pulse shape");
     for curve in ["curve.csv", "/etc/passwd"] {
         term.keys(&format!("\x1b[200~Csv(\"{curve}\")\x1b[201~"));

@@ -44,7 +44,12 @@ fn every_command_does_without_threads_what_it_does_with_them() {
     let short = ["--set", "window_ms=0.3"];
     let few = ["--samples", "8"];
     let vary = ["--vary", "impact.force_n=100,300"];
-    let until = ["--vary", "force=100:300", "--until", "apex displacement = 1"];
+    let until = [
+        "--vary",
+        "force=100:300",
+        "--until",
+        "apex displacement = 1",
+    ];
     for (command, more) in [
         ("run", &[][..]),
         ("ensemble", &few),

@@ -135,7 +135,7 @@ fn in_a_browser_the_replay_moves_without_a_complaint() {
             .expect("the script has run");
         after.split('"').next().unwrap().parse().unwrap()
     };
-    let shell = |dom: &str| dom.split("class=\"shell\" d=\"").nth(1).unwrap()[..200].to_owned();
+    let shell = |dom: &str| dom.split("class=\"globe\" d=\"").nth(1).unwrap()[..200].to_owned();
     let (still, complaints) = browsed(browser, folder.path(), &dump, &page);
     assert!(!complaints.contains("CONSOLE"), "{complaints}");
     let (moved, complaints) = browsed(browser, folder.path(), &dump, &format!("{page}#play"));

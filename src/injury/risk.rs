@@ -87,7 +87,7 @@ const NOTES: [(&str, &str); 6] = [
         "no eye was tested with a given force",
     ),
     (
-        "bone is taken as round: see numerics.geometry",
+        "bone is taken as round: see guide sides",
         "bone taken as round",
     ),
     (

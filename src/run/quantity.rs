@@ -387,7 +387,7 @@ impl Quantity {
             Self::RetinaBack => risk("retina_back_percent", "retina at the back", "ret.back"),
             Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret.edge"),
             Self::LensDislocation => {
-                risk("lens_dislocation_percent", "lens dislocation", "luxation")
+                risk("lens_dislocation_percent", "lens dislocation", "lens off")
             }
             Self::Hyphema => risk("hyphema_percent", "hyphema", "hyphema"),
             Self::CornealAbrasion => {

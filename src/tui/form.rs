@@ -204,8 +204,8 @@ pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
 /// The character that a key press puts into a field: a point for a decimal comma, and none where
 /// it can be no part of the value.
 pub fn admitted(field: &Field, c: char) -> Option<char> {
-    let numeral =
-        c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '/' | '_' | 'e' | 'E' | '±' | ' ');
+    let numeral = c.is_ascii_digit()
+        || matches!(c, '.' | '-' | '+' | '/' | ':' | '_' | 'e' | 'E' | '±' | ' ');
     let word = "noneauto".contains(c.to_ascii_lowercase());
     match field.kind {
         Kind::Number(..) | Kind::OptionalNumber(..) if c == ',' => Some('.'),

@@ -16,7 +16,7 @@ use crate::report::page::charts;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::page::fundus;
-use crate::report::risks::{first_line, legend, lines};
+use crate::report::risks::{first_line, legend, lines, uncounted};
 use crate::run::quantity::Quantity;
 use crate::run::watch::Watch;
 use crate::scenario::Scenario;
@@ -84,7 +84,12 @@ fn comparison(entries: &[Entry]) -> Markup {
             h1 { "Side by side" }
             @for entry in entries {
                 @if let Some(answer) = entry.answer() {
-                    p.verdict { strong { (printable(&entry.name)) } ": " (first_line(answer)) }
+                    p.verdict {
+                        strong { (printable(&entry.name)) } ": " (first_line(answer))
+                        @if let Some(missing) = uncounted(answer) {
+                            " (ranges still without " (missing) ")"
+                        }
+                    }
                 }
             }
             div.wide {
@@ -118,6 +123,9 @@ fn blow(entry: &Entry) -> Markup {
                     p.model { (mesh(answer, scenario)) }
                     @for (name, words) in lines(answer) {
                         p.verdict { strong { (name) } ": " (words) }
+                    }
+                    @if let Some(missing) = uncounted(answer) {
+                        p.note { "Ranges of 80 %, still without " (missing) "." }
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }
                     @for flag in &answer.flags {

@@ -187,8 +187,28 @@ impl Comparison {
         answered.filter(|(_, answer)| answer.inputs.is_none())
     }
 
+    /// Changes an entry; the cursor of the table stays with what it stood on, wherever that then
+    /// is sorted to.
+    pub fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
+        let row = self.sorted().into_iter().nth(self.entry);
+        let place = |of: &Marked| self.entries.iter().position(|e| std::ptr::eq(e, of));
+        let chosen = row.and_then(place);
+        change(self);
+        let Some(chosen) = chosen.and_then(|at| self.entries.get(at)) else {
+            return;
+        };
+        let row = |of: &Marked| std::ptr::eq(of, chosen);
+        if let Some(row) = self.sorted().into_iter().position(row) {
+            self.entry = row;
+        }
+    }
+
     /// Takes in what completes an entry, or that nothing does.
     pub fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
+        self.keeping_row(|comparison| comparison.take_rest(asked, rest));
+    }
+
+    fn take_rest(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
         let mut entries = self.entries.iter_mut();
         let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.rest.scenario;
         let Some(entry) = entries.find(same) else {
@@ -209,9 +229,12 @@ impl Comparison {
 
     /// Takes in what came of an entry.
     pub fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
-        if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == name) {
-            entry.found = found;
-        }
+        self.keeping_row(|comparison| {
+            let mut entries = comparison.entries.iter_mut();
+            if let Some(entry) = entries.find(|entry| entry.name == name) {
+                entry.found = found;
+            }
+        });
     }
 
     /// The columns, from the left.
@@ -294,6 +317,18 @@ mod tests {
             );
         }
         comparison
+    }
+
+    #[test]
+    fn the_cursor_stays_with_a_row_that_is_sorted_elsewhere() {
+        let mut comparison = filled();
+        let names = order(&comparison).into_iter().map(str::to_owned);
+        let names: Vec<String> = names.collect();
+        for (row, name) in names.iter().enumerate() {
+            comparison.entry = row;
+            comparison.set_found(name, Found::Awaited);
+            assert_eq!(order(&comparison)[comparison.entry], name);
+        }
     }
 
     fn order(comparison: &Comparison) -> Vec<&str> {

@@ -231,7 +231,9 @@ impl Screen for Comparison {
             return;
         }
         match place {
-            Some(at) => self.entries[at] = Marked::new(&called, scenario),
+            Some(at) => self.keeping_row(|comparison| {
+                comparison.entries[at] = Marked::new(&called, scenario);
+            }),
             None => model.notice = self.mark(&called, scenario).err(),
         }
     }
