@@ -76,6 +76,9 @@ pub struct AppModel {
     pub out: Outbox,
 }
 
+/// Said of what is on show until the eye in three dimensions is computed.
+pub const FIRST_ESTIMATE: &str = "first estimate";
+
 impl AppModel {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
@@ -144,7 +147,7 @@ impl AppModel {
         if self.shown.as_ref().is_some_and(|shown| {
             other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
         }) {
-            return Some("first estimate");
+            return Some(FIRST_ESTIMATE);
         }
         if self.run.complaint.is_some() {
             return Some("last good result");

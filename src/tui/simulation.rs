@@ -43,11 +43,14 @@ impl TaskQuestion for Simulate {
     }
 }
 
-/// What tells at once how a blow may end that takes the eye in three dimensions: the same at an eye
-/// and an orbit that are turned into its way. None where that eye does not take it, or is asked for.
+/// What tells at once how a blow may end that takes the eye in three dimensions: the same straight
+/// on. None where another eye is quick enough.
 pub fn first_estimate(scenario: &Scenario) -> Option<Scenario> {
     let mut first = scenario.clone();
-    first.numerics.geometry = Geometry::Axisymmetric;
+    first.numerics.geometry = Geometry::Auto;
+    if let Impact::Projectile(projectile) = &mut first.impact {
+        (projectile.angle_deg, projectile.offset_mm) = (0.0, 0.0);
+    }
     let slow = scenario.geometry().is_some_and(Geometry::is_spatial);
     (slow && first.check().is_ok()).then_some(first)
 }

@@ -16,7 +16,7 @@ use crate::report::format::digits;
 use crate::report::risks::uncounted;
 use crate::run::flags::FlagKind;
 use crate::tui::ensemble::widened;
-use crate::tui::model::AppModel;
+use crate::tui::model::{AppModel, FIRST_ESTIMATE};
 use crate::tui::view::below;
 use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, wrapped};
 use crate::tui::view::theme::Theme;
@@ -253,6 +253,9 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
     let (risks, spoiled) = (answer.risks(), unusable(answer));
     let said = |brief: bool| -> Vec<String> {
         let mut said: Vec<String> = spoiled.iter().cloned().collect();
+        if model.stale() == Some(FIRST_ESTIMATE) {
+            said.push("as if straight on, with the error of its step alone".to_owned());
+        }
         if risks.iter().any(Risk::bursts) {
             said.push(BURST.to_owned());
         }
