@@ -12,7 +12,7 @@ const SAID: [f64; 19] = [
     1800.0, 3600.0, 7200.0, 18000.0, 36000.0,
 ];
 /// No time is said before this many s have passed and this share is done.
-const FIRST: (f64, f64) = (1.0, 0.005);
+const FIRST: (f64, f64) = (1.0, 0.002);
 /// The time that is said rises only where the work takes this many times as long.
 const LONGER: f64 = 1.5;
 

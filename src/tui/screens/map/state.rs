@@ -15,9 +15,10 @@ use crate::tui::task::Task;
 use crate::tui::worker::run_watched;
 
 const ANGLE: &str = "impact.angle_deg";
-/// Pairs of inputs to begin with; the first whose fields are there.
+/// Pairs of inputs to begin with; the first whose fields are there. An angle is none of them: each
+/// of its points takes seconds.
 const PAIRS: [(&str, &str); 2] = [
-    ("impact.speed_m_s", ANGLE),
+    ("impact.speed_m_s", "impact.mass_g"),
     ("impact.force_n", "impact.duration_ms"),
 ];
 /// How far a range reaches at first: to three times the value and to a third of it.
