@@ -7,7 +7,6 @@ use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
-use crate::run::threads;
 use crate::tui::terminal::system;
 
 /// Alternate screen, bracketed paste, no cursor.
@@ -109,7 +108,7 @@ fn is_entered() -> bool {
 #[cfg(unix)]
 pub(super) fn abandon(code: i32) -> ! {
     // The app may be held up in a write, so this one must not be waited for.
-    let _ = threads::start(|| {
+    let _ = crate::run::threads::start(|| {
         if let Ok(out) = system::out() {
             leave(&out);
         }
