@@ -38,8 +38,11 @@ const STEP_ASIDE: f64 = 0.01;
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;
 const LARGEST_RATIO: f64 = 2.0;
-/// The grid goes down to this share of the present value, and then to the end of the range.
+/// The grid goes down to this share of the present value, and then to the end of a range that
+/// somebody gave.
 const LEAST_SHARE: f64 = 1e-3;
+/// To this share alone where nobody gave one: a blow so slow lasts for ever.
+const SLOWEST_SHARE: f64 = 1e-2;
 /// Of a range that nobody narrowed, one value of the grid in this many is looked at first.
 const COARSE: usize = 4;
 /// The share of the progress that stands for the grid.
@@ -59,7 +62,8 @@ pub struct ThresholdSearch {
     bounds: Bounds,
     /// Least and greatest value of the field.
     pub range: (f64, f64),
-    /// Whether the person gave that range; else it is all that the field may be.
+    /// Whether the person gave that range; else it is all that the field may be, but for what is
+    /// less than a hundredth of the present value.
     narrow: bool,
     /// The result.
     pub quantity: Quantity,
@@ -133,7 +137,7 @@ impl ThresholdSearch {
             None => (bounds.min, bounds.max),
             Some(ends) => self::range(field, &bounds, ends)?,
         };
-        Ok(Self {
+        let mut search = Self {
             scenario,
             field,
             bounds,
@@ -141,7 +145,12 @@ impl ThresholdSearch {
             narrow: ends.is_some(),
             quantity,
             target,
-        })
+        };
+        let (from, present) = (search.range.0, search.present());
+        if !search.narrow && from > 0.0 && present > from {
+            search.range.0 = from.max(SLOWEST_SHARE * present);
+        }
+        Ok(search)
     }
 
     /// The scenario with another value of the field.
@@ -434,8 +443,19 @@ impl ThresholdSearch {
         if at <= 0.0 {
             return Ok((None, None));
         }
-        let ends = (end(true)?, end(false)?);
-        Ok(if rising { ends } else { (ends.1, ends.0) })
+        let mut ends = Vec::new();
+        ordered::run(
+            (0, 2),
+            stop,
+            |i| Some(end((i == 0) == rising)),
+            |_, end| {
+                ends.push(end);
+                ControlFlow::Continue(())
+            },
+        );
+        let mut ends = ends.into_iter();
+        let mut next = || ends.next().unwrap_or(Err(Refusal::Cancelled));
+        Ok((next()?, next()?))
     }
 }
 
