@@ -142,12 +142,13 @@ impl<'a> Picture<'a> {
         let (name, end) = (self.field.0.name(), self.field.0.figure(self.field.1));
         let bar = (1e-2 * PER_M) as i64;
         let (low, middle) = (top + high - 20, left + wide / 2);
+        let steps = self.steps(frame);
         let key = left + wide - 420;
         html! {
             @for shape in self.layers(frame) {
                 path class=(class(shape.part)) d=(rings(&shape)) {}
                 @if shape.part == Part::Globe { g.field { @for of in 0..STEPS {
-                    path style=(format!("fill:{0};stroke:{0}", FIELD[of])) d=(self.filled(frame, of)) {}
+                    path style=(format!("fill:{0};stroke:{0}", FIELD[of])) d=(self.filled(frame, &steps, of)) {}
                 } } }
             }
             path.ghost d=(closed(self.anatomy.ghost())) {}
@@ -163,9 +164,8 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The cells at one step of the field.
-    fn filled(&self, frame: &Frame, of: usize) -> String {
-        let steps = self.steps(frame);
+    /// The cells that are at one of the `steps` of the field in a frame.
+    fn filled(&self, frame: &Frame, steps: &str, of: usize) -> String {
         let at_it = self.cells.iter().zip(steps.chars());
         let digit = char::from_digit(of as u32, 36);
         let at_it = at_it.filter(|(_, step)| Some(*step) == digit);

@@ -197,12 +197,7 @@ impl Anatomy {
             places.collect()
         };
         let outline = Outline::new(drawing, detail.points, place);
-        let wall: Vec<_> = drawing
-            .outlines
-            .wall
-            .iter()
-            .map(|node| place(*node))
-            .collect();
+        let wall = wall(drawing, place);
         let mut layers = Vec::new();
         let ball = object::Hitting::of(drawing, frame, &outline);
         if let Some(ball) = &ball {
@@ -235,16 +230,17 @@ impl Anatomy {
     }
 }
 
+/// The inner side of bone, from the upper rim to the lower.
+fn wall(drawing: &Drawing, place: impl Fn(usize) -> Point2<f64>) -> Vec<Point2<f64>> {
+    let nodes = drawing.outlines.wall.iter();
+    nodes.map(|node| place(*node)).collect()
+}
+
 /// The sides of the object's outline in a frame that nothing covers.
 pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
     let place = |node: usize| drawing.place(frame, node, 1.0);
     let outline = Outline::new(drawing, POINTS, place);
-    let wall: Vec<_> = drawing
-        .outlines
-        .wall
-        .iter()
-        .map(|node| place(*node))
-        .collect();
+    let wall = wall(drawing, place);
     let Some(ball) = object::Hitting::of(drawing, frame, &outline) else {
         return Vec::new();
     };

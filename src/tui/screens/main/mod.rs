@@ -15,7 +15,6 @@ use crate::scenario::fields;
 use crate::scenario::fields::Field;
 use crate::tui::changes::edit::change;
 use crate::tui::changes::{presets, threshold, typing};
-use crate::tui::clock::MeshDetail;
 use crate::tui::ensemble::FEW;
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{
@@ -25,7 +24,7 @@ use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
-use crate::tui::view::{below, eye};
+use crate::tui::view::eye;
 use form::{DIAL, FORM};
 
 /// Small steps in place of a large one, at most.
@@ -285,12 +284,8 @@ fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
     };
     let Some(shown) = &model.shown else { return };
     let detail = model.clock.detail(shown.drawing.object.is_some());
-    // A mesh has its caption above it.
-    let picture = match detail {
-        MeshDetail::Anatomy => picture,
-        _ => below(picture, 1),
-    };
-    let angle = eye::angle_at(picture, shown, model.look, detail, at).to_degrees();
+    let drawn = view::drawn_in(picture, detail);
+    let angle = eye::angle_at(drawn, shown, model.look, detail, at).to_degrees();
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;

@@ -186,18 +186,10 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
         aiming,
         ..EyePicture::of(model, shown, time)
     };
+    drawn.draw(drawn_in(picture, drawn.detail), buffer);
     if drawn.detail == MeshDetail::Anatomy {
-        drawn.draw(picture, buffer);
         return;
     }
-    let (above, below) = (
-        Rect {
-            height: 1,
-            ..picture
-        },
-        below(picture, 1),
-    );
-    drawn.draw(below, buffer);
     let zoom = match model.clock.zoom() {
         1 => String::new(),
         times => format!(" shown {times}x larger"),
@@ -205,5 +197,14 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
     let style = [theme.heading(), theme.focus()][usize::from(aiming)];
-    put(buffer, above, (0, 0), &caption, style);
+    put(buffer, picture, (0, 0), &caption, style);
+}
+
+/// Where in a picture the eye itself is drawn: a mesh has its caption above it, the anatomy places
+/// its own words.
+pub fn drawn_in(picture: Rect, detail: MeshDetail) -> Rect {
+    match detail {
+        MeshDetail::Anatomy => picture,
+        _ => below(picture, 1),
+    }
 }
