@@ -107,7 +107,7 @@ pub(crate) fn within_by(
         let finer = ladder.at(scenario, levels[1], watch)?;
         let mesh = MeshError::of(scenario, level, &own, [&coarser, &finer]);
         let Some(mesh_error) = mesh.errors[Quantity::Damage] else {
-            reasons.push(format!("level {level}: finer meshes show no limit"));
+            reasons.push(format!("level {level}: finer meshes do not agree"));
             continue;
         };
         if mesh_error < percent {

@@ -34,7 +34,7 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let of = of.filter(|of| chosen.is_none_or(|chosen| chosen == *of));
     let of = of.ok_or_else(|| {
         let which = chosen.map_or("no result", Quantity::label);
-        let why = "finer meshes show no limit, or fold";
+        let why = "finer meshes do not agree, or fold";
         CliError::Input(format!("{which} has no error that is known here: {why}"))
     })?;
     if args.json {

@@ -2,6 +2,7 @@
 
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
 
 use crate::answer::choose;
 use crate::answer::solve::{complete, solve};
@@ -14,6 +15,9 @@ use crate::run::refusal::Refusal;
 use crate::scenario::set::full_path;
 use crate::scenario::{EyeInput, Scenario};
 
+/// A simulation after which what takes many of them is announced, where no progress is seen.
+const LONG: Duration = Duration::from_secs(1);
+
 /// Simulates the scenario and prints its results.
 ///
 /// The mesh error, which takes two finer meshes, and what the inputs are not known to, which takes
@@ -24,7 +28,7 @@ use crate::scenario::{EyeInput, Scenario};
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
-    let progress = Progress::new();
+    let (began, progress) = (Instant::now(), Progress::new());
     let mut watch = |share| progress.simulated(share);
     if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
         return Err(CliError::Input(format!(
@@ -39,9 +43,14 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
         solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
     if !args.quick {
+        if began.elapsed() > LONG {
+            progress.announce(
+                "finer meshes and inputs follow, 10 to 50 times as long; --quick leaves them out",
+            );
+        }
         let stop = AtomicBool::new(false);
         complete(&scenario, &mut answer, &stop, |share| {
-            progress.show("meshes and inputs", share);
+            progress.show("meshes and inputs (--quick leaves them out)", share);
         })?;
     }
     if args.json {

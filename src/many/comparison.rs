@@ -132,8 +132,8 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn>
     columns
 }
 
-/// The results worth printing: those that lead in one of the entries, the risks, and the one that
-/// sorts.
+/// The results worth printing, the risks first: those that lead in one of the entries, the risks,
+/// and the one that sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
         entries.iter().filter_map(Entry::answer).any(|answer| {
@@ -143,8 +143,11 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         })
     };
     let all = Quantity::ALL.iter().copied();
-    all.filter(|of| worth(*of) || sorted_by == Some(*of))
-        .collect()
+    let mut shown: Vec<Quantity> = all
+        .filter(|of| worth(*of) || sorted_by == Some(*of))
+        .collect();
+    shown.sort_by_key(|of| !of.is_risk());
+    shown
 }
 
 /// Answers all of them, in their order; `keep` says what each scenario's recording holds.

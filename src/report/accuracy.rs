@@ -38,7 +38,7 @@ pub fn text(
             (Some(_), _) => "mesh folded".to_owned(),
             // It has no two finer ones to be compared with.
             (None, None) => "-".to_owned(),
-            (None, Some(mesh)) => mesh[of].map_or_else(|| "no limit".to_owned(), percent),
+            (None, Some(mesh)) => mesh[of].map_or_else(|| "unknown".to_owned(), percent),
         };
         let value = on.results[of].map_or_else(|| "-".to_owned(), significant);
         let work = on.elements * 1e-6;

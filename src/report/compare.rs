@@ -13,7 +13,7 @@ use crate::injury::SIGNS;
 use crate::many::comparison::Entry;
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{CUT, Figure};
-use crate::report::format::{WIDTH, paragraph, percent};
+use crate::report::format::{WIDTH, paragraph, percent, wrapped};
 use crate::report::json::cut;
 use crate::report::risks::{first_line, legend, range};
 use crate::run::quantity::Quantity;
@@ -140,7 +140,9 @@ impl Table {
             paragraph(&printable(remark), out)?;
         }
         writeln!(out)?;
-        paragraph(SIGNS, out)
+        wrapped(SIGNS, WIDTH)
+            .iter()
+            .try_for_each(|line| writeln!(out, "{line}"))
     }
 
     /// Prints it as Markdown.

@@ -32,7 +32,7 @@ pub enum Off {
     Step(f64),
     /// By step and mesh together.
     Both(f64),
-    /// Unknown: finer meshes show no limit of it.
+    /// Unknown: finer meshes do not agree on it.
     Limitless,
 }
 

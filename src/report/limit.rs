@@ -34,18 +34,15 @@ fn with_error(limit: &Limit) -> String {
     format!("{value:.after$} ±{error_text}")
 }
 
-/// The results of which finer meshes show no limit, in a sentence; none where the mesh error was
+/// The results that finer meshes do not agree on, in a sentence; none where the mesh error was
 /// not estimated or all have one.
 pub fn unknown(answer: &Answer) -> Option<String> {
     let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
     let known = answer.errors.mesh.as_ref()?.present().next().is_some();
     match (known, names.is_empty()) {
-        (false, _) => Some("Finer meshes show no limit of any result".to_owned()),
+        (false, _) => Some("Finer meshes agree on no result".to_owned()),
         (true, true) => None,
-        (true, false) => Some(format!(
-            "Finer meshes show no limit of {}",
-            names.join("; ")
-        )),
+        (true, false) => Some(format!("Finer meshes do not agree on {}", names.join("; "))),
     }
 }
 

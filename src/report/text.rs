@@ -179,7 +179,7 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 /// What the signs behind the figures mean.
 fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let unknown = match answer.errors.without_limit().next() {
-        Some(_) => "; ±?: finer meshes show no limit",
+        Some(_) => "; ±?: finer meshes do not agree",
         None => "",
     };
     writeln!(out, "±: {}{unknown}", causes(&answer.errors))?;
@@ -198,7 +198,7 @@ fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
     block(&text, "", "", out)
 }
 
-/// Prints what finer meshes tend to, and which results they show no limit of.
+/// Prints what finer meshes tend to, and which results they do not agree on.
 fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "Damage index: {limit}")?;

@@ -20,11 +20,12 @@ pub struct Flag {
 }
 
 impl Flag {
-    /// All that it says.
+    /// All that it says, and what to do about it.
     pub fn whole(&self) -> String {
         let detail = self.detail.iter().map(String::as_str);
         let parts: Vec<&str> = std::iter::once(self.message.as_str())
             .chain(detail)
+            .chain([self.kind.next_step()])
             .collect();
         parts.join("; ")
     }
@@ -83,7 +84,7 @@ impl FlagKind {
         match self {
             Self::MeshFolded => "the computed tissue folded",
             Self::MeshNearlyFolded => "the computed tissue nearly folded",
-            Self::FinerMeshFolds => "on a finer mesh it folds",
+            Self::FinerMeshFolds => "finer meshes fold in this blow",
             Self::EnergyImbalance => "the energies do not add up",
             Self::NotPredictable => "not predictable",
             Self::Unconverged => "the time step is too long",
@@ -137,7 +138,7 @@ impl FlagKind {
         match self {
             Self::MeshFolded | Self::NotPredictable => "try a smaller blow",
             Self::MeshNearlyFolded => "a little more folds it: take no more than this",
-            Self::FinerMeshFolds => "trust the mesh error less",
+            Self::FinerMeshFolds => "take the results for a rough guess, or try a smaller blow",
             Self::EnergyImbalance | Self::Unconverged => "try a shorter step, as --step-us sets it",
             Self::LostInRounding => "try a larger blow",
             Self::WindowShort | Self::WindowCapped | Self::PulseCut | Self::ContactCut => {
@@ -150,7 +151,7 @@ impl FlagKind {
             }
             Self::WentPast => "aim nearer to the middle",
             Self::RimStops => {
-                "vary the rim, model.rim, or the angle: bone takes a part of the blow"
+                "bone takes a part of the blow: try another side, impact.from, or rim, model.rim"
             }
             Self::BoneMayBreak => "think of a fracture too: it is not in the model",
             Self::EyeMissed => "change angle or offset for a blow that meets the eye",

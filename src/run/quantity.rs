@@ -156,6 +156,8 @@ impl Quantity {
         Self::ForceRight,
         Self::ForceTop,
     ];
+    /// What an eye that is hit is asked for first.
+    pub const FELT: [Self; 3] = [Self::Contact, Self::Pressure, Self::EquatorStretch];
 
     /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]

@@ -211,7 +211,11 @@ mod tests {
         assert!(stays.whole().starts_with(&stays.message));
         let instant = &said(fold(-10e-3, 1e-3, false))[0];
         assert!(instant.message.contains("at 0.100 ms, for 0.020 ms: 3 of"));
-        assert!(instant.whole().ends_with("open again at the end"));
+        assert!(
+            instant
+                .whole()
+                .ends_with("open again at the end; try a smaller blow")
+        );
     }
 
     #[test]

@@ -172,6 +172,24 @@ impl Choices for Directions {
         std::iter::once(STRAIGHT_ON).chain(words).collect()
     }
 
+    fn synonyms(&self) -> &'static [(&'static str, &'static str)] {
+        &[
+            ("front", STRAIGHT_ON),
+            ("superior", "Above"),
+            ("nasal", "Nose"),
+            ("medial", "Nose"),
+            ("inferior", "Below"),
+            ("temporal", "Temple"),
+            ("lateral", "Temple"),
+        ]
+    }
+
+    fn unclear(&self, typed: &str) -> Option<&'static str> {
+        let sides = ["left", "right"];
+        let is_side = sides.iter().any(|side| typed.eq_ignore_ascii_case(side));
+        is_side.then_some("may be the nose or the temple: it depends on the eye")
+    }
+
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
         let Impact::Projectile(projectile) = &scenario.impact else {
             return None;
@@ -281,6 +299,13 @@ mod tests {
         set(&mut scenario, "impact.from", "Below").unwrap();
         assert_eq!(of(&scenario), (12.0, 6.0));
         assert_eq!(Directions.get(&scenario), Some("Below"));
+        set(&mut scenario, "impact.from", "nasal").unwrap();
+        assert_eq!(of(&scenario), (12.0, 9.0));
+        let left = set(&mut scenario, "impact.from", "left").unwrap_err();
+        assert!(
+            left.to_string().contains("the nose or the temple"),
+            "{left}"
+        );
         set(&mut scenario, "impact.from", "StraightOn").unwrap();
         assert_eq!(of(&scenario).0, 0.0);
     }

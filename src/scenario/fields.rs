@@ -80,6 +80,14 @@ pub trait Choices {
     fn written(&self) -> &'static [&'static str] {
         &[]
     }
+    /// Other words for a variant, each with its name.
+    fn synonyms(&self) -> &'static [(&'static str, &'static str)] {
+        &[]
+    }
+    /// Why a word that a person may well type means no variant; `None` of any other word.
+    fn unclear(&self, _typed: &str) -> Option<&'static str> {
+        None
+    }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
     /// Takes the named variant with its default content, or keeps the present content where it is

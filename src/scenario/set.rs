@@ -156,8 +156,8 @@ fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
 /// looked for from the working directory. Rules that join two fields are not applied: see
 /// [`Scenario::check`].
 ///
-/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`; without one it drops an older
-/// doubt: what is written is what holds.
+/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`, and the unit of its field;
+/// without a doubt it drops an older one: what is written is what holds.
 ///
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
@@ -175,7 +175,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
             (group.replace)(&mut changed, text)?;
         }
         (Some(field), _) if matches!(field.kind, Kind::Number(..)) => {
-            let (value, doubted) = doubt::split(text);
+            let (value, doubted) = doubt::split(without_unit(field, text));
             set_field(&mut changed, field, value)?;
             doubt::put(&mut changed, field, doubted)?;
         }
@@ -256,6 +256,10 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
         return Err(problem.into());
     }
     if let Kind::Choice(choices) = &field.kind {
+        if let Some(why) = choices.unclear(text) {
+            let allowed = field.allowed_in(scenario);
+            return Err(Problem::refused(field.path, text, why, allowed).into());
+        }
         let names = choices.names().into_iter();
         return Err(unknown_name(field.path, text, names, field.allowed_in(scenario)).into());
     }
@@ -275,6 +279,14 @@ fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {
             true
         }
         _ => false,
+    }
+}
+
+/// What stands before a field's own unit, where it follows a number: 30 of `30 m/s`.
+fn without_unit<'a>(field: &Field, text: &'a str) -> &'a str {
+    match text.strip_suffix(field.unit).map(str::trim_end) {
+        Some(bare) if bare.ends_with(|last: char| last.is_ascii_digit()) => bare,
+        _ => text,
     }
 }
 
@@ -320,11 +332,16 @@ fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
     }
 }
 
-/// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`.
+/// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`, or by
+/// another word for it.
 fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'static str> {
     let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
     let mut names = choices.names().into_iter().chain(choices.get(scenario));
-    names.find(|name| bare(name) == bare(text))
+    let alike = |name: &&str| bare(name) == bare(text);
+    let synonym = || choices.synonyms().iter().find(|(word, _)| alike(&word));
+    names
+        .find(alike)
+        .or_else(|| synonym().map(|(_, name)| *name))
 }
 
 fn is_name(text: &str) -> bool {

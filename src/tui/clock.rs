@@ -234,8 +234,12 @@ pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Opt
         more => format!("peak {} and {more} more", here[..count].join(", ")),
     };
     let forms = (1..=here.len()).rev().map(some);
+    let least = match here.len() {
+        1 => "a peak".to_owned(),
+        several => format!("{several} peaks"),
+    };
     forms
-        .chain([format!("{} peaks", here.len())])
+        .chain([least])
         .find(|text| !here.is_empty() && fits(text))
 }
 

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 
+use crate::plain_text::quoted;
 use crate::tui::app::{App, help, mouse, tables};
 use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
 use crate::tui::choices::Choice;
@@ -96,7 +97,7 @@ fn tick(app: &mut App, now: Duration) {
 }
 
 /// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody
-/// has is typed.
+/// has is typed where something is typed, else it is said.
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
     if let Some(table) = tables::in_front(&app.model) {
@@ -129,8 +130,11 @@ fn key(app: &mut App, event: KeyEvent) {
         run(app, binding.act);
     } else if let Some(binding) = tables::SHOW.find(keys, event) {
         app.show(binding.act);
-    } else {
-        typing::key(&mut app.model, event);
+    } else if let KeyCode::Char(sign) = event.code {
+        app.model.notice = Some(format!(
+            "{} does nothing here: ? lists the keys",
+            quoted(&sign.to_string())
+        ));
     }
 }
 

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
 use crate::run::kept::Traces;
+use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
 use crate::run::trace::{TRACES, Trace};
 use crate::tui::clock::peak_said;
@@ -21,8 +22,19 @@ use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
 use strum::VariantArray;
 
-/// Charts, each with the curves in it.
-type View = Vec<Vec<Trace>>;
+/// Charts that stand together, each with the curves in it.
+struct View {
+    name: &'static str,
+    charts: Vec<Vec<Trace>>,
+}
+
+impl View {
+    /// A chart for each curve.
+    fn alone(name: &'static str, curves: &[Trace]) -> Self {
+        let charts = curves.iter().map(|curve| vec![*curve]).collect();
+        Self { name, charts }
+    }
+}
 
 /// Charts of one curve each that stand in one view, and curves that stand in one chart.
 const MAX_CHARTS: usize = 4;
@@ -90,21 +102,37 @@ fn recorded(traces: &Traces) -> Vec<Trace> {
     drawn().filter(|c| !c.values(traces).is_empty()).collect()
 }
 
-/// What the screen can show of a recording.
+/// What the screen can show of a recording: of an eye that was hit first what it felt.
 fn views(traces: &Traces) -> Vec<View> {
-    let recorded = recorded(traces);
+    let there = |curve: &Trace| !curve.values(traces).is_empty();
+    let [contact, pressure, stretch] = Quantity::FELT;
+    let felt = [contact, pressure, stretch, Quantity::Apex].map(Trace::Of);
     let mut views = Vec::new();
+    if felt.iter().all(there) {
+        views.push(View::alone("what the eye felt", &felt));
+    }
+    let recorded = recorded(traces);
     for group in Group::VARIANTS {
         let own = recorded.iter().filter(|c| c.row().place.0 == *group);
         let own: Vec<Trace> = own.copied().collect();
+        let name = match group {
+            Group::NodeForces => "the four nodes",
+            Group::Energies => "energies",
+            Group::Inside => "pressures and stress",
+            Group::Tissues => "tissues",
+            Group::Motion | Group::Input | Group::Projectile => "load and movement",
+        };
         if *group == Group::Energies {
-            views.extend(own.chunks(MAX_CURVES).map(|curves| vec![curves.to_vec()]));
+            let chunks = own.chunks(MAX_CURVES).map(<[Trace]>::to_vec);
+            views.extend(chunks.map(|curves| View {
+                name,
+                charts: vec![curves],
+            }));
             continue;
         }
-        let alone = |courses: &[Trace]| courses.iter().map(|c| vec![*c]).collect();
-        views.extend(own.chunks(MAX_CHARTS).map(alone));
+        views.extend(own.chunks(MAX_CHARTS).map(|own| View::alone(name, own)));
         if *group == Group::NodeForces {
-            views.extend(own.chunks(1).map(alone));
+            views.extend(own.chunks(1).map(|own| View::alone("one node", own)));
         }
     }
     views
@@ -129,7 +157,8 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
     bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "the cursor far to the right"),
     bind(&[c('i')], |s, _| s.zoom = s.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
     bind(&[c('o')], |s, _| s.zoom = s.zoom.farther(), "&", "twice of the time shown, up to the whole"),
-    bind(&[c('v')], |s, m| s.next_view(m), "view", "all four forces, one of them, growth, energies, tissues"),
+    bind(&[c('v')], |s, m| s.next_view(m), "view", "the next curves: what the eye felt, nodes, movement, energies, tissues"),
+    bind(&[c('V')], |s, m| s.last_view(m), "", "the curves before"),
 ]);
 
 impl Screen for Forces {
@@ -143,7 +172,8 @@ impl Screen for Forces {
             return Vec::new();
         }
         let place = self.view % views.len();
-        views.swap_remove(place).into_iter().flatten().collect()
+        let charts = views.swap_remove(place).charts;
+        charts.into_iter().flatten().collect()
     }
 }
 
@@ -152,6 +182,12 @@ impl Forces {
     fn next_view(&mut self, model: &AppModel) {
         let count = all_views(model).len().max(1);
         self.view = (self.view % count + 1) % count;
+    }
+
+    /// The set of curves before.
+    fn last_view(&mut self, model: &AppModel) {
+        let count = all_views(model).len().max(1);
+        self.view = (self.view % count + count - 1) % count;
     }
 }
 
@@ -171,34 +207,38 @@ fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let time = model.time();
+    let views = all_views(model);
+    let place = forces.view % views.len().max(1);
+    let view = views.get(place);
+    let (said, style) = match (model.stale(), view) {
+        (Some(why), _) => (why.to_owned(), theme.warning()),
+        (None, Some(view)) => {
+            let of = views.len();
+            (
+                format!("v: {}, {} of {of}", view.name, place + 1),
+                theme.heading(),
+            )
+        }
+        (None, None) => (String::new(), theme.quiet()),
+    };
     let mut text = format!(" cursor {:.4} ms", time * 1e3);
-    let room = area.width.saturating_sub(width(&text) + 2);
+    let room = area.width.saturating_sub(width(&text) + width(&said) + 4);
     if let Some(peak) = peak_said(&shown.answer, time, |peak| width(peak) < room) {
         text.extend(["  ", &peak]);
     }
-    let end = put(buffer, area, (0, 0), &text, theme.strong());
-    let (said, style) = match model.stale() {
-        Some(why) => (why, theme.warning()),
-        None => (model.material(), theme.quiet()),
-    };
-    if end + (said.len() as u16) + 2 < area.width {
-        put_right(buffer, area, (area.width - 1, 0), said, style);
-    }
-    let Some(traces) = &shown.answer.run.traces else {
-        return;
-    };
-    let views = views(traces);
-    let Some(view) = views.get(forces.view % views.len().max(1)) else {
+    put(buffer, area, (0, 0), &text, theme.strong());
+    put_right(buffer, area, (area.width - 1, 0), &said, style);
+    let (Some(traces), Some(view)) = (&shown.answer.run.traces, view) else {
         return;
     };
     let charts = Rect::new(area.x, area.y + 1, area.width, area.height - 1);
-    let (columns, rows) = match view.len() {
+    let (columns, rows) = match view.charts.len() {
         1 => (1, 1),
         2 => (1, 2),
         _ => (2, 2),
     };
     let (wide, high) = (charts.width / columns, charts.height / rows);
-    for (i, curves) in view.iter().enumerate() {
+    for (i, curves) in view.charts.iter().enumerate() {
         let (column, row) = (i as u16 % columns, i as u16 / columns);
         let place = Rect::new(
             charts.x + column * wide,

@@ -14,6 +14,7 @@ use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
+use crate::tui::view::eye::EyePicture;
 use crate::tui::view::fundus::Fundus;
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{
@@ -23,6 +24,8 @@ use crate::tui::view::theme::Theme;
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
+/// Columns beside it from which on there is room for the eye.
+const PICTURED: u16 = 40;
 /// Rows of what explains the chosen injury, at least.
 const EXPLAINED: u16 = 2;
 
@@ -54,10 +57,15 @@ const KEYS: PaneKeys<Injuries> = PaneKeys::new("Injury", &[
 
 impl Screen for Injuries {
     fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
+        let rest = area.width.saturating_sub(WIDEST + 1);
+        let right = Rect::new(area.right() - rest, area.y, rest, area.height);
         let area = Rect {
             width: area.width.min(WIDEST),
             ..area
         };
+        if let (Some(shown), PICTURED..) = (&model.shown, rest) {
+            pictured(self.row, model, shown, right, buffer);
+        }
         match &model.shown {
             Some(shown) if self.fundus => fundus(model, shown, area, buffer),
             Some(shown) => draw(self.row, model, shown, area, buffer),
@@ -72,6 +80,15 @@ impl Screen for Injuries {
             }
         }
     }
+}
+
+/// Draws the eye when the tissue of the chosen injury felt most.
+fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+    let injury = Injury::ALL.get(row);
+    let peak = injury.and_then(|injury| shown.answer.peak(injury.measure()));
+    let time = peak.map_or(model.time(), |peak| peak.time);
+    let height = area.height.min(area.width / 2);
+    EyePicture::of(model, shown, time).draw(Rect { height, ..area }, buffer);
 }
 
 /// Said where every hour feels the same.

@@ -8,7 +8,7 @@
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
+use ratatui::style::{Color, Style};
 
 use crate::answer::solve::Answer;
 use crate::report::picture::field::Field;
@@ -139,7 +139,8 @@ impl<'a> EyePicture<'a> {
             }
             let up = self.up();
             if up != UP && area.height > 2 {
-                put(buffer, area, (0, 1), up, theme.quiet());
+                // A large object may lie behind it.
+                put(buffer, area, (0, 1), up, theme.text().bg(Color::Reset));
             }
             return;
         }

@@ -143,8 +143,8 @@ roles! {
     mild: 221, 94, Some(11), "the step above";
     serious: 209, 160, Some(9), "the next";
     grave: 203, 88, Some(9), "the most";
-    interior: 243, 242, Some(7), "what fills the globe";
-    lens: 152, 24, Some(14), "the lens";
+    interior: 243, 242, None, "what fills the globe";
+    lens: 152, 24, Some(7), "the lens";
     shell: 252, 238, Some(7), "cornea and sclera as lines";
     retina: 197, 125, Some(9), "the retina";
     fat: 101, 95, None, "the fat behind the eye";

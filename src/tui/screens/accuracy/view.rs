@@ -136,7 +136,7 @@ fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
             text.to_owned() + &so_far
         }
         Some(totals) if totals.done == totals.all => {
-            "No result has an error here: finer meshes show no limit, or fold.".to_owned()
+            "No result has an error here: finer meshes do not agree, or fold.".to_owned()
         }
         _ => "not measured yet: m goes on".to_owned(),
     }
@@ -172,7 +172,7 @@ fn levels(totals: &Accuracy, of: Quantity) -> Vec<String> {
         let Some(mesh) = totals.mesh(level) else {
             continue;
         };
-        let error = mesh[of].map_or("no limit".to_owned(), percent);
+        let error = mesh[of].map_or("unknown".to_owned(), percent);
         parts.push(format!("level {level}: {error}"));
     }
     parts

@@ -17,13 +17,6 @@ use crate::tui::view::raster::Ink;
 use crate::tui::view::text::{put, put_right, width};
 use crate::tui::view::theme::Theme;
 
-/// What an eye that is hit is asked for first.
-const FELT: [Quantity; 3] = [
-    Quantity::Contact,
-    Quantity::Pressure,
-    Quantity::EquatorStretch,
-];
-
 /// The results whose curves are drawn beside the eye, with their peaks: the node forces where they
 /// are asked for and where there is nothing else.
 fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
@@ -31,7 +24,7 @@ fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
         let all = all.iter();
         all.filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
     };
-    let felt = peaks(&FELT);
+    let felt = peaks(&Quantity::FELT);
     if nodes || felt.is_empty() {
         peaks(&Quantity::FORCES)
     } else {
@@ -213,7 +206,7 @@ mod tests {
 
     #[test]
     fn a_caption_keeps_its_parts_apart_and_its_error() {
-        for &quantity in FELT.iter().chain(&Quantity::FORCES) {
+        for &quantity in Quantity::FELT.iter().chain(&Quantity::FORCES) {
             for (number, error) in [("12", 35.0), ("5199", 0.016), ("0.20", 0.42), ("73", 119.0)] {
                 let figure = Figure {
                     number: number.to_owned(),
