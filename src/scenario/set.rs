@@ -338,7 +338,7 @@ fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'sta
     let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
     let mut names = choices.names().into_iter().chain(choices.get(scenario));
     let alike = |name: &&str| bare(name) == bare(text);
-    let synonym = || choices.synonyms().iter().find(|(word, _)| alike(&word));
+    let synonym = || choices.synonyms().iter().find(|(word, _)| alike(word));
     names
         .find(alike)
         .or_else(|| synonym().map(|(_, name)| *name))
