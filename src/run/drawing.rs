@@ -99,6 +99,9 @@ pub struct Drawing {
     pub(crate) along: Option<Vector2<f64>>,
     /// What hits it.
     pub object: Option<DrawnObject>,
+    /// The edge of the bone from the front, x towards the nose and y up, in m, where it is not
+    /// round.
+    pub rim: Vec<Point2<f64>>,
 }
 
 /// The object that hits the eye.

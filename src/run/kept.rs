@@ -107,6 +107,19 @@ pub struct Frame {
     pub squeezed: f64,
     /// Intraocular pressure, in Pa, where the eye has cells.
     pub pressure: Option<f64>,
+    /// What is seen from the front, where a model computes more than a section.
+    pub front: Option<FrontFrame>,
+}
+
+/// An eye and what hits it from the front, in m: x towards the nose, y up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrontFrame {
+    /// The ring where cornea and sclera meet.
+    pub limbus: Vec<Point2<f64>>,
+    /// The ring of the globe that was the widest at rest.
+    pub equator: Vec<Point2<f64>>,
+    /// The middle of the object.
+    pub object: Point2<f64>,
 }
 
 /// The place of the frame nearest to a time, in s.

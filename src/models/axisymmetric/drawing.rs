@@ -66,6 +66,7 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
     });
     let outlines = outlines(eye, &image);
     let mut drawing = Drawing {
+        rim: Vec::new(),
         cells: cells.collect(),
         outlines,
         monitors: monitored(eye),

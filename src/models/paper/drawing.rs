@@ -30,6 +30,7 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
     let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
     let next = shell.iter().cycle().skip(1);
     Drawing {
+        rim: Vec::new(),
         nodes: eye.nodes.iter().enumerate().map(node).collect(),
         lines: eye.springs.iter().filter_map(line).collect(),
         monitors: eye.landmarks.monitors,

@@ -7,6 +7,10 @@ use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARG
 use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Points around the rim.
+const AROUND: usize = 72;
 
 /// The drawing of a case.
 pub(crate) fn of(case: &SpatialCase) -> Drawing {
@@ -56,7 +60,21 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
         }),
         nodes,
         lines,
+        rim: rim(case),
     }
+}
+
+/// The edge of the bone from the front.
+fn rim(case: &SpatialCase) -> Vec<Point2<f64>> {
+    let Some(rim) = case.eye.rim.filter(|rim| !rim.is_round()) else {
+        return Vec::new();
+    };
+    let azimuths = (0..AROUND).map(|i| TAU * i as f64 / AROUND as f64);
+    let point = |azimuth: f64| {
+        let (_, r) = rim.at(azimuth, case.eye.parameters.radius);
+        Point2::new(r * libm::sin(azimuth), r * libm::cos(azimuth))
+    };
+    azimuths.map(point).collect()
 }
 
 /// What bounds the parts of the section.

@@ -7,6 +7,7 @@
 //! bone, how a ball bulges, and cornea and sclera 2.2 times as thick as they are.
 
 pub mod field;
+pub mod front;
 pub mod moment;
 mod object;
 mod shell;
@@ -58,6 +59,12 @@ impl Part {
     /// Whether it is so thin that it must not be lost.
     pub fn is_line(self) -> bool {
         self >= Self::Iris || self == Self::Skin
+    }
+
+    /// Whether it is seen without cutting the eye.
+    pub fn is_outside(self) -> bool {
+        use Part::{Bone, Cornea, Fat, Iris, Object, Sclera};
+        matches!(self, Bone | Cornea | Fat | Iris | Object | Sclera)
     }
 
     /// Whether it lies inside the globe; of its shell nobody asks.

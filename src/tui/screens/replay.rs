@@ -8,6 +8,7 @@ use ratatui::layout::Rect;
 use crate::report::figure::at_a_moment;
 use crate::report::format::significant;
 use crate::report::picture::Part;
+use crate::report::picture::front::seen;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
@@ -40,19 +41,28 @@ pub(super) const ABOUT: About = About {
     title: "Replay",
     question: "What moved?",
     purpose: "the replay in full size",
-    new: || Box::new(Replay),
+    new: || Box::new(Replay::default()),
 };
 
-/// The screen keeps nothing to itself.
-pub struct Replay;
+/// What the screen keeps to itself.
+#[derive(Default)]
+pub struct Replay {
+    /// Whether the eye is seen from the front and not cut.
+    front: bool,
+}
 
 impl Panes for Replay {
     const PANES: &'static [Pane<Self>] = &[Pane::new(
         "replay",
         TimeKeys::Early,
-        &[PaneKeys::new("Replay", FrameKeys::ALL)],
+        &[PaneKeys::new("Replay", FrameKeys::ALL), FRONT],
     )];
 }
+
+#[rustfmt::skip]
+const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
+    bind(&[c('f')], |s, m| s.turn(m), "front", "the eye from the front, or cut"),
+]);
 
 /// The keys of a screen that go from frame to frame, wherever the eye is replayed.
 pub struct FrameKeys<S>(PhantomData<S>);
@@ -71,7 +81,26 @@ impl<S: Screen> FrameKeys<S> {
 
 impl Screen for Replay {
     fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        draw(model, area, buffer);
+        draw(self.front, model, area, buffer);
+    }
+}
+
+impl Replay {
+    /// Shows the eye from the front or cut, its anatomy first.
+    fn turn(&mut self, model: &mut AppModel) {
+        let Some(shown) = &model.shown else { return };
+        let frame = shown.answer.run.frames.first();
+        let faced = frame.and_then(|frame| seen(&shown.drawing, frame));
+        if faced.is_none() {
+            model.notice = Some("a section has no front: hit the eye with an object".to_owned());
+            return;
+        }
+        let hit = shown.drawing.object.is_some();
+        let anatomy = model.clock.detail(hit) == MeshDetail::Anatomy;
+        self.front = !(self.front && anatomy);
+        while model.clock.detail(hit) != MeshDetail::Anatomy {
+            model.clock.change_detail();
+        }
     }
 }
 
@@ -81,7 +110,7 @@ fn change_field(model: &mut AppModel) {
     model.clock.change_field(hit);
 }
 
-fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
+fn draw(front: bool, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let theme = Theme::of(model.look);
     let Some(shown) = &model.shown else {
         put(buffer, area, (1, 1), "no result yet", theme.text());
@@ -92,6 +121,7 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
     let drawn = EyePicture {
         blow: Some(&shown.scenario),
+        front,
         ..EyePicture::of(model, shown, model.time())
     };
     let anatomy = drawn.detail == MeshDetail::Anatomy;
@@ -115,14 +145,14 @@ fn draw(model: &AppModel, area: Rect, buffer: &mut Buffer) {
             theme.warning(),
         );
     }
-    side_panel(model, shown, anatomy, side, buffer);
+    side_panel(model, shown, anatomy.then_some(front), side, buffer);
     time_bar(model, shown, bar, buffer);
 }
 
 fn side_panel(
     model: &AppModel,
     shown: &ShownAnswer,
-    anatomy: bool,
+    anatomy: Option<bool>,
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -130,8 +160,8 @@ fn side_panel(
     let time = model.time();
     let mut y = 0;
     let ascii = model.look.symbols == Symbols::Ascii;
-    if anatomy {
-        parts(model, shown, area, &mut y, buffer);
+    if let Some(front) = anatomy {
+        parts(front, (model, shown), area, &mut y, buffer);
     } else {
         put(buffer, area, (0, y), "Node force", theme.heading());
         put_right(
@@ -182,8 +212,14 @@ fn side_panel(
     put(buffer, area, (0, area.height - 1), material, theme.quiet());
 }
 
-/// The parts of the anatomy, each with its colour.
-fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer: &mut Buffer) {
+/// The parts of the anatomy that are seen, each with its colour.
+fn parts(
+    front: bool,
+    (model, shown): (&AppModel, &ShownAnswer),
+    area: Rect,
+    y: &mut u16,
+    buffer: &mut Buffer,
+) {
     let theme = Theme::of(model.look);
     put(buffer, area, (0, *y), "What you see", theme.heading());
     put_right(buffer, area, (area.width - 1, *y), "e: mesh", theme.quiet());
@@ -199,7 +235,8 @@ fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer:
         .filter(|(part, _)| hit || *part == Part::Fat);
     let tall = area.height >= TALL;
     let mut x = 0;
-    for (part, name) in NAMED.into_iter().chain(more) {
+    let all = NAMED.into_iter().chain(more);
+    for (part, name) in all.filter(|(part, _)| !front || part.is_outside()) {
         let wide = width(name) + 3;
         if x > 0 && (tall || x + wide > area.width) {
             (x, *y) = (0, *y + 1);
@@ -209,6 +246,10 @@ fn parts(model: &AppModel, shown: &ShownAnswer, area: Rect, y: &mut u16, buffer:
         x = put(buffer, area, (x, *y), &format!(" {name} "), theme.text());
     }
     *y += 1;
+    if front {
+        *y += 1;
+        return;
+    }
     let dots = if model.look.symbols == Symbols::Ascii {
         "::"
     } else {

@@ -80,6 +80,8 @@ pub struct EyePicture<'a> {
     pub playing: bool,
     /// Whether few bytes matter more than every spring.
     pub lean: bool,
+    /// Whether the anatomy is seen from the front and not cut.
+    pub front: bool,
     /// How things are drawn.
     pub look: Look,
 }
@@ -98,6 +100,7 @@ impl<'a> EyePicture<'a> {
             aiming: false,
             playing: model.clock.playing,
             lean: model.is_lean(),
+            front: false,
             look: model.look,
         }
     }
@@ -117,9 +120,13 @@ impl<'a> EyePicture<'a> {
                 zoom: self.zoom,
                 playing: self.playing,
                 lean: self.lean,
+                front: self.front,
                 look: self.look,
             };
             picture.draw(area, buffer);
+            if self.front {
+                return;
+            }
             // An object shows by itself where it comes from.
             if self.aiming || self.shown.drawing.object.is_none() {
                 let mut raster = Raster::new(area, self.look.symbols);

@@ -52,6 +52,7 @@ impl<C: Cells> Motion<'_, C> {
         };
         let projectile = self.object.as_ref().map(|(_, projectile)| projectile);
         Frame {
+            front: None,
             time: due,
             positions: (0..eye.mass.len()).map(position).collect(),
             forces: self

@@ -73,6 +73,7 @@ impl FrameTaker {
 
     fn keep(&mut self, system: &System, state: &State) {
         self.frames.push(Frame {
+            front: None,
             time: self.due(),
             positions: (0..self.nodes)
                 .map(|n| state.position(system.place(n)))

@@ -1,11 +1,11 @@
-//! The section at the instants that frames are due.
+//! The section, and the eye from the front, at the instants that frames are due.
 
 use crate::models::axisymmetric::recording::record::NODE_MASS;
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::spatial::forces::state::Cells;
 use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::Motion;
-use crate::run::kept::Frame;
+use crate::run::kept::{Frame, FrontFrame};
 use nalgebra::Vector3;
 
 impl<C: Cells> Motion<'_, C> {
@@ -55,6 +55,24 @@ impl<C: Cells> Motion<'_, C> {
             projectile: Some(position(moving.middle(), moving.velocity())),
             squeezed: moving.squeezed(),
             pressure: Some(self.filters[0].now),
+            front: Some(self.front(section, back)),
+        }
+    }
+
+    /// The eye from the front, `back` s before now.
+    fn front(&self, section: &Section, back: f64) -> FrontFrame {
+        let seen =
+            |at: Vector3<f64>, speed: Vector3<f64>| section.from_the_front(at - speed * back);
+        let [limbus, equator] = section.rings.each_ref().map(|ring| {
+            let (at, speed) = (&self.state.at, &self.state.speed);
+            let points = ring.iter().map(|point| seen(point.of(at), point.of(speed)));
+            points.collect()
+        });
+        let moving = &self.flying.moving;
+        FrontFrame {
+            limbus,
+            equator,
+            object: seen(moving.middle(), moving.velocity()),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::models::spatial::recording::sensor::monitored;
 use crate::models::spatial::time::run::Blow;
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Cells in half a side of the core of the half section.
 const HALF: usize = 6;
@@ -24,6 +24,14 @@ const RAYS: usize = 12;
 const LAYERS: usize = 4;
 /// How much nearer to the middle a place of the globe is looked for: the mesh's sides are flat.
 const INSIDE: f64 = 0.985;
+
+/// Points of a ring around the axis.
+const AROUND: usize = 48;
+
+/// The direction at a front angle in rad, towards a side.
+fn direction(front: f64, out: Vector3<f64>) -> Vector3<f64> {
+    out * libm::sin(front) - Vector3::x() * libm::cos(front)
+}
 
 /// A point that is shown.
 #[derive(Debug, Clone)]
@@ -48,8 +56,12 @@ pub(crate) struct Section {
     pub free: [Vec<usize>; 2],
     /// The points nearest to the monitored places.
     pub monitors: [usize; 4],
+    /// The limbus and the equator all around.
+    pub rings: [Vec<Point>; 2],
     /// Up in the picture, in the axes of the mesh.
     up: Vector3<f64>,
+    /// Towards the nose and up at the eye, in the axes of the mesh.
+    face: [Vector3<f64>; 2],
 }
 
 impl Section {
@@ -66,7 +78,16 @@ impl Section {
             wall: [Vec::new(), Vec::new()],
             free: [Vec::new(), Vec::new()],
             monitors: [0; 4],
+            rings: [eye.parameters.shell.limbus, FRAC_PI_2].map(|front| {
+                let azimuths = (0..AROUND).map(|i| TAU * i as f64 / AROUND as f64);
+                let points = azimuths.map(|azimuth| {
+                    let direction = direction(front, towards(azimuth));
+                    eye.on_shell(direction)
+                });
+                points.flatten().collect()
+            }),
             up: towards(azimuth),
+            face: [towards(FRAC_PI_2 - blow.up), towards(-blow.up)],
         };
         let nodes: Nodes = std::array::from_fn(|k| eye.mesh.at.iter().map(|p| p[k]).collect());
         for side in 0..2 {
@@ -87,6 +108,11 @@ impl Section {
     /// Where a place is shown.
     pub fn shown(&self, place: Vector3<f64>) -> Point2<f64> {
         Point2::new(place.x, place.dot(&self.up))
+    }
+
+    /// Where a place is seen from the front: x towards the nose, y up.
+    pub fn from_the_front(&self, place: Vector3<f64>) -> Point2<f64> {
+        Point2::from(self.face.map(|axis| place.dot(&axis)))
     }
 
     fn put(&mut self, nodes: &Nodes, point: Point, region: Region) -> usize {
@@ -162,7 +188,7 @@ impl Section {
             _ => &round,
         };
         let out = towards(azimuth);
-        let direction = |front: f64| out * libm::sin(front) - Vector3::x() * libm::cos(front);
+        let direction = |front: f64| direction(front, out);
         let openings = (0..=180).map(|i| f64::from(i) * PI / 180.0);
         let opening = openings.take_while(|front| cavity.behind(direction(*front)) < 0.0);
         let opening = opening.last().unwrap_or(FRAC_PI_2);

@@ -13,7 +13,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
 use crate::report::picture::field::{Field, STEPS, step};
-use crate::report::picture::{Detail, POINTS, Part, in_globe, moment};
+use crate::report::picture::{Detail, POINTS, Part, front, in_globe, moment};
 use crate::run::drawing::shares;
 use crate::run::kept::Frame;
 use crate::tui::look::Look;
@@ -60,6 +60,8 @@ pub struct Anatomical<'a> {
     pub playing: bool,
     /// Whether few bytes matter more than every detail.
     pub lean: bool,
+    /// Whether it is seen from the front and not cut.
+    pub front: bool,
     /// How things are drawn.
     pub look: Look,
 }
@@ -67,12 +69,19 @@ pub struct Anatomical<'a> {
 impl Anatomical<'_> {
     /// Draws the eye with its words above and below, where there is room for them.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
-        let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
+        let (window, field) = if self.front {
+            Window::facing(area, self.look.symbols)
+        } else {
+            Window::within(area, &self.shown.drawing, self.look.symbols)
+        };
         if field.width == 0 || field.height == 0 {
             return;
         }
         self.paint(&window, field, buffer);
         if field.height < area.height {
+            if self.front {
+                self.hours(field, buffer);
+            }
             self.caption(area, buffer);
             self.scale(&window, area, buffer);
         }
@@ -94,14 +103,24 @@ impl Anatomical<'_> {
             points: POINTS,
         };
         let shown = self.shown;
-        let layers = shown.anatomy.layers(&shown.drawing, self.frame, detail);
+        let layers = if self.front {
+            let side = shown.scenario.eye_side();
+            front::layers(&shown.drawing, self.frame, side, window.grain()).unwrap_or_default()
+        } else {
+            shown.anatomy.layers(&shown.drawing, self.frame, detail)
+        };
         let samples = Samples::new(&layers, window, (wide, high), (across, down));
         let parts = if self.lean || self.playing || area.width >= LARGE {
             1
         } else {
             2
         };
-        let steps = self.steps(area, window, parts);
+        // From the front nothing shows the inside.
+        let steps = if self.front {
+            vec![0; columns * rows * parts]
+        } else {
+            self.steps(area, window, parts)
+        };
         let tint = |i: usize| {
             let (x, y) = (i % wide, i / wide);
             let part = samples.point(x, y);
@@ -208,7 +227,8 @@ impl Anatomical<'_> {
     fn dots(&self, window: &Window, area: Rect) -> Vec<u8> {
         const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
         let mut dots = vec![0; usize::from(area.width) * usize::from(area.height)];
-        for at in self.shown.anatomy.ghost() {
+        let ghost = self.shown.anatomy.ghost();
+        for at in ghost.iter().filter(|_| !self.front) {
             let (x, y) = window.cell(*at);
             let inside =
                 x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
@@ -239,6 +259,18 @@ impl Anatomical<'_> {
             zoom,
             String::new(),
         ];
+        if self.front {
+            let (eye, ..) = self.shown.scenario.eye_side().seen();
+            let texts = [
+                format!("{eye} eye, from the front"),
+                "from the front".to_owned(),
+            ];
+            let text = longest_fitting(&texts, area.width.saturating_sub(x + 2));
+            put_right(buffer, row, (area.width, 0), text, theme.quiet());
+            let words = longest_fitting(&words, area.width.saturating_sub(x + 2 + width(text)));
+            put(buffer, row, (x, 0), words, theme.text());
+            return;
+        }
         let (field, largest) = self.field;
         let end = format!(" {}", field.figure(largest));
         let ramp = match self.look.depth {
@@ -299,6 +331,21 @@ impl Anatomical<'_> {
         );
     }
 
+    /// The hours of the clock that tell the sides.
+    fn hours(&self, area: Rect, buffer: &mut Buffer) {
+        let theme = Theme::of(self.look);
+        let (middle, centre) = (area.width / 2, area.height / 2);
+        let right = area.width.saturating_sub(1);
+        let bottom = area.height.saturating_sub(1);
+        let places = [((middle, 0), "12"), ((right, centre), "3")];
+        for (at, hour) in places
+            .into_iter()
+            .chain([((middle, bottom), "6"), ((0, centre), "9")])
+        {
+            put(buffer, area, at, hour, theme.strong().bg(Color::Reset));
+        }
+    }
+
     /// Which way is which, and how long 10 mm are.
     fn scale(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
         let theme = Theme::of(self.look);
@@ -307,8 +354,14 @@ impl Anatomical<'_> {
             height: 1,
             ..area
         };
-        put(buffer, row, (0, 0), "front", theme.quiet());
-        put_right(buffer, row, (area.width, 0), "back", theme.quiet());
+        let (left, right) = if self.front {
+            let (_, left, right) = self.shown.scenario.eye_side().seen();
+            (left, right)
+        } else {
+            ("front", "back")
+        };
+        put(buffer, row, (0, 0), left, theme.quiet());
+        put_right(buffer, row, (area.width, 0), right, theme.quiet());
         let halves = (2.0 * BAR_M / window.column).round() as usize;
         let mut bar = "━".repeat(halves / 2);
         if halves % 2 == 1 {

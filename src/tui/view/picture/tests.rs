@@ -20,6 +20,7 @@ fn answered(scenario: &Scenario) -> ShownAnswer {
 
 fn of<'a>(shown: &'a ShownAnswer, frame: &'a Frame, look: Look) -> Anatomical<'a> {
     Anatomical {
+        front: false,
         shown,
         frame,
         time: frame.time,

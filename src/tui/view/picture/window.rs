@@ -4,6 +4,7 @@
 use nalgebra::Point2;
 use ratatui::layout::Rect;
 
+use crate::report::picture::front::REACH_M;
 use crate::run::drawing::Drawing;
 use crate::tui::terminal::caps::Symbols;
 
@@ -28,13 +29,34 @@ const WORDED: u16 = 7;
 impl Window {
     /// The window of a picture with its words, and where it lies between them.
     pub fn within(area: Rect, drawing: &Drawing, symbols: Symbols) -> (Self, Rect) {
+        let field = Self::field(area);
+        (Self::new(field, drawing, symbols), field)
+    }
+
+    /// The window of a picture from the front, and where it lies between its words.
+    pub fn facing(area: Rect, symbols: Symbols) -> (Self, Rect) {
+        let field = Self::field(area);
+        let (columns, rows) = (
+            f64::from(field.width.max(1)),
+            f64::from(field.height.max(1)),
+        );
+        let column = (2.0 * REACH_M / columns).max(REACH_M / rows);
+        let window = Self {
+            left: -0.5 * column * columns,
+            top: column * rows,
+            column,
+            symbols,
+        };
+        (window, field)
+    }
+
+    fn field(area: Rect) -> Rect {
         let worded = u16::from(area.height >= WORDED);
-        let field = Rect {
+        Rect {
             y: area.y + worded,
             height: area.height - 2 * worded,
             ..area
-        };
-        (Self::new(field, drawing, symbols), field)
+        }
     }
 
     fn new(area: Rect, drawing: &Drawing, symbols: Symbols) -> Self {

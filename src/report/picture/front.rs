@@ -1,0 +1,180 @@
+//! The eye from the front, as an examiner who faces the patient sees it: the bone's edge, the globe,
+//! limbus, iris and pupil as they move and bend, and the outline of the object, which is let
+//! through.
+//!
+//! An axisymmetric eye that is hit straight on is round from there; hit from the side it cannot be
+//! seen so. What is drawn and not computed: iris and pupil, which go with the limbus.
+
+use nalgebra::{Point2, center};
+use std::f64::consts::TAU;
+
+use crate::report::picture::{Part, Shape, stroke};
+use crate::run::drawing::Drawing;
+use crate::run::kept::{Frame, FrontFrame};
+use crate::scenario::Side;
+
+/// From the middle of the eye to the edge of the picture, in m.
+pub const REACH_M: f64 = 25e-3;
+/// How far the bone goes outward, in m.
+const BONE_M: f64 = 3.5e-3;
+/// The rims of iris and pupil, as shares of the limbus.
+const IRIS: f64 = 0.88;
+const PUPIL: f64 = 0.32;
+/// Corners of a circle.
+const CORNERS: usize = 72;
+/// A blow straight on has no larger part to a side than this share.
+const STRAIGHT: f64 = 1e-9;
+
+fn circle(middle: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {
+    let angle = |i: usize| TAU * i as f64 / CORNERS as f64;
+    let point =
+        |i| middle + nalgebra::Vector2::new(libm::sin(angle(i)), libm::cos(angle(i))) * radius;
+    (0..CORNERS).map(point).collect()
+}
+
+/// What is seen of a frame from the front; none of a section that is hit from the side.
+pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
+    if let Some(front) = &frame.front {
+        return Some(front.clone());
+    }
+    if drawing.object?.direction.y.abs() > STRAIGHT {
+        return None;
+    }
+    let (shell, limbus) = (&drawing.outlines.shell, drawing.outlines.limbus);
+    let middle = Point2::origin();
+    let aside = |node: &usize| drawing.place(frame, *node, 1.0).y.abs();
+    let front = |node: &&usize| {
+        let rest = drawing.at_rest(&drawing.nodes[**node]);
+        libm::atan2(rest.y.abs(), -rest.x)
+    };
+    Some(FrontFrame {
+        limbus: circle(
+            middle,
+            aside(shell.iter().find(|node| front(node) >= limbus)?),
+        ),
+        equator: circle(middle, shell.iter().map(aside).fold(0.0, f64::max)),
+        object: middle,
+    })
+}
+
+/// A ring of the same form about its middle, so many times as large.
+fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
+    let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
+    let middle = Point2::from(sum / ring.len().max(1) as f64);
+    ring.iter()
+        .map(|at| middle + (at - middle) * times)
+        .collect()
+}
+
+/// All layers of a frame, the later over the earlier, `grain` m the smallest thing that shows;
+/// none of a section that is hit from the side.
+pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Option<Vec<Shape>> {
+    let front = seen(drawing, frame)?;
+    let faced = |ring: Vec<Point2<f64>>| -> Vec<Point2<f64>> {
+        let across = |at: Point2<f64>| match side {
+            Side::Right => at,
+            Side::Left => Point2::new(-at.x, at.y),
+        };
+        ring.into_iter().map(across).collect()
+    };
+    let mut layers = Vec::new();
+    let wall = drawing.outlines.wall.first();
+    if let Some(wall) = wall {
+        let rim = if drawing.rim.is_empty() {
+            let far = drawing.at_rest(&drawing.nodes[*wall]).y.abs();
+            circle(Point2::origin(), far)
+        } else {
+            drawing.rim.clone()
+        };
+        if drawing.outlines.bone {
+            let out = |at: &Point2<f64>| at + at.coords.normalize() * BONE_M;
+            let bone = rim.iter().map(out).collect();
+            layers.push(Shape::new(Part::Bone, faced(bone)));
+        }
+        layers.push(Shape::new(Part::Fat, faced(rim)));
+    }
+    let limbus = faced(front.limbus);
+    let tissues = [
+        (Part::Sclera, faced(front.equator)),
+        (Part::Cornea, limbus.clone()),
+        (Part::Iris, scaled(&limbus, IRIS)),
+        (Part::Sky, scaled(&limbus, PUPIL)),
+    ];
+    layers.extend(tissues.map(|(part, ring)| Shape::new(part, ring)));
+    if let Some(object) = drawing.object {
+        let mut ring = faced(circle(front.object, object.radius));
+        ring.extend(ring.first().copied());
+        layers.push(stroke(Part::Object, &ring, grain.max(0.6e-3)));
+        let middle = center(&ring[0], &ring[CORNERS / 2]);
+        let mark = circle(middle, grain.max(0.5e-3));
+        layers.push(Shape::new(Part::Object, mark));
+    }
+    Some(layers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::solve;
+    use crate::run::kept::{Keep, Spacing};
+    use crate::run::watch::unwatched;
+    use crate::scenario::library::find;
+    use crate::scenario::set::set;
+
+    /// Layers of the last frame of a BB of 0.1 ms in gelatin.
+    fn last(changes: &[(&str, &str)], side: Side) -> Option<Vec<Shape>> {
+        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
+        let first = [("model.support", "Gelatin"), ("window_ms", "0.1")];
+        for (path, text) in first.iter().chain(changes) {
+            set(&mut scenario, path, text).unwrap();
+        }
+        let keep = Keep {
+            frames: Some(Spacing::even(0.05e-3)),
+            ..Keep::default()
+        };
+        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let (drawing, frames) = (answer.case.eye.drawing(), &answer.run.frames);
+        layers(&drawing, frames.last().unwrap(), side, 1e-4)
+    }
+
+    fn middle(layers: &[Shape], part: Part) -> (f64, f64) {
+        let ring = &layers
+            .iter()
+            .find(|shape| shape.part == part)
+            .unwrap()
+            .rings[0];
+        let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
+        let mean = sum / ring.len() as f64;
+        (mean.x, mean.y)
+    }
+
+    #[test]
+    fn an_object_aimed_at_the_nose_is_right_of_a_right_eye_and_left_of_a_left_one() {
+        let aside = [("impact.offset_mm", "5"), ("impact.offset_clock", "3")];
+        let right = last(&aside, Side::Right).unwrap();
+        let left = last(&aside, Side::Left).unwrap();
+        let (x, y) = middle(&right, Part::Object);
+        assert!((x - 5e-3).abs() < 1e-3 && y.abs() < 0.3e-3, "{x} {y}");
+        assert!((middle(&left, Part::Object).0 + x).abs() < 1e-12);
+        // The globe stands where it was, and its limbus has a radius of some 6 mm.
+        let sclera = middle(&right, Part::Sclera);
+        assert!(sclera.0.hypot(sclera.1) < 0.5e-3, "{sclera:?}");
+        let cornea = right.iter().find(|shape| shape.part == Part::Cornea);
+        let widest = cornea.unwrap().rings[0].iter().map(|at| at.coords.norm());
+        assert!((5e-3..8e-3).contains(&widest.fold(0.0, f64::max)));
+    }
+
+    #[test]
+    fn straight_on_an_eye_is_round_and_a_section_that_is_hit_aside_is_not_seen_from_the_front() {
+        let straight = last(&[], Side::Right).unwrap();
+        for part in [Part::Sclera, Part::Cornea, Part::Object] {
+            let (x, y) = middle(&straight, part);
+            assert!(x.hypot(y) < 0.1e-3, "{part:?}");
+        }
+        let turned = [
+            ("numerics.geometry", "Axisymmetric"),
+            ("impact.angle_deg", "30"),
+        ];
+        assert!(last(&turned, Side::Right).is_none());
+    }
+}
