@@ -223,6 +223,7 @@ fn map_screens() {
 fn a_projectile_brings_its_pressure_its_force_and_its_injuries() {
     screen("main_projectile", &["bb-56"], "");
     screen("replay_projectile", &["golf-ball"], "\x1b2");
+    state("replay_front", &["golf-ball"], "\x1b2f");
     state("forces_pressure", &["bb-56"], "\x1b3vvvvvvvvv");
     screen("injury", &["bb-56"], "\x1b8jjjjj");
     pictures("injury_large", &["soccer-ball"], &SIZES[..2], |app| {

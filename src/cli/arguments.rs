@@ -142,8 +142,12 @@ impl Changes {
         model_first(&scenario, &mut asked, |(_, path, _)| path);
         let mut changes = Vec::new();
         for (flag, path, text) in &asked {
-            changes.push((full_path(&scenario, path), text.trim()));
+            let (full, before) = (full_path(&scenario, path), scenario.name.clone());
             assign(&mut scenario, flag, path, text)?;
+            // A name that follows the change tells of it.
+            if full == "name" || scenario.name == before {
+                changes.push((full, text.trim()));
+            }
         }
         let short = [
             ("--level", "eye.level", &self.level),
@@ -358,7 +362,9 @@ mod tests {
     #[test]
     fn a_name_says_what_was_set_beside_it_and_stays_a_name() {
         let changed = scenario(&["--set", "impact.force_n=450"]).unwrap();
-        assert_eq!(changed.name, "300 N for 0.2 ms; impact.force_n=450");
+        assert_eq!(changed.name, "450 N for 0.2 ms");
+        let changed = scenario(&["--set", "impact.angle_deg=5"]).unwrap();
+        assert_eq!(changed.name, "300 N for 0.2 ms; impact.angle_deg=5");
         let many: Vec<String> = (0..9).map(|i| format!("--set=eye.lens_kpa={i}1")).collect();
         let many: Vec<&str> = many.iter().map(String::as_str).collect();
         let changed = scenario(&many).unwrap();

@@ -54,6 +54,14 @@ impl Side {
     }
 }
 
+/// Of an azimuth and the one opposite that which lies higher, or at the nose where both lie level:
+/// a little below level still counts as level.
+pub fn upper(azimuth: f64) -> f64 {
+    let (up, nose) = (libm::cos(azimuth), libm::sin(azimuth));
+    let lower = up < -1e-9 || (up < 1e-9 && nose < 0.0);
+    azimuth + if lower { PI } else { 0.0 }
+}
+
 /// A direction about the eye's axis in words, as in `below and the temple`.
 pub fn place(azimuth: f64) -> &'static str {
     const PLACES: [&str; 8] = [

@@ -18,6 +18,7 @@ mod integrator;
 pub mod library;
 pub mod load;
 pub(crate) mod locate;
+mod naming;
 mod physiological;
 pub(crate) mod problem;
 mod projectile;

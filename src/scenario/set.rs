@@ -14,7 +14,7 @@ use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::ron_text::{not_a, read};
-use crate::scenario::{PulseShape, Scenario, doubt, fields};
+use crate::scenario::{PulseShape, Scenario, doubt, fields, naming};
 
 /// A part of the scenario that a person may replace as a whole, in the syntax of a file.
 struct Group {
@@ -187,6 +187,9 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     near_zero_is_zero(&mut changed);
     changed.impact.by_the_clock();
     confirm(&mut changed, path);
+    if let Some(field) = field {
+        naming::follow(&mut changed, scenario, field);
+    }
     *scenario = changed;
     Ok(())
 }

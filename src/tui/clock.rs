@@ -224,22 +224,20 @@ pub fn peaks(answer: &Answer) -> Vec<Visit> {
 
 /// The peaks at a time, if there are any, in the longest words that fit.
 pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Option<String> {
-    let here: Vec<String> = peaks(answer)
-        .into_iter()
-        .filter(|peak| (peak.time - time).abs() < 1e-9)
-        .map(|peak| peak.label)
-        .collect();
-    let some = |count: usize| match here.len() - count {
-        0 => format!("peak {}", here.join(", ")),
-        more => format!("peak {} and {more} more", here[..count].join(", ")),
+    let here = peaks(answer).into_iter();
+    let here: Vec<Visit> = here.filter(|p| (p.time - time).abs() < 1e-9).collect();
+    let whole: Vec<&str> = here.iter().map(|peak| &peak.label[..]).collect();
+    let names: Vec<&str> = here.iter().map(|peak| peak.of.row().short).collect();
+    let some = |said: &[&str], count: usize| match said.len() - count {
+        0 => format!("peak {}", said.join(", ")),
+        more => format!("peak {} and {more} more", said[..count].join(", ")),
     };
-    let forms = (1..=here.len()).rev().map(some);
-    let least = match here.len() {
-        1 => "a peak".to_owned(),
-        several => format!("{several} peaks"),
-    };
+    let counts = || (1..=here.len()).rev();
+    let forms = counts().map(|count| some(&whole, count));
+    let brief = counts().map(|count| some(&names, count));
     forms
-        .chain([least])
+        .chain(brief)
+        .chain([format!("{} peaks", here.len())])
         .find(|text| !here.is_empty() && fits(text))
 }
 

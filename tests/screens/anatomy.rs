@@ -86,6 +86,7 @@ fn the_picture_of_the_readme_shows_six_moments_of_a_squash_ball() {
         let i = i as u16;
         let place = Rect::new(i % 3 * (SIZE.0 + 1), i / 3 * (SIZE.1 + 1), SIZE.0, SIZE.1);
         let picture = EyePicture {
+            front: false,
             shown: &shown,
             time: ms * 1e-3,
             largest: shown.hottest,

@@ -132,7 +132,7 @@ fn views(traces: &Traces) -> Vec<View> {
         }
         views.extend(own.chunks(MAX_CHARTS).map(|own| View::alone(name, own)));
         if *group == Group::NodeForces {
-            views.extend(own.chunks(1).map(|own| View::alone("one node", own)));
+            views.extend(own.iter().map(|one| View::alone(one.row().label, &[*one])));
         }
     }
     views
@@ -157,8 +157,8 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
     bind(&[SHIFT_RIGHT, c('L')], |s, m| s.step_time(m, Step::MUCH_MORE), "", "the cursor far to the right"),
     bind(&[c('i')], |s, _| s.zoom = s.zoom.nearer(), "zoom", "half of the time shown, about the cursor"),
     bind(&[c('o')], |s, _| s.zoom = s.zoom.farther(), "&", "twice of the time shown, up to the whole"),
-    bind(&[c('v')], |s, m| s.next_view(m), "view", "the next curves: what the eye felt, nodes, movement, energies, tissues"),
-    bind(&[c('V')], |s, m| s.last_view(m), "", "the curves before"),
+    bind(&[c('v')], |s, m| s.next_view(m), "view", "the next curves: felt, nodes, movement, energies, tissues"),
+    bind(&[c('V')], |s, m| s.last_view(m), "&", "the curves before"),
 ]);
 
 impl Screen for Forces {
@@ -284,9 +284,21 @@ fn chart(
         Some(at_a_moment(&shown.answer, *course, value))
     };
     let (title, now) = if let [only] = courses {
-        let unit = only.row().unit;
+        let (unit, label) = (only.row().unit, only.label(traces));
         let now = reading(only).unwrap_or_default();
-        (format!("{}, {unit}", only.label(traces)), now)
+        let short = match only {
+            Trace::Of(of) => of.row().short,
+            Trace::Other(_) => label,
+        };
+        // The reading has the unit too.
+        let texts = [
+            format!("{label}, {unit}"),
+            label.to_owned(),
+            short.to_owned(),
+        ];
+        let room = area.width.saturating_sub(TITLED + width(&now));
+        let fitting = texts.iter().find(|text| width(text) <= room);
+        (fitting.unwrap_or(&texts[0]).clone(), now)
     } else {
         (String::new(), String::new())
     };
@@ -329,6 +341,8 @@ fn chart(
     }
 }
 
+/// Columns before a title and between it and the reading.
+const TITLED: u16 = 8;
 /// Where the legend of several curves begins.
 const LEGEND: u16 = 8;
 

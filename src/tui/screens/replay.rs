@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use crate::report::figure::at_a_moment;
 use crate::report::format::significant;
@@ -236,14 +237,32 @@ fn parts(
     let tall = area.height >= TALL;
     let mut x = 0;
     let all = NAMED.into_iter().chain(more);
-    for (part, name) in all.filter(|(part, _)| !front || part.is_outside()) {
-        let wide = width(name) + 3;
+    let seen = all.filter(|(part, _)| !front || part.is_outside());
+    // Without colours several parts have one sign.
+    let mut signs: Vec<(String, Style, Vec<&str>)> = Vec::new();
+    for (part, name) in seen {
+        let (sign, style) = swatch(part, model.look);
+        match signs
+            .iter_mut()
+            .find(|known| (&known.0, known.1) == (&sign, style))
+        {
+            Some((.., names)) => names.push(name),
+            None if sign == " " && style == Style::new() => {}
+            None => signs.push((sign, style, vec![name])),
+        }
+    }
+    for (sign, style, names) in signs {
+        let lines = wrapped(&names.join(", "), usize::from(area.width - 3));
+        let wide = lines.iter().map(|line| width(line) + 3).max().unwrap_or(0);
         if x > 0 && (tall || x + wide > area.width) {
             (x, *y) = (0, *y + 1);
         }
-        let (sign, style) = swatch(part, model.look);
-        x = put(buffer, area, (x, *y), &sign, style);
-        x = put(buffer, area, (x, *y), &format!(" {name} "), theme.text());
+        put(buffer, area, (x, *y), &sign, style);
+        for (i, line) in lines.iter().enumerate() {
+            *y += u16::from(i > 0);
+            put(buffer, area, (x + 2, *y), line, theme.text());
+        }
+        x += wide;
     }
     *y += 1;
     if front {

@@ -139,6 +139,15 @@ fn plot(
     }
 }
 
+/// Draws where a range has its zero.
+fn zero_line(raster: &mut Raster, (low, high): (f64, f64), theme: Theme) {
+    let (columns, rows) = raster.size();
+    let share = if high > low { high / (high - low) } else { 1.0 };
+    let zero = (f64::from(rows - 1) * share).round() + 0.5;
+    let line = Ink::solid(theme.line(), 0, '-').dotted(2);
+    raster.line((0.0, zero), (f64::from(columns - 1), zero), line);
+}
+
 /// A curve with its zero line, with a mark at the present moment below it.
 pub fn spark(
     curve: TimeCurve,
@@ -152,15 +161,7 @@ pub fn spark(
     let mut raster = Raster::new(area, look.symbols);
     let curves = [curve];
     let range = range(&curves, span);
-    let (columns, rows) = raster.size();
-    let share = if range.1 > range.0 {
-        range.1 / (range.1 - range.0)
-    } else {
-        1.0
-    };
-    let zero = (f64::from(rows - 1) * share).round() + 0.5;
-    let line = Ink::solid(theme.line(), 0, '-').dotted(2);
-    raster.line((0.0, zero), (f64::from(columns - 1), zero), line);
+    zero_line(&mut raster, range, theme);
     plot(&mut raster, &curves, span, range, true);
     raster.paint(buffer);
     let share = ((now - span.0) / (span.1 - span.0)).clamp(0.0, 1.0);
@@ -232,6 +233,7 @@ impl TimeChart<'_> {
             let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
             raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
         }
+        zero_line(&mut raster, (low, high), theme);
         plot(&mut raster, &self.curves, self.span, (low, high), false);
         raster.paint(buffer);
     }

@@ -17,7 +17,7 @@ use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
-use crate::scenario::direction::place;
+use crate::scenario::direction::{place, upper};
 use crate::scenario::fields;
 use crate::scenario::fields::Kind;
 use crate::scenario::{Impact, Scenario};
@@ -191,20 +191,21 @@ impl<'a> EyePicture<'a> {
         directions(self.up(), theme, area, buffer);
     }
 
-    /// What lies at the top of the picture, which is cut along the blow.
+    /// What lies at the top of the picture, which is cut along the blow: the side that it comes
+    /// from, of an eye in three dimensions whichever of both is higher, or the nose.
     fn up(&self) -> &'static str {
-        match self.blow {
-            Some(blow) => match &blow.impact {
-                Impact::Projectile(object) if object.angle_deg != 0.0 => {
-                    place(blow.eye_side().azimuth(object.angle_clock))
-                }
-                Impact::Projectile(object) if object.offset_mm != 0.0 => {
-                    place(blow.eye_side().azimuth(object.offset_clock))
-                }
-                _ => UP,
-            },
-            None => UP,
-        }
+        let Some(Impact::Projectile(object)) = self.blow.map(|blow| &blow.impact) else {
+            return UP;
+        };
+        let hour = match object {
+            _ if object.angle_deg != 0.0 => object.angle_clock,
+            _ if object.offset_mm != 0.0 => object.offset_clock,
+            _ => return UP,
+        };
+        let azimuth = self.shown.scenario.eye_side().azimuth(hour);
+        let frames = &self.shown.answer.run.frames;
+        let solid = frames.first().is_some_and(|frame| frame.front.is_some());
+        place(if solid { upper(azimuth) } else { azimuth })
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.

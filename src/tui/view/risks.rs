@@ -38,11 +38,19 @@ pub fn signs(room: u16) -> Vec<String> {
     long.unwrap_or_else(|| wrapped(shortest, room.into()))
 }
 
+/// Whether finer meshes and inputs are still to come, which widen the ranges.
+pub fn comes(model: &AppModel, answer: &Answer) -> bool {
+    model.idle && answer.inputs.is_none() && uncounted(answer).is_some()
+}
+
 /// What the ranges do not hold yet, in words; none where they hold all.
 pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
     let missing = uncounted(answer)?;
-    let comes = model.idle && answer.inputs.is_none();
-    let how = if comes { "still counting:" } else { "without" };
+    let how = if comes(model, answer) {
+        "still counting:"
+    } else {
+        "without"
+    };
     Some(format!("{how} {missing}"))
 }
 
@@ -273,8 +281,10 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         });
         let counting = counting(model, answer);
         let wider = wider(model, answer);
-        let rest = wider.iter().chain(&counting).map(String::as_str);
-        for part in notes.chain(flags).chain(rest) {
+        // What still widens the ranges is said before it is cut off.
+        let first = counting.iter().map(String::as_str);
+        let rest = wider.iter().map(String::as_str);
+        for part in first.chain(notes).chain(flags).chain(rest) {
             if !said.iter().any(|other| other == part) {
                 said.push(part.to_owned());
             }

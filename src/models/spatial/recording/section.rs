@@ -14,6 +14,7 @@ use crate::models::spatial::forces::object::towards;
 use crate::models::spatial::recording::sensor::monitored;
 use crate::models::spatial::time::run::Blow;
 use crate::run::places::Region;
+use crate::scenario::direction::upper;
 use nalgebra::{Point2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -67,10 +68,7 @@ pub(crate) struct Section {
 impl Section {
     pub fn new(eye: &SpatialEye, blow: &Blow) -> Self {
         let plane = blow.aim.plane();
-        // A little below flat still counts as flat.
-        let flipped =
-            libm::cos(plane) < -1e-9 || (libm::cos(plane) < 1e-9 && libm::sin(plane) < 0.0);
-        let azimuth = plane - blow.up + if flipped { PI } else { 0.0 };
+        let azimuth = upper(plane) - blow.up;
         let mut section = Self {
             points: Vec::new(),
             cells: Vec::new(),

@@ -132,6 +132,8 @@ pub struct Comparison {
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.
     pub sort: Option<(ComparisonColumn, bool)>,
+    /// Whether the rows stay where they are until somebody sorts them.
+    pub fixed: bool,
     /// The curve below the table, once one was chosen.
     pub curve: Option<Trace>,
     /// What stands at the same time in all of them.
@@ -262,7 +264,16 @@ impl Comparison {
     pub fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_risk());
-        self.sort.or(risk.map(|column| (column, true)))
+        let own = risk.filter(|_| !self.fixed).map(|column| (column, true));
+        self.sort.or(own)
+    }
+
+    /// Keeps the rows in the order that they have now: who edits one goes on to the next.
+    pub fn fix_order(&mut self) {
+        let order: Vec<String> = self.sorted().iter().map(|e| e.name.clone()).collect();
+        let place = |entry: &Marked| order.iter().position(|name| *name == entry.name);
+        self.entries.sort_by_key(place);
+        (self.sort, self.fixed) = (None, true);
     }
 
     /// The entries in the order of the table.

@@ -225,6 +225,7 @@ impl Screen for Comparison {
             return;
         };
         let called = called(source, original, scenario);
+        self.fix_order();
         let place = self.entries.iter().position(|entry| entry.name == name);
         let there = place.map_or(&[][..], |at| &self.entries[at..=at]);
         if there.iter().any(|entry| entry.scenario == *scenario) {
@@ -283,6 +284,9 @@ impl Screen for Comparison {
         }
         let entries = self.sorted().into_iter();
         let marked = entries.filter_map(|entry| match &entry.found {
+            Found::Answer(shown) if entry.name == FORM => {
+                Some((model.work.name().to_owned(), shown.as_ref()))
+            }
             Found::Answer(shown) => Some((entry.name.clone(), shown.as_ref())),
             _ => None,
         });

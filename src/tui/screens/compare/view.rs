@@ -128,8 +128,15 @@ fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Bu
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
         let chosen = i == compare.row;
         let style = if chosen { theme.focus() } else { theme.text() };
-        let called = place.map_or(name, |at| &entries[at].name);
-        let text = fitted(brief(called), usize::from(wide) - 6);
+        let called = match place {
+            _ if name == FORM => {
+                let texts = [format!("{FORM} {}", model.work.name()), FORM.to_owned()];
+                longest_fitting(&texts, wide - 6).to_owned()
+            }
+            Some(at) => entries[at].name.clone(),
+            None => name.to_owned(),
+        };
+        let text = fitted(brief(&called), usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
         put(buffer, list, (1, y), &sign, lit);
         put(buffer, list, (5, y), &text, style);

@@ -13,7 +13,7 @@ use crate::report::risks::first_line;
 use crate::run::quantity::Quantity;
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::view::risks::{limits, rows};
+use crate::tui::view::risks::{comes, limits, rows};
 use crate::tui::view::text::{longest_fitting, put, put_lines, put_right, width, wrapped};
 use crate::tui::view::theme::Theme;
 
@@ -51,6 +51,9 @@ pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, area: Rect, buf
     let heading = match model.stale() {
         Some(why) => (format!("{QUESTION} {why}"), theme.warning()),
         None if shown.answer.risks().is_empty() => (QUESTION.to_owned(), theme.heading()),
+        None if comes(model, &shown.answer) => {
+            (format!("{QUESTION} so far, widening"), theme.warning())
+        }
         None => (format!("{QUESTION} 80 % ranges"), theme.heading()),
     };
     if !shown.answer.risks().is_empty() {

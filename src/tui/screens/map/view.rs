@@ -358,15 +358,23 @@ fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
             return "not known yet".to_owned();
         };
         let Some(value) = reading.value else {
-            return "not allowed".to_owned();
+            return if reading.exact {
+                "not allowed"
+            } else {
+                "not known yet"
+            }
+            .to_owned();
         };
         let row = quantity.row();
         if let Some(range) = risk_there(map, grid, quantity, model) {
-            return format!(
-                "{} about {}, {range}",
-                row.label,
-                whole_percent(0.01 * value)
-            );
+            // The points around it tell no more than where it about lies.
+            let rough = if reading.exact {
+                ""
+            } else {
+                ", between points that were computed"
+            };
+            let middle = whole_percent(0.01 * value);
+            return format!("{} about {middle}, {range}{rough}", row.label);
         }
         let about = if reading.exact { "" } else { "about " };
         let folded = if reading.folded {

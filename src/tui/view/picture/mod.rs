@@ -273,8 +273,14 @@ impl Anatomical<'_> {
         }
         let (field, largest) = self.field;
         let end = format!(" {}", field.figure(largest));
+        // Without colours the scale is one of signs.
+        let signs = match (self.look.symbols, self.look.depth) {
+            (Symbols::Ascii, _) => String::from_iter(STEPPED),
+            (_, Depth::Mono) => String::from_iter(patterns(self.look)),
+            _ => String::new(),
+        };
         let ramp = match self.look.depth {
-            _ if self.look.symbols == Symbols::Ascii => 0,
+            _ if !signs.is_empty() => width(&signs),
             Depth::Mono => 0,
             Depth::Sixteen => 5,
             Depth::TwoFiveSix if area.width >= LARGE => STEPS as u16,
@@ -310,7 +316,8 @@ impl Anatomical<'_> {
         };
         let left = area.width - legend(start);
         let mut x = put(buffer, row, (left, 0), start, theme.quiet());
-        for i in 0..ramp {
+        x = put(buffer, row, (x, 0), &signs, theme.text());
+        for i in 0..ramp.saturating_sub(width(&signs)) {
             let last = usize::from(ramp - 1);
             let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
             let (a, b) = (
@@ -443,15 +450,10 @@ fn mono(
             Part::Bone => 0x95,
             Part::Nerve => 0xd2,
             Part::Fat if lattice => 0x02,
-            Part::Globe => [0x00, 0x04, 0x21, 0x2a, 0x55][step * 5 / STEPS],
+            Part::Globe => DOTTED[step * DOTTED.len() / STEPS],
             _ => 0,
         };
-    let symbol = match look.symbols {
-        Symbols::Block => [' ', '·', '░', '▒', '▓'][(bits.count_ones() as usize).min(4)],
-        _ if bits == 0 => ' ',
-        _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
-    };
-    (symbol, Style::new())
+    (dotted(bits, look), Style::new())
 }
 
 /// A part as a key to the picture has it.
@@ -467,9 +469,27 @@ pub fn swatch(part: Part, look: Look) -> (String, Style) {
     (sign.to_string(), style)
 }
 
+/// The field in ASCII, from low to high.
+const STEPPED: [char; 5] = [' ', '-', '+', '*', '$'];
+/// The field in dots, from low to high.
+const DOTTED: [u8; 5] = [0x00, 0x04, 0x21, 0x2a, 0x55];
+
+/// The field without colours, from low to high.
+fn patterns(look: Look) -> [char; 5] {
+    DOTTED.map(|bits| dotted(bits, look))
+}
+
+/// The dots of a cell as a sign.
+fn dotted(bits: u8, look: Look) -> char {
+    match look.symbols {
+        Symbols::Block => [' ', '·', '░', '▒', '▓'][(bits.count_ones() as usize).min(4)],
+        _ if bits == 0 => ' ',
+        _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
+    }
+}
+
 /// The sign of a part.
 fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
-    const STEPPED: [char; 5] = [' ', '-', '+', '*', '$'];
     let Tint { part, step } = tint;
     let sign = match part {
         _ if ghost != 0 && !part.is_line() => ':',
