@@ -62,7 +62,7 @@ impl Panes for Replay {
 
 #[rustfmt::skip]
 const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
-    bind(&[c('f')], |s, m| s.turn(m), "front", "the eye from the front, or cut"),
+    bind(&[c('f')], Replay::turn, "front", "the eye from the front, or cut"),
 ]);
 
 /// The keys of a screen that go from frame to frame, wherever the eye is replayed.

@@ -59,6 +59,7 @@ pub fn number(scenario: &Scenario, path: &str) -> Option<f64> {
 }
 
 /// What is drawn.
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct EyePicture<'a> {
     /// The result that is shown.
     pub shown: &'a ShownAnswer,

@@ -61,8 +61,7 @@ impl<C: Cells> Motion<'_, C> {
 
     /// The eye from the front, `back` s before now.
     fn front(&self, section: &Section, back: f64) -> FrontFrame {
-        let seen =
-            |at: Vector3<f64>, speed: Vector3<f64>| section.from_the_front(at - speed * back);
+        let seen = |at: Vector3<f64>, speed: Vector3<f64>| section.facing(at - speed * back);
         let [limbus, equator] = section.rings.each_ref().map(|ring| {
             let (at, speed) = (&self.state.at, &self.state.speed);
             let points = ring.iter().map(|point| seen(point.of(at), point.of(speed)));

@@ -109,7 +109,7 @@ impl Section {
     }
 
     /// Where a place is seen from the front: x towards the nose, y up.
-    pub fn from_the_front(&self, place: Vector3<f64>) -> Point2<f64> {
+    pub fn facing(&self, place: Vector3<f64>) -> Point2<f64> {
         Point2::from(self.face.map(|axis| place.dot(&axis)))
     }
 
