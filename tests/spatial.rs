@@ -98,6 +98,49 @@ fn neighbouring_angles_give_neighbouring_answers() {
     }
 }
 
+/// By what shares measures of two blows differ that should be nearly the same.
+fn apart(a: &BriefAnswer, b: &BriefAnswer) -> [f64; 7] {
+    [
+        Quantity::Pressure,
+        Quantity::EquatorStretch,
+        Quantity::BackStretch,
+        Quantity::EdgeGrowth,
+        Quantity::LensPull,
+        Quantity::IrisPull,
+        Quantity::CornealEnergy,
+    ]
+    .map(|of| {
+        let (a, b) = (a.values[of].unwrap(), b.values[of].unwrap());
+        (b / a - 1.0).abs()
+    })
+}
+
+#[test]
+fn a_little_more_angle_or_offset_changes_no_measure_at_once() {
+    // Where the pull on the lens depends on the angle most.
+    let at = |angle: &str, offset: &str| {
+        let from_temple = ("impact.angle_clock", "9");
+        let aside = ("impact.offset_mm", offset);
+        run("bb-62", &[from_temple, ("impact.angle_deg", angle), aside])
+    };
+    let here = at("47.2", "0");
+    for there in [at("47.25", "0"), at("47.2", "0.01")] {
+        let apart = apart(&here, &there);
+        assert!(apart.iter().all(|share| *share < 0.02), "{apart:?}");
+    }
+}
+
+#[test]
+fn half_of_the_eye_is_the_whole_where_their_meshes_lie_alike() {
+    let of = |geometry| {
+        let angle = ("impact.angle_deg", "20");
+        let gelatin = ("model.support", "Gelatin");
+        run("bb-56", &[gelatin, angle, ("numerics.geometry", geometry)])
+    };
+    let apart = apart(&of("Half"), &of("Full"));
+    assert!(apart.iter().all(|share| *share < 1e-6), "{apart:?}");
+}
+
 #[test]
 fn what_does_not_fit_the_holder_of_the_gelatin_is_refused_by_the_eye_without_one() {
     let changes = [("model.support", "Gelatin"), ("impact.angle_deg", "20")];
