@@ -1,6 +1,7 @@
 //! Blows from the side, computed in three dimensions, as a person asks for them.
 
 use contrecoup::answer::brief::{BriefAnswer, single};
+use contrecoup::answer::mesh_error::add_mesh_error;
 use contrecoup::answer::solve::{Answer, solve};
 use contrecoup::injury::Injury;
 use contrecoup::run::kept::Keep;
@@ -81,6 +82,9 @@ fn straight_on_in_gelatin_both_eyes_agree() {
         let (a, b) = (round.values[of].unwrap(), half.values[of].unwrap());
         assert!((b / a - 1.0).abs() < within, "{of:?}: {a} round, {b} half");
     }
+    let beside = run("bb-56", &[gelatin, ("impact.angle_deg", "0.1")]);
+    let apart = apart(&half, &beside);
+    assert!(apart.iter().all(|share| *share < 0.02), "{apart:?}");
 }
 
 #[test]
@@ -95,6 +99,65 @@ fn neighbouring_angles_give_neighbouring_answers() {
         for (a, b) in pair[0].iter().zip(&pair[1]) {
             assert!((b / a - 1.0).abs() < 0.05, "{steps:?}");
         }
+    }
+}
+
+/// What injuries are read from, and the pressure.
+const MEASURES: [Quantity; 7] = [
+    Quantity::Pressure,
+    Quantity::EquatorStretch,
+    Quantity::BackStretch,
+    Quantity::EdgeGrowth,
+    Quantity::LensPull,
+    Quantity::IrisPull,
+    Quantity::CornealEnergy,
+];
+
+/// By what shares measures of two blows differ that should be nearly the same.
+fn apart(a: &BriefAnswer, b: &BriefAnswer) -> [f64; 7] {
+    MEASURES.map(|of| {
+        let (a, b) = (a.values[of].unwrap(), b.values[of].unwrap());
+        (b / a - 1.0).abs()
+    })
+}
+
+#[test]
+fn a_little_more_angle_or_offset_changes_no_measure_at_once() {
+    // Where the pull on the lens depends on the angle most.
+    let at = |angle: &str, offset: &str| {
+        let from_temple = ("impact.angle_clock", "9");
+        let aside = ("impact.offset_mm", offset);
+        run("bb-62", &[from_temple, ("impact.angle_deg", angle), aside])
+    };
+    let here = at("47.2", "0");
+    for there in [at("47.25", "0"), at("47.2", "0.01")] {
+        let apart = apart(&here, &there);
+        assert!(apart.iter().all(|share| *share < 0.02), "{apart:?}");
+    }
+}
+
+#[test]
+fn half_of_the_eye_is_the_whole_where_their_meshes_lie_alike_and_else_within_its_mesh_error() {
+    let from = |clock, geometry| {
+        [
+            ("model.support", "Gelatin"),
+            ("impact.angle_deg", "20"),
+            ("impact.angle_clock", clock),
+            ("numerics.geometry", geometry),
+        ]
+    };
+    let of = |clock, geometry| run("bb-62", &from(clock, geometry));
+    let alike = apart(&of("12", "Half"), &of("12", "Full"));
+    assert!(alike.iter().all(|share| *share < 1e-6), "{alike:?}");
+    // From here half of an eye has its mirror plane across the mesh of a whole one.
+    let mut half = answer("bb-62", &from("7.5", "Half"));
+    let scenario = scene("bb-62", &from("7.5", "Half"));
+    add_mesh_error(&scenario, &mut half, &mut unwatched).unwrap();
+    let whole = of("7.5", "Full");
+    for of in MEASURES {
+        let (a, b) = (half.result(of).unwrap(), whole.values[of].unwrap());
+        let claimed = half.errors.share(of);
+        assert!((b / a - 1.0).abs() < claimed, "{of:?}: {a} {b} {claimed}");
     }
 }
 

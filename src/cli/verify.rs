@@ -15,6 +15,7 @@ use crate::run::threads;
 use crate::verify::claims::{FINEST_CHECKED, Study, check};
 use crate::verify::fit::fit;
 use crate::verify::hard_cases::{self, CaseVerdict};
+use crate::verify::measured_orbit::InOrbit;
 use crate::verify::rerun::rerun_all;
 use crate::verify::scenes::{MAX_SCENES, Scenes};
 use crate::verify::tissue_fit::fit_tissues;
@@ -58,6 +59,18 @@ pub enum VerifyCommand {
         /// Check mesh errors of answers at this level, in place of step errors
         #[arg(long, value_name = "K", value_parser = checked_level())]
         level: Option<u32>,
+    },
+    /// The same of random objects from the side, at the eye in three dimensions, and whether a flag
+    /// says of each mesh that folds that it does: ten seconds of one core a scene
+    #[command(after_help = example("verify sides --scenes 5"))]
+    Sides {
+        /// Which scenes.
+        #[command(flatten)]
+        scenes: SceneArgs,
+        /// Check mesh errors of level 1 against level 3, in place of step errors: half a minute a
+        /// scene
+        #[arg(long)]
+        meshes: bool,
     },
     /// Cases made to break simulations, each against references: what the program says of them
     #[command(after_help = example("verify hard-cases"))]
@@ -119,13 +132,17 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
             None => (Study::Steps(Scenes::Objects), scenes),
             Some(level) => (Study::Meshes(Scenes::Objects, *level), scenes),
         },
+        VerifyCommand::Sides { scenes, meshes } => match meshes {
+            false => (Study::Steps(Scenes::Sides), scenes),
+            true => (Study::Meshes(Scenes::Sides, 1), scenes),
+        },
         VerifyCommand::HardCases => return run_hard_cases(json, out),
         VerifyCommand::Experiments => {
-            let rows = rerun_all();
+            let (rows, again) = rayon::join(rerun_all, InOrbit::run);
             return print(
                 json,
-                || experiments::json(&rows),
-                |out| experiments::text(&rows, out),
+                || experiments::json(&rows, &again),
+                |out| experiments::text(&rows, &again, out),
                 out,
             );
         }
@@ -158,6 +175,11 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         }
     };
     let (count, seed) = (scenes.scenes, scenes.seed);
+    if study.scenes() == Scenes::Sides {
+        let minutes = f64::from(count) * side_minutes(study);
+        let what = format!("checking {count} scenes, some {minutes:.0} minutes of one core ...");
+        Progress::new().announce(&what);
+    }
     let found = shown("checking scenes", |watch| check(study, count, seed, watch))?;
     print(
         json,
@@ -165,6 +187,14 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         |out| claims::text(&found, out),
         out,
     )
+}
+
+/// Minutes of one core that a scene from the side takes.
+fn side_minutes(study: Study) -> f64 {
+    match study {
+        Study::Meshes(..) => 0.5,
+        _ => 0.15,
+    }
 }
 
 fn run_hard_cases(json: bool, out: &mut dyn Write) -> Result<(), CliError> {

@@ -3,7 +3,7 @@
 use crate::answer::mesh_error::witnesses;
 use crate::report::format::block;
 use crate::report::format::significant;
-use crate::verify::claims::{Claim, Coverage, Findings, REFERENCE_LEVEL, Study, Subject};
+use crate::verify::claims::{Claim, Coverage, Fault, Findings, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -28,6 +28,7 @@ fn scenes(study: Study) -> &'static str {
     match study.scenes() {
         Scenes::Pulses => "random pulses",
         Scenes::Objects => "random objects",
+        Scenes::Sides => "random blows from the side",
     }
 }
 
@@ -35,15 +36,19 @@ fn scenes(study: Study) -> &'static str {
 fn heading(found: &Findings) -> String {
     let Findings { study, seed, .. } = found;
     let folded = found.folded().len();
+    let reference = study.reference_level();
     let why = match study.scenes() {
         Scenes::Pulses => "as a mesh folded",
-        Scenes::Objects => "as a mesh folded or the object went through",
+        _ => "as a mesh folded or the object went through",
     };
     let of = |count: usize| format!("{count} {} of seed {seed}", scenes(*study));
     let promising = of(found.scenes.len() - folded);
     let passed_over = |level: u32| {
         let [coarser, finer] = witnesses(&study.scenes().scene(0, *seed), level);
-        format!("{level}, {coarser}, {finer} or {REFERENCE_LEVEL}, {why}: {folded}")
+        let mut levels = vec![level, coarser, finer];
+        levels.dedup();
+        let levels: Vec<String> = levels.iter().map(u32::to_string).collect();
+        format!("{} or {reference}, {why}: {folded}", levels.join(", "))
     };
     match study {
         Study::Steps(scenes) => format!(
@@ -53,16 +58,32 @@ fn heading(found: &Findings) -> String {
             scenes.fineness()
         ),
         Study::Meshes(_, level) => format!(
-            "Stated mesh errors at level {level} of {promising}, each against level {REFERENCE_LEVEL}. \
+            "Stated mesh errors at level {level} of {promising}, each against level {reference}. \
              Passed over at level {}.",
             passed_over(*level)
         ),
         Study::Tolerances => format!(
-            "Answers of --tolerance P in {promising}, each against level {REFERENCE_LEVEL}. \
+            "Answers of --tolerance P in {promising}, each against level {reference}. \
              Passed over at level {}.",
             passed_over(1)
         ),
     }
+}
+
+/// How many scenes have a fault, and of how many nothing said so.
+fn faults(found: &Findings) -> String {
+    let count = |fault| found.count(fault);
+    format!(
+        "Folded and flagged: {}; a finer step folds, unflagged: {}. Went through: {}. No finite \
+         motion, refused: {}. A result that is no number: {}. Energies off by more than half a \
+         percent, unflagged: {}.",
+        count(Fault::Folded),
+        count(Fault::FoldedUnflagged),
+        count(Fault::WentThrough),
+        count(Fault::NotFinite),
+        count(Fault::NoNumber),
+        count(Fault::EnergyUnflagged),
+    )
 }
 
 /// Some figure of every subject that has it, in one sentence.
@@ -85,6 +106,9 @@ fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<Stri
 /// Whatever `out` reports.
 pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
     block(&heading(found), "", "", out)?;
+    if found.study == Study::Steps(Scenes::Sides) {
+        block(&faults(found), "", "", out)?;
+    }
     let (first, silence) = match found.study {
         Study::Tolerances => ("asked for", "Scenes in which it was refused"),
         _ => ("result", "Scenes without a limit and a claim"),
@@ -168,8 +192,8 @@ pub fn json(found: &Findings) -> Value {
     };
     let (fineness, level, reference) = match study {
         Study::Steps(scenes) => (Some(scenes.fineness()), None, None),
-        Study::Meshes(_, level) => (None, Some(level), Some(REFERENCE_LEVEL)),
-        Study::Tolerances => (None, None, Some(REFERENCE_LEVEL)),
+        Study::Meshes(_, level) => (None, Some(level), Some(study.reference_level())),
+        Study::Tolerances => (None, None, Some(study.reference_level())),
     };
     json!({
         "drawn": scenes(study),

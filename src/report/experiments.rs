@@ -4,6 +4,7 @@ use crate::report::format::{block, digits, significant};
 use crate::scenario::Physiological;
 use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::fit::{Fit, PATH, STEP};
+use crate::verify::measured_orbit::{FATS_MPA, InOrbit, ORBITS, Row};
 use crate::verify::rerun::{MESHES, OnEach, Rerun};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -100,11 +101,11 @@ fn lines(rows: &[&Rerun], out: &mut dyn Write) -> io::Result<()> {
     rows.iter().try_for_each(|row| line(row, out))
 }
 
-/// Prints the table, fitted rows apart from the others.
+/// Prints the table, fitted rows apart from the others, and what the measured orbit gives.
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
+pub fn text(rows: &[Rerun], again: &InOrbit, out: &mut dyn Write) -> io::Result<()> {
     let inside = |mesh: usize| rows.iter().filter(|row| row.inside()[mesh]).count();
     let counts: [usize; MESHES] = std::array::from_fn(inside);
     writeln!(
@@ -125,7 +126,71 @@ pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
     }
     block(REMARKS, "", "", out)?;
+    writeln!(out)?;
+    orbit_text(again, out)?;
     writeln!(out, "Research and education, not diagnosis.")
+}
+
+/// Prints what the measured orbit gives.
+fn orbit_text(again: &InOrbit, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "In the measured orbit (numerics.geometry=Full), mesh level 1"
+    )?;
+    orbit_lines(
+        "fat, MPa:",
+        &FATS_MPA.map(|mpa| mpa.to_string()),
+        &again.fitted,
+        out,
+    )?;
+    let misfits = again.misfits();
+    write!(out, "{:<41}{:>13}", "misfit, as the fit has it", "")?;
+    for misfit in misfits {
+        write!(out, "{misfit:>5.2}")?;
+    }
+    writeln!(out)?;
+    let rims = ["round", "real"].map(str::to_owned);
+    orbit_lines("in an orbit:", &rims, &again.others, out)
+}
+
+fn orbit_lines<const N: usize>(
+    first: &str,
+    heads: &[String; N],
+    rows: &[Row<N>],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let width = if N > MESHES { 5 } else { 7 };
+    write!(out, "{first:<41}{:>13}", "measured")?;
+    for head in heads {
+        write!(out, "{head:>width$}")?;
+    }
+    writeln!(out)?;
+    for (experiment, values) in rows {
+        let measured = format!("{} {}", measured(experiment), experiment.reading.unit());
+        write!(out, "{:<41}{measured:>13}", experiment.what)?;
+        for value in values {
+            write!(out, "{:>width$}", number(value))?;
+        }
+        writeln!(out)?;
+        for refusal in values.iter().filter_map(|value| value.as_ref().err()) {
+            note(&format!("not run: {refusal}"), out)?;
+        }
+    }
+    Ok(())
+}
+
+fn orbit_json(again: &InOrbit) -> Value {
+    fn row<const N: usize>((experiment, values): &Row<N>) -> Value {
+        let values: Vec<_> = values.iter().map(|value| value.as_ref().ok()).collect();
+        json!({ "key": experiment.key, "predicted": values })
+    }
+    json!({
+        "fat_mpa": FATS_MPA,
+        "fitted": again.fitted.iter().map(row).collect::<Vec<_>>(),
+        "misfits": again.misfits(),
+        "orbits": ORBITS,
+        "others": again.others.iter().map(row).collect::<Vec<_>>(),
+    })
 }
 
 fn row(row: &Rerun) -> Value {
@@ -157,9 +222,12 @@ fn row(row: &Rerun) -> Value {
     })
 }
 
-/// The rows as JSON.
-pub fn json(rows: &[Rerun]) -> Value {
-    json!({ "rows": rows.iter().map(row).collect::<Vec<_>>() })
+/// The rows as JSON, and those in the measured orbit.
+pub fn json(rows: &[Rerun], again: &InOrbit) -> Value {
+    json!({
+        "rows": rows.iter().map(row).collect::<Vec<_>>(),
+        "in_measured_orbit": orbit_json(again),
+    })
 }
 
 /// Prints what the fit found.
@@ -248,7 +316,11 @@ mod tests {
     #[test]
     fn the_table_keeps_what_misses_with_its_reason_and_tells_fitted_from_not_fitted() {
         let mut page = Vec::new();
-        text(&made_up(), &mut page).unwrap();
+        let again = InOrbit {
+            fitted: vec![(&EXPERIMENTS[0], FATS_MPA.map(|_| Ok(271.0)))],
+            others: vec![(&EXPERIMENTS[12], [Ok(1.0), Err("too wide".to_owned())])],
+        };
+        text(&made_up(), &again, &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
         assert!(page.lines().all(|l| l.chars().count() <= WIDTH), "{page}");
         let (fitted, others) = page.split_once("Not fitted").unwrap();
@@ -257,6 +329,8 @@ mod tests {
             let part = if experiment.fitted { fitted } else { others };
             assert!(part.contains(experiment.what), "{}", experiment.what);
         }
+        let (_, orbit) = others.split_once("In the measured orbit").unwrap();
+        assert!(orbit.contains(" 0.00 0.00") && orbit.contains("not run: too wide"));
         let missed = EXPERIMENTS.len().div_ceil(3);
         assert_eq!(page.matches("not met, because").count(), missed);
         let parts = page.lines().filter(|line| line.ends_with(" part")).count();

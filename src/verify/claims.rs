@@ -16,7 +16,7 @@ use crate::run::plan::Plan;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::scenario::{CheckedScenario, FINEST_LEVEL, Scenario};
+use crate::scenario::{CheckedScenario, FINEST_LEVEL, FINEST_SPATIAL_LEVEL, Scenario};
 use crate::verify::scenes::{MAX_SCENES, Scenes};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
@@ -26,8 +26,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 /// The finest level whose mesh errors can be checked: their witnesses are coarser than the
 /// reference.
 pub const FINEST_CHECKED: u32 = 5;
-/// The level that mesh errors and tolerances are compared with: one that no witness has.
-pub const REFERENCE_LEVEL: u32 = FINEST_LEVEL;
+/// A balance of energy that is off by more than this many percent must be flagged.
+const BALANCE_PERCENT: f64 = 0.5;
 /// The tolerances that are asked for, in %.
 pub const TOLERANCES: [f64; 5] = [50.0, 20.0, 10.0, 5.0, 2.0];
 
@@ -86,14 +86,34 @@ impl Claim {
     }
 }
 
+/// What is wrong with a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Fault {
+    /// A mesh folded, and the answer says so.
+    Folded,
+    /// The reference of a step error folded, and the answer does not say that it may.
+    FoldedUnflagged,
+    /// The object went through.
+    WentThrough,
+    /// The motion left the finite numbers, which is refused.
+    NotFinite,
+    /// A result is no number, and nothing says so.
+    NoNumber,
+    /// The energies are off by more than half a percent, and nothing says so.
+    EnergyUnflagged,
+}
+
 /// One scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Checked {
     /// Number of the scene.
     #[serde(rename = "scene")]
     pub index: u32,
-    /// The claims about it; none where the mesh folds or the object goes through.
+    /// The claims about it; none where the mesh folds, the object goes through or no number is left.
     pub claims: Option<Vec<Claim>>,
+    /// What is wrong with it.
+    pub faults: Vec<Fault>,
 }
 
 /// What many scenes showed for one subject.
@@ -151,14 +171,26 @@ pub fn check(
     let done = AtomicU32::new(0);
     let check_one = |index| {
         let scene = study.scenes().scene(index, seed);
-        let claims = match study.claims(&scene) {
-            Err(Refusal::WentThrough(_)) => None,
+        let mut faults = Vec::new();
+        let claims = match study.claims(&scene, &mut faults) {
+            Err(Refusal::WentThrough(_)) => {
+                faults.push(Fault::WentThrough);
+                None
+            }
+            Err(Refusal::NotFinite { .. }) => {
+                faults.push(Fault::NotFinite);
+                None
+            }
             claims => claims?,
         };
         let counts = claims.is_some() || matches!(study, Study::Steps(_));
         let done = done.fetch_add(counts.into(), Ordering::Relaxed) + u32::from(counts);
         match watch(f64::from(done) / f64::from(count)) {
-            ControlFlow::Continue(()) => Ok(Checked { index, claims }),
+            ControlFlow::Continue(()) => Ok(Checked {
+                index,
+                claims,
+                faults,
+            }),
             ControlFlow::Break(()) => Err(Refusal::Cancelled),
         }
     };
@@ -196,12 +228,25 @@ impl Study {
         }
     }
 
+    /// The level that mesh errors and tolerances are compared with: one that no witness has.
+    pub fn reference_level(self) -> u32 {
+        match self.scenes() {
+            Scenes::Sides => FINEST_SPATIAL_LEVEL,
+            Scenes::Pulses | Scenes::Objects => FINEST_LEVEL,
+        }
+    }
+
     /// The claims about one scene; none where nothing is promised.
-    fn claims(self, scene: &Scenario) -> Result<Option<Vec<Claim>>, Refusal> {
+    fn claims(
+        self,
+        scene: &Scenario,
+        faults: &mut Vec<Fault>,
+    ) -> Result<Option<Vec<Claim>>, Refusal> {
+        let reference = self.reference_level();
         match self {
-            Self::Steps(scenes) => step_errors(scene, scenes.fineness()),
-            Self::Meshes(_, level) => mesh_errors(scene, level),
-            Self::Tolerances => tolerances(&scene.check()?),
+            Self::Steps(scenes) => step_errors(scene, scenes.fineness(), faults),
+            Self::Meshes(_, level) => mesh_errors(scene, level, reference, faults),
+            Self::Tolerances => tolerances(&scene.check()?, reference),
         }
     }
 }
@@ -217,28 +262,54 @@ fn about_results(claimed: &Results, truth: &Results) -> Vec<Claim> {
     truth.present().map(claim).collect()
 }
 
-fn step_errors(scene: &Scenario, fineness: f64) -> Result<Option<Vec<Claim>>, Refusal> {
+fn step_errors(
+    scene: &Scenario,
+    fineness: f64,
+    faults: &mut Vec<Fault>,
+) -> Result<Option<Vec<Claim>>, Refusal> {
     let answer = solve(&scene.check()?, Keep::default(), &mut unwatched)?;
-    if answer.flags.iter().any(|f| f.kind == FlagKind::MeshFolded) {
+    let has = |kind| answer.flags.iter().any(|flag| flag.kind == kind);
+    if answer.errors.energy_balance > BALANCE_PERCENT && !has(FlagKind::EnergyImbalance) {
+        faults.push(Fault::EnergyUnflagged);
+    }
+    if has(FlagKind::MeshFolded) {
+        faults.push(Fault::Folded);
         return Ok(None);
+    }
+    if answer
+        .results()
+        .present()
+        .any(|(_, value)| !value.is_finite())
+    {
+        faults.push(Fault::NoNumber);
     }
     let fine = Plan {
         multiple: answer.plan.multiple * fineness,
         ..answer.plan
     };
     let reference = answer.case.run(&fine, Keep::default(), &mut unwatched)?;
+    // An answer that ends with a flat eye says nothing of what comes then.
+    if reference.fold.is_some() && !has(FlagKind::EyeFlat) {
+        faults.push(Fault::FoldedUnflagged);
+    }
     let reference = answer.case.results(&reference);
     let truth = answer.results().difference_percent(&reference);
     Ok(Some(about_results(&answer.errors.time_step, &truth)))
 }
 
-fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refusal> {
+fn mesh_errors(
+    scene: &Scenario,
+    level: u32,
+    reference: u32,
+    faults: &mut Vec<Fault>,
+) -> Result<Option<Vec<Claim>>, Refusal> {
     let [coarser, finer] = witnesses(scene, level);
     let mut found: Vec<OnMesh> = Vec::with_capacity(4);
     // The cheap ones first: where one folds the finest mesh need not be moved.
-    for level in [level, coarser, finer, REFERENCE_LEVEL] {
+    for level in [level, coarser, finer, reference] {
         let on = at_level(scene, level, &mut unwatched)?;
         if on.folded.is_some() {
+            faults.push(Fault::Folded);
             return Ok(None);
         }
         found.push(on);
@@ -250,7 +321,7 @@ fn mesh_errors(scene: &Scenario, level: u32) -> Result<Option<Vec<Claim>>, Refus
 }
 
 /// A claim for each tolerance. No answer rests on the reference level.
-fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
+fn tolerances(scene: &CheckedScenario, reference: u32) -> Result<Option<Vec<Claim>>, Refusal> {
     let mut ladder = Ladder::default();
     let [_, finer] = witnesses(scene, 1);
     for level in 1..=finer {
@@ -258,7 +329,7 @@ fn tolerances(scene: &CheckedScenario) -> Result<Option<Vec<Claim>>, Refusal> {
             return Ok(None);
         }
     }
-    let reference = at_level(scene, REFERENCE_LEVEL, &mut unwatched)?;
+    let reference = at_level(scene, reference, &mut unwatched)?;
     let damage = reference.results[Quantity::Damage];
     let Some(exact) = damage.filter(|_| reference.folded.is_none()) else {
         return Ok(None);
@@ -288,6 +359,12 @@ impl Findings {
     pub fn folded(&self) -> Vec<u32> {
         let folded = self.scenes.iter().filter(|scene| scene.claims.is_none());
         folded.map(|scene| scene.index).collect()
+    }
+
+    /// How many scenes have a fault.
+    pub fn count(&self, fault: Fault) -> usize {
+        let has = |scene: &&Checked| scene.faults.contains(&fault);
+        self.scenes.iter().filter(has).count()
     }
 
     /// Every claim with its scene, result by result or tolerance by tolerance.
@@ -353,6 +430,7 @@ mod tests {
         let scene = |(index, about)| Checked {
             index,
             claims: (index != 1).then(|| vec![claim(about)]),
+            faults: Vec::new(),
         };
         Findings {
             study,

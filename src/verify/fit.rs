@@ -121,7 +121,7 @@ pub fn fit(watch: Watch) -> Result<Fit, Refusal> {
 
 /// Squared distance of `value` from what was measured, in standard deviations. Where a source
 /// gives none, a factor of 1.3 counts as one.
-fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
+pub(crate) fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
     let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
     let z = match measured {
         MeasuredBand::Spread(mean, sd) => (value - mean) / sd,

@@ -5,6 +5,7 @@ pub mod claims;
 pub mod experiments;
 pub mod fit;
 pub mod hard_cases;
+pub mod measured_orbit;
 pub mod rerun;
 pub mod scenes;
 pub mod tissue_fit;

@@ -3,9 +3,11 @@
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
+use crate::answer::compiled::Compiled;
 use crate::answer::solve::{Answer, solve};
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
+use crate::run::model::Run;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
 use crate::scenario::{Model, Physiological, Scenario};
@@ -153,11 +155,16 @@ fn limits(reading: Gauge, kind: FlagKind) -> bool {
     !(ends && matches!(reading, Gauge::ForceAt(_)))
 }
 
-/// Reads one figure.
+/// Reads one figure of an answer.
 fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
     let answer = answer.as_ref().map_err(Refusal::to_string)?;
+    read_run(experiment, &answer.case, &answer.run)
+}
+
+/// Reads one figure of a run that kept its traces.
+pub(crate) fn read_run(experiment: &Experiment, case: &Compiled, run: &Run) -> Result<f64, String> {
     let value = match experiment.reading {
-        Gauge::ForceAt(way) => answer.run.traces.as_ref().and_then(|traces| {
+        Gauge::ForceAt(way) => run.traces.as_ref().and_then(|traces| {
             let after = traces.intrusion.iter().position(|&x| x >= 1e-3 * way)?;
             let before = after.checked_sub(1)?;
             let (x0, x1) = (traces.intrusion[before], traces.intrusion[after]);
@@ -165,12 +172,12 @@ fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64
             let share = (1e-3 * way - x0) / (x1 - x0);
             Some(force[before] + share * (force[after] - force[before]))
         }),
-        Gauge::Of(quantity) => answer.result(quantity),
-        Gauge::Sensor => answer.run.detail("peak_sensor_pressure_mpa"),
-        Gauge::TimeOf(quantity) => answer.peak(quantity).map(|peak| 1e3 * peak.time),
+        Gauge::Of(quantity) => case.results(run)[quantity],
+        Gauge::Sensor => run.detail("peak_sensor_pressure_mpa"),
+        Gauge::TimeOf(quantity) => run.readings.peak(quantity).map(|peak| 1e3 * peak.time),
         Gauge::Volume => {
-            let least = answer.run.detail("least_globe_volume_percent");
-            let most = answer.run.detail("largest_globe_volume_percent");
+            let least = run.detail("least_globe_volume_percent");
+            let most = run.detail("largest_globe_volume_percent");
             let ends = [least, most].into_iter().flatten();
             ends.max_by(|a, b| (a - 100.0).abs().total_cmp(&(b - 100.0).abs()))
         }

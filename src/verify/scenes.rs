@@ -12,6 +12,10 @@ use std::f64::consts::PI;
 pub const MAX_SCENES: u32 = 1 << 16;
 /// Largest kinetic energy of an object, in J.
 const HARDEST_J: f64 = 20.0;
+/// Largest angle of a blow from the side, in degrees, and distance beside the middle that it is
+/// aimed at, in mm.
+const STEEPEST_DEG: f64 = 70.0;
+const FARTHEST_MM: f64 = 8.0;
 
 /// The kind of scenes that are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +25,9 @@ pub enum Scenes {
     /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the
     /// eye and what holds it.
     Objects,
+    /// The same objects from the side: angles to 70 degrees at any hour, aimed up to 8 mm beside
+    /// the middle, at the eye that they need.
+    Sides,
 }
 
 impl Scenes {
@@ -30,6 +37,8 @@ impl Scenes {
             Self::Pulses => 100.0,
             // Its steps cost far more, and its errors fall with the first order.
             Self::Objects => 8.0,
+            // And twenty times as much again.
+            Self::Sides => 4.0,
         }
     }
 
@@ -39,6 +48,7 @@ impl Scenes {
         match self {
             Self::Pulses => pulse(draw),
             Self::Objects => object(draw),
+            Self::Sides => side(draw),
         }
     }
 }
@@ -179,6 +189,28 @@ fn object(draw: Draw) -> Scenario {
     }
 }
 
+fn side(draw: Draw) -> Scenario {
+    let mut scene = object(draw);
+    scene.name = format!("random side {} of seed {}", draw.index, draw.seed);
+    scene.numerics.geometry = Geometry::Auto;
+    if let Impact::Projectile(object) = &mut scene.impact {
+        object.angle_deg = draw.between(17, 0.5, STEEPEST_DEG);
+        object.angle_clock = draw.between(19, 0.0, 12.0);
+        object.offset_mm = draw.between(20, 0.0, FARTHEST_MM);
+        // Every second one in the plane of the eye's axis, where half of an eye may do.
+        object.offset_clock = if draw.share(21) < 0.5 {
+            object.angle_clock
+        } else {
+            draw.between(22, 0.0, 12.0)
+        };
+    }
+    if let (Err(_), Model::Physiological(eye)) = (scene.check(), &mut scene.model) {
+        // It would land on the gelatin, or does not fit its opening.
+        eye.support = Support::Free;
+    }
+    scene
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,7 +219,7 @@ mod tests {
     fn every_scene_is_one_that_a_person_could_ask_for() {
         for seed in [0, 1, u32::MAX] {
             for index in (0..2000).chain([MAX_SCENES - 1]) {
-                for scenes in [Scenes::Pulses, Scenes::Objects] {
+                for scenes in [Scenes::Pulses, Scenes::Objects, Scenes::Sides] {
                     let scene = scenes.scene(index, seed);
                     assert!(scene.check().is_ok(), "{scene:?}");
                 }
