@@ -20,8 +20,7 @@ use crate::scenario::direction::HOURS;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
 use crate::scenario::{
-    Geometry, Impact, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields,
-    set,
+    Geometry, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields, set,
 };
 use std::f64::consts::PI;
 
@@ -288,7 +287,7 @@ const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured 
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Straight on is what a person means who says nothing else.
     let turns = scenario.geometry().is_some_and(Geometry::is_spatial);
-    let Some(Impact::Projectile(projectile)) = turns.then_some(&scenario.impact) else {
+    let Some(projectile) = scenario.projectile().filter(|_| turns) else {
         return Vec::new();
     };
     // Off the axis an hour is known as well as the distance is.
@@ -340,14 +339,12 @@ const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Su
 
 /// The rim of an orbit, where the eye is computed in it and nobody gave it lengths of their own.
 fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
-    let (Model::Physiological(model), Some(Geometry::Full)) =
-        (&scenario.model, scenario.geometry())
-    else {
+    let full = scenario.geometry() == Some(Geometry::Full);
+    let orbit = scenario.physiological().filter(|_| full);
+    let orbit = orbit.filter(|model| model.support == Support::Orbit && model.rim.is_measured());
+    let Some(model) = orbit else {
         return Vec::new();
     };
-    if model.support != Support::Orbit || !model.rim.is_measured() {
-        return Vec::new();
-    }
     let own = |field: &&'static Field| {
         field.path.starts_with(RIM) && !scenario.doubt.contains_key(field.path)
     };
@@ -378,7 +375,7 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
 fn drawn_within(field: &Field, nominal: f64, bounds: Bounds, scenario: &Scenario) -> (f64, f64) {
     if is_clock(field) {
         (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
-    } else if field.path == "impact.angle_deg" && matches!(scenario.impact, Impact::Projectile(_)) {
+    } else if field.path == "impact.angle_deg" && scenario.projectile().is_some() {
         (-STEEPEST_OBJECT_DEG, STEEPEST_OBJECT_DEG)
     } else {
         (bounds.min, bounds.max)

@@ -309,7 +309,7 @@ mod tests {
 
     use super::*;
     use crate::cli::{Cli, Command};
-    use crate::scenario::{Impact, Integrator};
+    use crate::scenario::Integrator;
 
     impl Changes {
         fn none() -> Self {
@@ -343,9 +343,7 @@ mod tests {
             "--set=name=a = b",
         ])
         .unwrap();
-        let Impact::ForcePulse(pulse) = &changed.impact else {
-            panic!()
-        };
+        let pulse = changed.pulse().unwrap();
         assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
         assert_eq!(
             changed.numerics.integrator,
@@ -384,9 +382,9 @@ mod tests {
             assert_eq!(split(whole), (whole, vec![]));
         }
         let (ball, pulse) = ("squash-ball@30", "paper-300n@90");
-        let speed = |source| Changes::none().made_to(source).unwrap().impact.clone();
-        assert!(matches!(speed(ball), Impact::Projectile(ball) if ball.speed_m_s == 30.0));
-        assert!(matches!(speed(pulse), Impact::ForcePulse(pulse) if pulse.force_n == 90.0));
+        let of = |source| Changes::none().made_to(source).unwrap();
+        assert_eq!(of(ball).projectile().unwrap().speed_m_s, 30.0);
+        assert_eq!(of(pulse).pulse().unwrap().force_n, 90.0);
         let refused = Changes::none().made_to("squash-ball@900").unwrap_err();
         assert!(
             refused.to_string().starts_with("squash-ball@900: "),
@@ -410,10 +408,8 @@ mod tests {
             let Some(Command::Run(args)) = Cli::try_parse_from(cli).unwrap().command else {
                 panic!("run was asked for")
             };
-            match &args.scenario.scenario().unwrap().impact {
-                Impact::Projectile(object) => object.angle_clock,
-                Impact::ForcePulse(_) => panic!("an object was asked for"),
-            }
+            let scenario = args.scenario.scenario().unwrap();
+            scenario.projectile().unwrap().angle_clock
         };
         assert_eq!((hour([from, side]), hour([side, from])), (9.0, 9.0));
     }

@@ -57,9 +57,6 @@ pub fn bar(correlation: f64, half: usize) -> String {
 }
 
 /// Prints bands, drivers of `drives`, counts and cost.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
     ensemble: &Ensemble,

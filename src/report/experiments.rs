@@ -101,9 +101,6 @@ fn lines(rows: &[&Rerun], out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Prints the table, fitted rows apart from the others.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(rows: &[Rerun], out: &mut dyn Write) -> io::Result<()> {
     let inside = |mesh: usize| rows.iter().filter(|row| row.inside()[mesh]).count();
     let counts: [usize; MESHES] = std::array::from_fn(inside);
@@ -163,9 +160,6 @@ pub fn json(rows: &[Rerun]) -> Value {
 }
 
 /// Prints what the fit found.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     let (least, most) = fit.nearly;
     writeln!(

@@ -13,6 +13,7 @@ use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::Shell;
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::paper::forces::kernel::vector_sets;
+use fearless_simd::Level;
 use proptest::prelude::*;
 use std::fmt::Debug;
 
@@ -368,7 +369,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
 }
 
 /// A state that is far from rest and moves, the same for every form of the cells.
-fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> NodeState {
+fn shaken(cells: &dyn Cells, eye: &AxisymmetricEye) -> NodeState {
     let mut state = cells.rest();
     for (node, &fixed) in eye.fixed.iter().enumerate() {
         let wave = |k: f64| (k * (node as f64 + 1.0)).sin();
@@ -393,7 +394,7 @@ fn numbers(sums: &CellSums) -> [f64; 6] {
         sums.pressure,
         sums.sensor,
         sums.volume,
-        sums.least_triangle,
+        sums.least_corner,
     ]
 }
 
@@ -404,9 +405,9 @@ fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
 #[test]
 fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
     let eye = free_eye(2);
-    let mut cells = CellRows::new(&eye);
+    let mut cells = CellRows::new(&eye, Level::new());
     let mut state = shaken(&cells, &eye);
-    let whole = cells.forces(&mut state).least_triangle;
+    let whole = cells.forces(&mut state).least_corner;
     let at = |node: usize| {
         let place = cells.place(node);
         (state.x[place], state.r[place])
@@ -437,7 +438,7 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
             let largest = expected.fx.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
             let mut narrow: Option<NodeState> = None;
             for vectors in vector_sets() {
-                let mut rows = CellRows::with_level(&eye, vectors);
+                let mut rows = CellRows::new(&eye, vectors);
                 let mut state = shaken(&rows, &eye);
                 rows.share(&mut state);
                 let others = rows.forces(&mut state);
@@ -596,7 +597,7 @@ fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
     };
     assert_eq!(globe(&free), free.cells.len());
     assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
-    let mut cells = CellRows::new(&free);
+    let mut cells = CellRows::new(&free, Level::new());
     assert_eq!(cells.pressures().len(), free.cells.len());
     let mut state = cells.rest();
     assert!(cells.forces(&mut state).loss == 0.0);

@@ -222,7 +222,7 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
         let sums = PlainCells::new(&eye).forces(&mut plain);
         let mut pressures = Vec::new();
         for level in vector_sets() {
-            let mut rows = CellRows::with_level(&eye, level);
+            let mut rows = CellRows::new(&eye, level);
             let mut own = state.clone();
             let told = rows.forces(&mut own);
             let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
