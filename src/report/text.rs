@@ -208,7 +208,8 @@ fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
     numerical(&answer.errors, out)?;
     limits(answer, out)?;
-    balance(&answer.errors, out)?;
+    let balance = percent(answer.errors.energy_balance);
+    writeln!(out, "Energy balance: within {balance}")?;
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us{},\nstable up to {:.4} us",
@@ -224,22 +225,20 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.step_limit * 1e6,
     )?;
     let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
+    let (at, why) = (answer.run.simulated, answer.case.rules().ends_early);
     if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
-        let (at, why) = (answer.run.simulated * 1e3, answer.case.rules().ends_early);
-        writeln!(out, "Stopped at {at:.3} ms: {why}")?;
-    } else if answer.run.simulated < 0.999_999 * answer.window() {
-        writeln!(
-            out,
-            "Stopped at {:.3} of {} ms: {}",
-            answer.run.simulated * 1e3,
-            plain((answer.window() * 1e9).round() / 1e6),
-            answer.case.rules().ends_early
-        )?;
+        writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
+    } else if at < 0.999_999 * answer.window() {
+        let window = plain((answer.window() * 1e9).round() / 1e6);
+        writeln!(out, "Stopped at {:.3} of {window} ms: {why}", at * 1e3)?;
     }
     for reason in reasons {
         writeln!(out, "  {reason}")?;
     }
-    flagged(&answer.flags, out)
+    for flag in &answer.flags {
+        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
+    }
+    Ok(())
 }
 
 /// Prints the errors of step and mesh.
@@ -255,19 +254,6 @@ fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     let mesh = of.mesh.as_ref();
     let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
     writeln!(out, "Mesh error: {mesh}")
-}
-
-/// Prints the balance of energy.
-fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "Energy balance: within {}", percent(of.energy_balance))
-}
-
-/// Prints the flags, and what no result may be taken for.
-fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
-    for flag in flags {
-        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
-    }
-    Ok(())
 }
 
 #[cfg(test)]
