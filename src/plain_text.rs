@@ -43,6 +43,12 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     escaped(text, |_| false, write_out)
 }
 
+/// A file's path as [`printable`].
+#[cfg(feature = "app")]
+pub fn printable_path(path: &std::path::Path) -> String {
+    printable(&path.display().to_string()).into_owned()
+}
+
 /// Several lines: as [`printable`], with line ends and tabs kept.
 #[cfg(feature = "app")]
 pub fn printable_lines(text: &str) -> Cow<'_, str> {

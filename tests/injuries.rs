@@ -138,8 +138,15 @@ fn twenty_six_airsoft_tests_without_a_rupture_are_no_surprise() {
 fn one_run_for_each_input_tells_what_an_ensemble_draws() {
     let stop = AtomicBool::new(false);
     let (mut apart, mut all) = (Vec::new(), 0);
-    for name in ["squash-ball", "bb-56", "foam-dart", "shuttlecock"] {
-        let scenario = preset(name, &[ROUND]).check().unwrap();
+    // All that is felt is over by then, as it is where the window is left open.
+    for (name, window_ms) in [
+        ("squash-ball", "6"),
+        ("bb-56", "2.2"),
+        ("foam-dart", "3"),
+        ("shuttlecock", "3.2"),
+    ] {
+        let scenario = preset(name, &[ROUND, ("window_ms", window_ms)]);
+        let scenario = scenario.check().unwrap();
         let mut answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
         let inputs = InputQuery::of(&answer).estimate(&scenario, &stop, |_| {});
         answer.inputs = Some(inputs.unwrap());
@@ -217,7 +224,12 @@ fn falls(name: &str, scenario: &Scenario) -> Vec<String> {
         for injury in Injury::ALL {
             let of = injury.measure();
             let (before, after) = (a.values[of].unwrap(), b.values[of].unwrap());
-            if after < before && before > after + before * off(*slow, of) + after * off(*fast, of) {
+            // Errors take finer meshes: those of the slower blow are known first and may do alone.
+            let fall = before - after;
+            if fall > 0.0
+                && fall > before * off(*slow, of)
+                && fall > before * off(*slow, of) + after * off(*fast, of)
+            {
                 wrong.push(format!("{name}: {} falls from {before} to {after} between {slow} and {fast} of its speed", of.label()));
             }
         }

@@ -174,37 +174,45 @@ fn a_stopped_client_gets_no_old_frames_and_goes_on_with_its_first_reply() {
 
 #[test]
 fn through_ssh_replay_frames_keep_their_budget_in_every_number_of_colours() {
-    for colours in ["never", "16", "256"] {
-        let app = env!("CARGO_BIN_EXE_contrecoup");
-        let Some(server) =
-            Server::start(&format!("XDG_CONFIG_HOME={HOME} {app} --color {colours}"))
-        else {
-            return;
-        };
-        for compressed in [false, true] {
-            let (term, wire) = counted(&server, compressed);
-            // Slowly, so that the frames show the blow and not the rest after it.
-            term.keys("\x1b2-");
-            term.wait_for("Node force");
-            term.settle();
-            let (before, sent) = (term.traffic(), wire.load(Ordering::Relaxed));
-            term.keys(" ");
-            thread::sleep(Duration::from_secs(3));
-            term.keys(" ");
-            term.settle();
-            let after = term.traffic();
-            let frames = after.1 - before.1;
-            let mean = (after.0 - before.0) / frames.max(1);
-            let wire = (wire.load(Ordering::Relaxed) - sent) / frames.max(1);
-            let how = if compressed { " with -C" } else { "" };
-            println!(
-                "ssh, replay, colours {colours}, 80x24: {mean} bytes a frame, {wire} on the wire{how}, \
-                 {frames} frames"
-            );
-            assert!(frames >= 3, "only {frames} frames");
-            assert!(mean <= 3500, "{mean} bytes a frame");
+    // Most of the time each only plays: all do so at once.
+    thread::scope(|all| {
+        for colours in ["never", "16", "256"] {
+            let app = env!("CARGO_BIN_EXE_contrecoup");
+            let command = format!("XDG_CONFIG_HOME={HOME} {app} --color {colours}");
+            all.spawn(move || {
+                let Some(server) = Server::start(&command) else {
+                    return;
+                };
+                for compressed in [false, true] {
+                    replay_keeps_its_budget(&server, colours, compressed);
+                }
+            });
         }
-    }
+    });
+}
+
+fn replay_keeps_its_budget(server: &Server, colours: &str, compressed: bool) {
+    let (term, wire) = counted(server, compressed);
+    // Slowly, so that the frames show the blow and not the rest after it.
+    term.keys("\x1b2-");
+    term.wait_for("Node force");
+    term.settle();
+    let (before, sent) = (term.traffic(), wire.load(Ordering::Relaxed));
+    term.keys(" ");
+    thread::sleep(Duration::from_secs(3));
+    term.keys(" ");
+    term.settle();
+    let after = term.traffic();
+    let frames = after.1 - before.1;
+    let mean = (after.0 - before.0) / frames.max(1);
+    let wire = (wire.load(Ordering::Relaxed) - sent) / frames.max(1);
+    let how = if compressed { " with -C" } else { "" };
+    println!(
+        "ssh, replay, colours {colours}, 80x24: {mean} bytes a frame, {wire} on the wire{how}, \
+         {frames} frames"
+    );
+    assert!(frames >= 3, "only {frames} frames");
+    assert!(mean <= 3500, "{mean} bytes a frame");
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::answer::uncertain::{UncertainInput, inputs};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
-use crate::scenario::{CheckedScenario, Geometry, Impact, Scenario};
+use crate::scenario::{CheckedScenario, Geometry, Scenario};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -56,8 +56,8 @@ fn moved(scenario: &Scenario, input: &UncertainInput) -> Scenario {
     let mut moved = scenario.clone();
     moved.doubt.clear();
     input.put(&mut moved, input.one_off());
-    if let Impact::Projectile(was) = &scenario.impact
-        && let Impact::Projectile(now) = &mut moved.impact
+    if let Some(was) = scenario.projectile()
+        && let Some(now) = moved.projectile_mut()
     {
         let from = scenario.eye_side().hour(BARE_SIDE);
         if was.angle_deg == 0.0 {

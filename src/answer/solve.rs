@@ -446,19 +446,25 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
+    use crate::scenario::library::tests::preset;
+
+    /// The answer to a scenario, with what is kept of it.
+    pub(crate) fn answered_with(scenario: &Scenario, keep: Keep) -> Answer {
+        solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap()
+    }
+
+    /// The answer to a scenario.
+    pub(crate) fn answered(scenario: &Scenario) -> Answer {
+        answered_with(scenario, Keep::default())
+    }
 
     #[test]
     fn only_what_may_still_grow_at_the_end_of_the_run_is_at_least_so_large() {
-        let of = |window_ms, preset: &str| {
-            let mut scenario = find(preset).unwrap().scenario().unwrap();
-            scenario.window_ms = Some(window_ms);
-            solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
-        };
-        let (cut, whole) = (of(0.2, "bb-56"), of(3.0, "bb-56"));
+        let of = |window_ms, name: &str| answered(&preset(name, &[("window_ms", window_ms)]));
+        let (cut, whole) = (of("0.2", "bb-56"), of("3", "bb-56"));
         let none = |of: &Quantity| !whole.at_least(*of);
         assert!(Quantity::ALL.iter().all(none));
         assert!(cut.at_least(Quantity::Pressure) && cut.at_least(Quantity::GlobeRupture));
@@ -467,11 +473,11 @@ mod tests {
         assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
         assert!(cut.risks()[0].at_least && !whole.risks()[0].at_least);
         // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
-        let paper = of(0.21, "paper-300n");
+        let paper = of("0.21", "paper-300n");
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));
         assert!(!paper.at_least(Quantity::ForceTop));
         assert!(
-            of(0.1, "paper-300n").at_least(Quantity::ForceTop),
+            of("0.1", "paper-300n").at_least(Quantity::ForceTop),
             "the pulse is cut"
         );
     }
@@ -482,7 +488,7 @@ mod tests {
             traces: true,
             frames: None,
         };
-        let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
+        let answer = answered_with(&Scenario::default(), keep);
         let traces = answer.run.traces.as_ref().unwrap();
         for (quantity, trace) in Quantity::ALL
             .iter()

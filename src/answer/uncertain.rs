@@ -20,8 +20,7 @@ use crate::scenario::direction::HOURS;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
 use crate::scenario::{
-    Geometry, Impact, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields,
-    set,
+    Geometry, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields, set,
 };
 use std::f64::consts::PI;
 
@@ -208,6 +207,23 @@ pub struct UncertainInput {
 }
 
 impl UncertainInput {
+    /// A field of `scenario` that is drawn from `shape`; none where the scenario lacks it.
+    fn new(
+        field: &'static Field,
+        scenario: &Scenario,
+        shape: Shape,
+        source: Option<&'static str>,
+    ) -> Option<Self> {
+        let (nominal, bounds) = number(field, scenario)?;
+        Some(Self {
+            field,
+            nominal,
+            shape,
+            bounds: drawn_within(field, nominal, bounds, scenario),
+            source,
+        })
+    }
+
     /// The value below which the share `u` of the draws lies.
     pub fn value(&self, u: f64) -> f64 {
         let (min, max) = self.bounds;
@@ -288,7 +304,7 @@ const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured 
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Straight on is what a person means who says nothing else.
     let turns = scenario.geometry().is_some_and(Geometry::is_spatial);
-    let Some(Impact::Projectile(projectile)) = turns.then_some(&scenario.impact) else {
+    let Some(projectile) = scenario.projectile().filter(|_| turns) else {
         return Vec::new();
     };
     // Off the axis an hour is known as well as the distance is.
@@ -302,36 +318,22 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     };
     let (angle, offset) = (projectile.angle_deg, projectile.offset_mm);
     let (angle_sd, offset_sd) = AIM;
-    let lengths = [
-        ("impact.angle_deg", angle, Shape::Normal(angle, angle_sd)),
-        ("impact.offset_mm", offset, Shape::Normal(offset, offset_sd)),
-    ];
-    let clocks = [
-        (
-            "impact.angle_clock",
-            projectile.angle_clock,
-            hours(projectile.angle_clock, angle, angle_sd),
-        ),
+    let (angle_clock, offset_clock) = (projectile.angle_clock, projectile.offset_clock);
+    let all = [
+        ("impact.angle_deg", Shape::Normal(angle, angle_sd)),
+        ("impact.offset_mm", Shape::Normal(offset, offset_sd)),
+        ("impact.angle_clock", hours(angle_clock, angle, angle_sd)),
         (
             "impact.offset_clock",
-            projectile.offset_clock,
-            hours(projectile.offset_clock, offset, offset_sd),
+            hours(offset_clock, offset, offset_sd),
         ),
     ];
-    let all = lengths.into_iter().chain(clocks);
-    all.filter(|(path, ..)| !scenario.doubt.contains_key(*path))
-        .filter_map(|(path, nominal, shape)| {
-            let field = fields::find(path)?;
-            let (_, bounds) = number(field, scenario)?;
-            Some(UncertainInput {
-                field,
-                nominal,
-                shape,
-                bounds: drawn_within(field, nominal, bounds, scenario),
-                source: Some(AIM_SOURCE),
-            })
-        })
-        .collect()
+    let own = |(path, _): &(&str, Shape)| !scenario.doubt.contains_key(*path);
+    let own = all.into_iter().filter(own);
+    own.filter_map(|(path, shape)| {
+        UncertainInput::new(fields::find(path)?, scenario, shape, Some(AIM_SOURCE))
+    })
+    .collect()
 }
 
 /// Where the paths of the rim's lengths begin.
@@ -340,14 +342,12 @@ const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Su
 
 /// The rim of an orbit, where the eye is computed in it and nobody gave it lengths of their own.
 fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
-    let (Model::Physiological(model), Some(Geometry::Full)) =
-        (&scenario.model, scenario.geometry())
-    else {
+    let full = scenario.geometry() == Some(Geometry::Full);
+    let orbit = scenario.physiological().filter(|_| full);
+    let orbit = orbit.filter(|model| model.support == Support::Orbit && model.rim.is_measured());
+    let Some(model) = orbit else {
         return Vec::new();
     };
-    if model.support != Support::Orbit || !model.rim.is_measured() {
-        return Vec::new();
-    }
     let own = |field: &&'static Field| {
         field.path.starts_with(RIM) && !scenario.doubt.contains_key(field.path)
     };
@@ -361,15 +361,10 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
     let fields = FIELDS.iter().filter(own);
     fields
         .filter_map(|field| {
-            let (nominal, bounds) = number(field, scenario)?;
+            let (nominal, _) = number(field, scenario)?;
             let (sd, _) = number(field, &spread)?;
-            Some(UncertainInput {
-                field,
-                nominal,
-                shape: Shape::Normal(nominal, sd),
-                bounds: (bounds.min, bounds.max),
-                source: Some(RIM_SOURCE),
-            })
+            let shape = Shape::Normal(nominal, sd);
+            UncertainInput::new(field, scenario, shape, Some(RIM_SOURCE))
         })
         .collect()
 }
@@ -378,7 +373,7 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
 fn drawn_within(field: &Field, nominal: f64, bounds: Bounds, scenario: &Scenario) -> (f64, f64) {
     if is_clock(field) {
         (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
-    } else if field.path == "impact.angle_deg" && matches!(scenario.impact, Impact::Projectile(_)) {
+    } else if field.path == "impact.angle_deg" && scenario.projectile().is_some() {
         (-STEEPEST_OBJECT_DEG, STEEPEST_OBJECT_DEG)
     } else {
         (bounds.min, bounds.max)
@@ -394,27 +389,15 @@ fn is_clock(field: &Field) -> bool {
 /// published, each in the order of its table.
 pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
     let doubted = FIELDS.iter().filter_map(|field| {
-        let (value, bounds) = number(field, scenario)?;
-        let sd = *scenario.doubt.get(field.path)?;
-        (sd > 0.0).then_some(UncertainInput {
-            field,
-            nominal: value,
-            shape: Shape::Normal(value, sd),
-            bounds: drawn_within(field, value, bounds, scenario),
-            source: None,
-        })
+        let (value, _) = number(field, scenario)?;
+        let sd = scenario.doubt.get(field.path).filter(|sd| **sd > 0.0)?;
+        UncertainInput::new(field, scenario, Shape::Normal(value, *sd), None)
     });
     let published = SPREADS.iter().filter_map(|spread| {
         let field = fields::find(spread.path)?;
-        let (value, bounds) = number(field, scenario)?;
-        let own = value != spread.nominal || scenario.doubt.contains_key(spread.path);
-        (!own).then_some(UncertainInput {
-            field,
-            nominal: value,
-            shape: spread.shape,
-            bounds: (bounds.min, bounds.max),
-            source: Some(spread.source),
-        })
+        let input = UncertainInput::new(field, scenario, spread.shape, Some(spread.source))?;
+        let own = input.nominal != spread.nominal || scenario.doubt.contains_key(spread.path);
+        (!own).then_some(input)
     });
     let aimed = aim(scenario).into_iter().chain(rim(scenario));
     let curves = (scenario.model != Model::Paper).then_some(UncertainInput {

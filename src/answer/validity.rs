@@ -33,13 +33,10 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
 mod tests {
     use super::*;
     use crate::models::rules;
-    use crate::scenario::{Model, Physiological, Scenario};
+    use crate::scenario::{Impact, Projectile, Scenario};
 
     fn of_cells() -> &'static Rules {
-        rules(&Scenario {
-            model: Model::Physiological(Physiological::default()),
-            ..Scenario::default()
-        })
+        rules(&Scenario::of(Impact::Projectile(Projectile::default())))
     }
 
     fn flag(kind: FlagKind) -> Flag {

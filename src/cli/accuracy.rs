@@ -11,9 +11,6 @@ use crate::report::accuracy;
 use crate::run::quantity::Quantity;
 
 /// Measures every level, integrator and step and prints the report.
-///
-/// # Errors
-/// Where the scenario is refused or the output cannot be written.
 pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let asked = &args.scenario;

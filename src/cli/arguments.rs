@@ -48,7 +48,7 @@ pub struct ScenariosArgs {
 }
 
 /// Changes to a scenario.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct Changes {
     /// Change one field, as in `impact.force_n=450`, or with its doubt, as in
     /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
@@ -267,9 +267,6 @@ const RENAMED: [(&str, &str); 6] = [
 
 /// Prints why the arguments were refused, or the help that was asked for. An argument is repeated
 /// in it, and may hold anything.
-///
-/// # Errors
-/// Where nobody can be told.
 pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
     if let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidSubcommand)
         && let Some((_, now)) = RENAMED.iter().find(|(old, _)| old == typed)
@@ -313,21 +310,14 @@ mod tests {
 
     use super::*;
     use crate::cli::{Cli, Command};
-    use crate::scenario::{Impact, Integrator};
-
-    impl Changes {
-        fn none() -> Self {
-            Self {
-                assignments: Vec::new(),
-                level: None,
-                integrator: None,
-                step_us: None,
-            }
-        }
-    }
+    use crate::scenario::Integrator;
 
     fn scenario(flags: &[&str]) -> Result<CheckedScenario, CliError> {
-        let typed = ["contrecoup", "run", "paper-300n"];
+        changed("paper-300n", flags)
+    }
+
+    fn changed(source: &str, flags: &[&str]) -> Result<CheckedScenario, CliError> {
+        let typed = ["contrecoup", "run", source];
         let cli = Cli::try_parse_from(typed.iter().chain(flags)).unwrap();
         let Some(Command::Run(args)) = cli.command else {
             panic!("run was asked for")
@@ -347,9 +337,7 @@ mod tests {
             "--set=name=a = b",
         ])
         .unwrap();
-        let Impact::ForcePulse(pulse) = &changed.impact else {
-            panic!()
-        };
+        let pulse = changed.pulse().unwrap();
         assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
         assert_eq!(
             changed.numerics.integrator,
@@ -390,10 +378,10 @@ mod tests {
             assert_eq!(split(whole), (whole, vec![]));
         }
         let (ball, pulse) = ("squash-ball@30", "paper-300n@90");
-        let speed = |source| Changes::none().made_to(source).unwrap().impact.clone();
-        assert!(matches!(speed(ball), Impact::Projectile(ball) if ball.speed_m_s == 30.0));
-        assert!(matches!(speed(pulse), Impact::ForcePulse(pulse) if pulse.force_n == 90.0));
-        let refused = Changes::none().made_to("squash-ball@900").unwrap_err();
+        let of = |source| Changes::default().made_to(source).unwrap();
+        assert_eq!(of(ball).projectile().unwrap().speed_m_s, 30.0);
+        assert_eq!(of(pulse).pulse().unwrap().force_n, 90.0);
+        let refused = Changes::default().made_to("squash-ball@900").unwrap_err();
         assert!(
             refused.to_string().starts_with("squash-ball@900: "),
             "{refused}"
@@ -404,22 +392,8 @@ mod tests {
     fn a_word_for_a_side_means_that_of_the_eye_whichever_is_set_first() {
         let (from, side) = ("impact.from=Nose", "eye_side=Left");
         let hour = |sets: [&str; 2]| {
-            let cli = [
-                "contrecoup",
-                "run",
-                "bb-62",
-                "--set",
-                sets[0],
-                "--set",
-                sets[1],
-            ];
-            let Some(Command::Run(args)) = Cli::try_parse_from(cli).unwrap().command else {
-                panic!("run was asked for")
-            };
-            match &args.scenario.scenario().unwrap().impact {
-                Impact::Projectile(object) => object.angle_clock,
-                Impact::ForcePulse(_) => panic!("an object was asked for"),
-            }
+            let scenario = changed("bb-62", &["--set", sets[0], "--set", sets[1]]).unwrap();
+            scenario.projectile().unwrap().angle_clock
         };
         assert_eq!((hour([from, side]), hour([side, from])), (9.0, 9.0));
     }

@@ -10,7 +10,6 @@ use crate::many::comparison::{ComparisonColumn, Entry, compare, leading, order};
 use crate::plain_text::{quoted, write_json};
 use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
-use crate::run::refusal::Refusal;
 use crate::scenario::CheckedScenario;
 
 /// Every blow answered, with a bar that shows how many are; `otherwise` says what an interruption
@@ -26,16 +25,10 @@ pub(super) fn answered(
         progress.count("simulating", done, of);
     });
     progress.clear();
-    entries.map_err(|refusal| match refusal {
-        Refusal::Cancelled => CliError::Interrupted(format!("interrupted: {otherwise}")),
-        other => other.into(),
-    })
+    entries.map_err(|refusal| CliError::stopped(refusal, otherwise))
 }
 
 /// Simulates every blow and prints them as rows of one table.
-///
-/// # Errors
-/// Where a scenario is refused, the output cannot be written, or the work was interrupted.
 pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let asked = args.scenarios.scenarios()?;
     if let [(only, _)] = &asked[..] {
@@ -45,11 +38,8 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
             quoted(only)
         )));
     }
-    let by = args
-        .sort
-        .as_ref()
-        .map(|key| result("--sort", key))
-        .transpose()?;
+    let by = args.sort.as_ref().map(|key| result("--sort", key));
+    let by = by.transpose()?;
     let mut entries = answered(&asked, |_| Keep::default(), "nothing is known yet")?;
     if let Some(by) = by {
         entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(by), true)));

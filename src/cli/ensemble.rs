@@ -14,9 +14,6 @@ use crate::run::quantity::Quantity;
 use crate::scenario::problem::five_nearest;
 
 /// Runs the samples and prints bands and drivers; after Ctrl-C those of the samples done.
-///
-/// # Errors
-/// Where the scenario is refused, the output cannot be written, or the work was interrupted.
 pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let drives = result("--drives", &args.drives)?;

@@ -39,6 +39,14 @@ impl From<Refusal> for CliError {
 }
 
 impl CliError {
+    /// A refusal; of somebody who stopped the work, with what that leaves.
+    pub(super) fn stopped(refusal: Refusal, left: &str) -> Self {
+        match refusal {
+            Refusal::Cancelled => Self::Interrupted(format!("interrupted: {left}")),
+            other => other.into(),
+        }
+    }
+
     /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input, 130 if it was
     /// stopped.
     pub fn exit_code(&self) -> u8 {

@@ -9,7 +9,7 @@ use crate::answer::compiled::Compiled;
 use crate::answer::solve::{Answer, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ExportArgs, interrupt};
-use crate::plain_text::printable;
+use crate::plain_text::printable_path;
 use crate::run::export::FrameWriter;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::ordered::until;
@@ -24,9 +24,6 @@ const FRAMES_EVERY_US: f64 = 10.0;
 const MAX_POSITIONS: f64 = 5e7;
 
 /// Simulates the scenario and writes the files that were asked for.
-///
-/// # Errors
-/// Where the scenario is refused, the simulation fails or a file cannot be written.
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)
@@ -58,11 +55,11 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
             count = write_frames(&answer, every_us * 1e-6, file, &stop, &progress)?;
             Ok(())
         })?;
-        writeln!(out, "{}: {count} frames", shown(path))?;
+        writeln!(out, "{}: {count} frames", printable_path(path))?;
     }
     if let (Some(path), Some(traces)) = (&args.traces, &answer.run.traces) {
         save(path, |file| write_traces(traces, file).map_err(csv_to_io))?;
-        writeln!(out, "{}: {} rows", shown(path), traces.time.len())?;
+        writeln!(out, "{}: {} rows", printable_path(path), traces.time.len())?;
     }
     progress.clear();
     for flag in &answer.flags {
@@ -72,10 +69,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
 }
 
 fn interrupted(refusal: Refusal) -> CliError {
-    match refusal {
-        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing was written".to_owned()),
-        other => other.into(),
-    }
+    CliError::stopped(refusal, "nothing was written")
 }
 
 /// Writes each frame as it is computed; gives how many there are.
@@ -107,10 +101,6 @@ fn write_frames(
     Ok(count)
 }
 
-fn shown(path: &Path) -> String {
-    printable(&path.display().to_string()).into_owned()
-}
-
 fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
     let case = Compiled::new(scenario);
     let nodes = case.eye.regions().len() as f64;
@@ -128,7 +118,7 @@ fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Re
     whole_file::write(path, write).map_err(|error| match error.kind() {
         io::ErrorKind::Interrupted => interrupted(Refusal::Cancelled),
         io::ErrorKind::BrokenPipe => CliError::Output(error),
-        _ => CliError::Failed(format!("cannot write {}: {error}", shown(path))),
+        _ => CliError::Failed(format!("cannot write {}: {error}", printable_path(path))),
     })
 }
 

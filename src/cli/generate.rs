@@ -11,7 +11,7 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::cli::{Cli, CliError, example};
-use crate::plain_text::printable;
+use crate::plain_text::printable_path;
 use crate::whole_file;
 
 /// What is printed.
@@ -40,9 +40,6 @@ pub enum GenerateCommand {
 }
 
 /// Prints what was asked for.
-///
-/// # Errors
-/// Where there is no such command or the output cannot be written.
 pub fn run(what: &GenerateCommand, out: &mut dyn Write) -> Result<(), CliError> {
     match what {
         GenerateCommand::Completions { shell } => completions(*shell, out),
@@ -77,7 +74,7 @@ fn into(folder: &Path, out: &mut dyn Write) -> Result<(), CliError> {
     }
     for (place, text) in files {
         let path = folder.join(place);
-        let said = printable(&path.display().to_string()).into_owned();
+        let said = printable_path(&path);
         let failed = |error: io::Error| CliError::Failed(format!("cannot write {said}: {error}"));
         fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(failed)?;
         whole_file::write(&path, |file| file.write_all(&text)).map_err(failed)?;

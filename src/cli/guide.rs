@@ -23,9 +23,6 @@ pub(super) fn topics() -> Vec<PossibleValue> {
 }
 
 /// Prints the page of a topic, or the list of topics.
-///
-/// # Errors
-/// Where the output cannot be written.
 pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     let Some(topic) = TOPICS.iter().find(|known| Some(known.name) == topic) else {
         write!(

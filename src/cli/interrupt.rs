@@ -8,9 +8,6 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 /// Is set by Ctrl-C, by a polite request to end and, on Unix, by the end of the connection.
-///
-/// # Errors
-/// Where the system refuses a handler.
 pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM].into_iter().chain(hangup()) {
@@ -41,9 +38,6 @@ fn hangup() -> Option<i32> {
 
 /// Turns a file that grows beyond the limit of the shell (`ulimit -f`) into an error of the write,
 /// which is reported, where the system would end the program without a word.
-///
-/// # Errors
-/// Where the system refuses a handler.
 #[cfg(unix)]
 pub(super) fn outlive_file_limit() -> io::Result<()> {
     flag::register(signal_hook::consts::signal::SIGXFSZ, Arc::default())?;

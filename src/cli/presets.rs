@@ -24,9 +24,6 @@ struct Row {
 }
 
 /// Lists the presets, or prints the text of one.
-///
-/// # Errors
-/// Where a preset does not exist or cannot be read, or the output cannot be written.
 pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(PresetsCommand::Show { name }) = &args.command {
         let text = library::find(name)?.text()?;

@@ -4,17 +4,14 @@ use std::io::Write;
 
 use crate::cli::compare::answered;
 use crate::cli::{CliError, ReportArgs};
-use crate::plain_text::{printable, quoted};
+use crate::plain_text::{printable, printable_path, quoted};
 use crate::report::command::line;
 use crate::report::page::{PageFormat, keep, write};
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.
-///
-/// # Errors
-/// Where a scenario is refused, the file cannot be written, or the work was interrupted.
 pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
-    let name = printable(&args.output.display().to_string()).into_owned();
+    let name = printable_path(&args.output);
     let Some(form) = PageFormat::of(&args.output) else {
         let name = quoted(&args.output.display().to_string());
         return Err(CliError::Input(format!(

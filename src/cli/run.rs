@@ -22,9 +22,6 @@ const LONG: Duration = Duration::from_secs(1);
 ///
 /// The mesh error, which takes two finer meshes, and what the inputs are not known to, which takes
 /// a run for each, are estimated first, wherever the output goes: each figure bears its error.
-///
-/// # Errors
-/// Where the scenario is refused, the simulation fails or the output cannot be written.
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();

@@ -17,7 +17,7 @@ use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
 use crate::many::sweep::{Sweep, SweepAxis, SweepRow};
 use crate::plain_text;
-use crate::plain_text::{printable, quoted};
+use crate::plain_text::{printable_path, quoted};
 use crate::report::sweep::SweepFormat;
 use crate::run::ordered;
 use crate::scenario::problem::Problem;
@@ -59,10 +59,6 @@ impl Shard {
 }
 
 /// Runs the rows of a shard that are not there yet.
-///
-/// # Errors
-/// Where scenario, grid or file are refused, the output cannot be written, or the work was
-/// interrupted.
 pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let axes: Vec<SweepAxis> = args.vary.clone();
@@ -85,7 +81,7 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     };
     let (mut file, done) = open(path, &sweep, form, &rows)?;
     let left = rows.len() - done;
-    let said = |what: &str| format!("{}: {what}", printable(&path.display().to_string()));
+    let said = |what: &str| format!("{}: {what}", printable_path(path));
     if left == 0 {
         let text = format!("all {} rows are there: nothing to do", rows.len());
         writeln!(out, "{}", said(&text))?;
@@ -189,7 +185,7 @@ fn open(
     rows: &[usize],
 ) -> Result<(File, usize), CliError> {
     let heading = &form.heading(sweep);
-    let name = printable(&path.display().to_string()).into_owned();
+    let name = printable_path(path);
     let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
     let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));
     if path.metadata().is_ok_and(|m| !m.is_file()) {

@@ -8,14 +8,9 @@ use crate::cli::{CliError, ThresholdArgs};
 use crate::many::threshold::{ThresholdSearch, usual, wanted};
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};
-use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
 
 /// Looks for every crossing and prints it with its errors.
-///
-/// # Errors
-/// Where scenario or question are refused, the output cannot be written, or the work was
-/// interrupted.
 pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let refused = |flag: &str| {
@@ -35,10 +30,7 @@ pub fn run(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     progress.announce(&format!("looking for {of} over {path} = {from}:{to} ..."));
     let found = question.answer(&stop, |share| progress.show("looking", share));
     progress.clear();
-    let found = found.map_err(|refusal| match refusal {
-        Refusal::Cancelled => CliError::Interrupted("interrupted: nothing is known yet".to_owned()),
-        other => other.into(),
-    })?;
+    let found = found.map_err(|refusal| CliError::stopped(refusal, "nothing is known yet"))?;
     if args.json {
         write_json(out, &json(&scenario, &question, &found))?;
     } else {

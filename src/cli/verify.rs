@@ -114,12 +114,7 @@ fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
 }
 
 /// Checks what was asked for and prints what was found.
-///
-/// # Errors
-/// Where a simulation fails, a hard case is silently wrong (after printing), or the output cannot
-/// be written.
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
-    let json = args.json;
     if !threads::pool_is_there() {
         let why = "no thread can start here, and this check takes many";
         return Err(CliError::Failed(why.to_owned()));
@@ -136,43 +131,28 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
             false => (Study::Steps(Scenes::Sides), scenes),
             true => (Study::Meshes(Scenes::Sides, 1), scenes),
         },
-        VerifyCommand::HardCases => return run_hard_cases(json, out),
+        VerifyCommand::HardCases => return run_hard_cases(args, out),
         VerifyCommand::Experiments => {
-            let (rows, again) = rayon::join(rerun_all, InOrbit::run);
-            return print(
-                json,
-                || experiments::json(&rows, &again),
-                |out| experiments::text(&rows, &again, out),
-                out,
-            );
+            let rerun = rayon::join(rerun_all, InOrbit::run);
+            return print(args, &rerun, experiments::json, experiments::text, out);
         }
-        VerifyCommand::Fit {
-            what: WhichFit::Injuries,
-        } => {
-            let stop = AtomicBool::new(false);
-            let fits = shown("fitting", |watch| {
-                fit_tissues(&stop, |share| {
-                    let _ = watch(share);
-                })
-            })?;
-            return print(
-                json,
-                || tissue_fit::json(&fits),
-                |out| tissue_fit::text(&fits, out),
-                out,
-            );
-        }
-        VerifyCommand::Fit {
-            what: WhichFit::Fat,
-        } => {
-            let fit = shown("fitting", |watch| fit(&mut |share| watch(share)))?;
-            return print(
-                json,
-                || experiments::fit_json(&fit),
-                |out| experiments::fit_text(&fit, out),
-                out,
-            );
-        }
+        VerifyCommand::Fit { what } => match what {
+            WhichFit::Injuries => {
+                let stop = AtomicBool::new(false);
+                let tell = |watch: Watch| {
+                    fit_tissues(&stop, |share| {
+                        let _ = watch(share);
+                    })
+                };
+                let fits = shown("fitting", tell)?;
+                return print(args, &fits, tissue_fit::json, tissue_fit::text, out);
+            }
+            WhichFit::Fat => {
+                let fit = shown("fitting", |watch| fit(&mut |share| watch(share)))?;
+                let (json, text) = (experiments::fit_json, experiments::fit_text);
+                return print(args, &fit, json, text, out);
+            }
+        },
     };
     let (count, seed) = (scenes.scenes, scenes.seed);
     if study.scenes() == Scenes::Sides {
@@ -181,12 +161,7 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         Progress::new().announce(&what);
     }
     let found = shown("checking scenes", |watch| check(study, count, seed, watch))?;
-    print(
-        json,
-        || claims::json(&found),
-        |out| claims::text(&found, out),
-        out,
-    )
+    print(args, &found, claims::json, claims::text, out)
 }
 
 /// Minutes of one core that a scene from the side takes.
@@ -197,14 +172,9 @@ fn side_minutes(study: Study) -> f64 {
     }
 }
 
-fn run_hard_cases(json: bool, out: &mut dyn Write) -> Result<(), CliError> {
+fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let outcomes = shown("hard cases", |watch| hard_cases::run(watch));
-    print(
-        json,
-        || cases::json(&outcomes),
-        |out| cases::text(&outcomes, out),
-        out,
-    )?;
+    print(args, &outcomes[..], cases::json, cases::text, out)?;
     out.flush()?;
     let wrong = outcomes
         .iter()
@@ -213,14 +183,15 @@ fn run_hard_cases(json: bool, out: &mut dyn Write) -> Result<(), CliError> {
     if names.is_empty() {
         return Ok(());
     }
-    Err(CliError::Failed(format!(
-        "silently wrong: {}",
-        names.join(", ")
-    )))
+    let names = names.join(", ");
+    Err(CliError::Failed(format!("silently wrong: {names}")))
 }
 
+/// Hears which share is done.
+type Watch<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
+
 /// What `work` finds, which tells the share that is done.
-fn shown<T>(what: &str, work: impl FnOnce(&(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> T) -> T {
+fn shown<T>(what: &str, work: impl FnOnce(Watch) -> T) -> T {
     let progress = Progress::new();
     let found = work(&|share| {
         progress.show(what, share);
@@ -231,16 +202,17 @@ fn shown<T>(what: &str, work: impl FnOnce(&(dyn Fn(f64) -> ControlFlow<()> + Syn
 }
 
 /// Prints what was found in the form that was asked for.
-fn print(
-    as_json: bool,
-    json: impl FnOnce() -> Value,
-    text: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+fn print<T: ?Sized>(
+    args: &VerifyArgs,
+    found: &T,
+    json: fn(&T) -> Value,
+    text: fn(&T, &mut dyn Write) -> io::Result<()>,
     out: &mut dyn Write,
 ) -> Result<(), CliError> {
-    if as_json {
-        write_json(out, &json())?;
+    if args.json {
+        write_json(out, &json(found))?;
     } else {
-        text(out)?;
+        text(found, out)?;
     }
     Ok(())
 }

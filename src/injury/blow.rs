@@ -7,7 +7,7 @@
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
 use crate::scenario::direction::GLOBE_MM;
-use crate::scenario::{Geometry, Impact, Model, Projectile, Scenario, Species, Support, Surface};
+use crate::scenario::{Geometry, Projectile, Scenario, Species, Support, Surface};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.
@@ -65,30 +65,26 @@ fn softness(surface: Surface) -> f64 {
 }
 
 /// How far from straight on a blow is, in degrees: its angle, and where on the globe it lands.
-fn off_axis_deg(impact: &Impact) -> f64 {
-    let beside = match impact {
-        Impact::Projectile(object) => libm::asin((object.offset_mm / GLOBE_MM).min(1.0)),
-        Impact::ForcePulse(_) => 0.0,
-    };
-    impact.angle_deg().abs() + beside.to_degrees()
+fn off_axis_deg(scenario: &Scenario) -> f64 {
+    let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
+    let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
+    scenario.impact.angle_deg().abs() + beside.to_degrees()
 }
 
 /// Whether the orbit's rim is taken as round.
 fn in_round_orbit(scenario: &Scenario) -> bool {
-    let orbit = match &scenario.model {
-        Model::Physiological(model) => model.support == Support::Orbit,
-        Model::Paper => false,
-    };
-    orbit && scenario.geometry() == Some(Geometry::Axisymmetric)
+    let model = scenario.physiological();
+    model.is_some_and(|model| model.support == Support::Orbit)
+        && scenario.geometry() == Some(Geometry::Axisymmetric)
 }
 
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        let off_axis = ramp(off_axis_deg(&scenario.impact), ANGLE_DEG);
+        let off_axis = ramp(off_axis_deg(scenario), ANGLE_DEG);
         let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
         let aslant = if spatial { 0.0 } else { off_axis };
-        let Impact::Projectile(object) = &scenario.impact else {
+        let Some(object) = scenario.projectile() else {
             // Nobody has pushed an eye with a given force.
             return Self {
                 wider: 1.0,
@@ -124,15 +120,10 @@ impl Blow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::library::tests::preset;
 
-    fn of(preset: &str, changes: &[(&str, &str)]) -> Blow {
-        let mut scenario = find(preset).unwrap().scenario().unwrap();
-        for (path, value) in changes {
-            set(&mut scenario, path, value).unwrap();
-        }
-        Blow::of(&scenario)
+    fn of(name: &str, changes: &[(&str, &str)]) -> Blow {
+        Blow::of(&preset(name, changes))
     }
 
     #[test]

@@ -1,10 +1,13 @@
 //! The injuries that an answer speaks of.
 
 use crate::run::quantity::Quantity;
-use strum::{EnumCount, VariantArray};
+use strum::{EnumCount, IntoStaticStr, VariantArray};
 
 /// An injury, the gravest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, EnumCount, VariantArray)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, EnumCount, IntoStaticStr, VariantArray,
+)]
+#[strum(serialize_all = "snake_case")]
 pub enum Injury {
     /// The wall of the globe torn through.
     GlobeRupture,
@@ -49,15 +52,8 @@ impl Injury {
     }
 
     /// Its name in JSON.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::GlobeRupture => "globe_rupture",
-            Self::RetinaBack => "retina_back",
-            Self::RetinaFront => "retina_front",
-            Self::LensDislocation => "lens_dislocation",
-            Self::Hyphema => "hyphema",
-            Self::CornealAbrasion => "corneal_abrasion",
-        }
+    pub fn key(self) -> &'static str {
+        self.into()
     }
 
     /// What its tissue felt, which its risk is read from.

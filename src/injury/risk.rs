@@ -202,8 +202,7 @@ impl Injury {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::library::tests::preset;
 
     fn known(value: f64) -> Known {
         Known {
@@ -231,8 +230,8 @@ mod tests {
 
     #[test]
     fn what_is_less_known_widens_a_range_and_never_narrows_it() {
-        for preset in ["bb-56", "squash-ball"] {
-            let blow = Blow::of(&find(preset).unwrap().scenario().unwrap());
+        for name in ["bb-56", "squash-ball"] {
+            let blow = Blow::of(&preset(name, &[]));
             for injury in Injury::ALL {
                 let mut more = known(0.7 * injury.curve().half);
                 let mut before = injury.assess(&blow, more).range;
@@ -254,12 +253,11 @@ mod tests {
             let steps = 2000;
             for step in 0..=steps {
                 let value = from + (to - from) * f64::from(step) / f64::from(steps);
-                let mut scenario = find("bb-56").unwrap().scenario().unwrap();
-                if path.ends_with("modulus_mpa") {
-                    set(&mut scenario, "impact.surface", "Elastic(modulus_mpa: 50)").unwrap();
-                }
-                set(&mut scenario, path, &format!("{value:.4}")).unwrap();
-                let blow = Blow::of(&scenario);
+                let elastic = ("impact.surface", "Elastic(modulus_mpa: 50)");
+                let value = format!("{value:.4}");
+                let changes = [elastic, (path, &value)];
+                let from = usize::from(!path.ends_with("modulus_mpa"));
+                let blow = Blow::of(&preset("bb-56", &changes[from..]));
                 let ends = |injury: &Injury| {
                     let risk = injury.assess(&blow, known(0.6 * injury.curve().half));
                     [risk.risk, risk.range.0, risk.range.1]
@@ -281,7 +279,7 @@ mod tests {
 
     #[test]
     fn a_small_hard_blow_straight_on_has_the_published_risk() {
-        let bb = Blow::of(&find("bb-92").unwrap().scenario().unwrap());
+        let bb = Blow::of(&preset("bb-92", &[]));
         let rupture = Injury::GlobeRupture;
         assert!(rupture.risk(&bb, 0.064) > 0.99);
         assert!(rupture.risk(&Blow { tested: 0.0, ..bb }, 0.064) < 0.9);

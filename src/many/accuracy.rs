@@ -333,33 +333,32 @@ pub fn measure(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::watch::unwatched;
+    use crate::run::watch::{stop_if, unwatched};
 
-    #[test]
-    fn a_measurement_goes_on_where_it_was_stopped_and_finer_levels_are_more_exact() {
+    fn short() -> CheckedScenario {
         let scenario = Scenario {
             window_ms: Some(0.3),
             ..Scenario::default()
         };
-        let scenario = scenario.check().unwrap();
+        scenario.check().unwrap()
+    }
+
+    #[test]
+    fn a_measurement_goes_on_where_it_was_stopped_and_finer_levels_are_more_exact() {
+        const FINEST: u32 = 3;
+        let scenario = short();
         let mut last = None;
         let stopped = measure(
             &scenario,
-            4,
+            FINEST,
             None,
-            &mut |share| {
-                if share > 0.3 {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            },
+            &mut |share| stop_if(share > 0.3),
             &mut |accuracy| last = Some(accuracy.clone()),
         );
         assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
         let part = last.unwrap();
         let before = part.clone();
-        let whole = measure(&scenario, 4, Some(part), &mut unwatched, &mut |_| {}).unwrap();
+        let whole = measure(&scenario, FINEST, Some(part), &mut unwatched, &mut |_| {}).unwrap();
         assert!(before.done > 3 && before.done < whole.done);
         assert_eq!(whole.levels[0], before.levels[0]);
         let timed = |trial: &Trial| trial.times.len() == ROUNDS;
@@ -373,7 +372,7 @@ mod tests {
             let of = totals.iter().filter(|total| total.level == level);
             of.map(Total::error).fold(f64::INFINITY, f64::min)
         };
-        assert!(least(1) > least(4), "{} {}", least(1), least(4));
+        assert!(least(1) > least(FINEST), "{totals:?}");
         assert_eq!(whole.to_show(None), Some(Quantity::Damage));
         assert_eq!(whole.to_show(Some(Quantity::Apex)), Some(Quantity::Apex));
         for percent in TOLERANCES {
@@ -387,22 +386,14 @@ mod tests {
     /// The watch stops it at its first word beyond `limit`, and hears nothing after that.
     #[test]
     fn it_can_be_stopped_within_every_run_that_it_makes() {
-        let scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
-        let scenario = scenario.check().unwrap();
+        let scenario = short();
         for limit in [0.0, 0.05, 0.3, 0.62, 0.9] {
             let (mut last, mut after) = (0.0, 0);
             let mut watch = |share| {
                 assert!((last..=1.0).contains(&share), "{share} after {last}");
                 after += usize::from(last > limit);
                 last = share;
-                if share > limit {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
+                stop_if(share > limit)
             };
             let outcome = measure(&scenario, 1, None, &mut watch, &mut |_| {});
             assert_eq!(outcome.unwrap_err(), Refusal::Cancelled);

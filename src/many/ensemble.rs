@@ -310,6 +310,7 @@ mod tests {
     use super::*;
     use crate::answer::brief::Check;
     use crate::run::quantity::Quantity;
+    use crate::run::watch::stop_if;
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {
@@ -356,13 +357,7 @@ mod tests {
         let whole = ensemble(&quick(), 40, 1);
         let scenario = quick().check().unwrap();
         for most in [3, 8, 16] {
-            let early = |so_far: &Ensemble| {
-                if so_far.samples.len() >= most {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            };
+            let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
             let stop = AtomicBool::new(false);
             let part = run(&scenario, (40, 1), None, &stop, &early).unwrap();
             assert!(part.stopped() && !whole.stopped());

@@ -567,6 +567,8 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::solve::tests::answered;
+    use crate::scenario::library::tests::preset;
 
     #[test]
     fn a_result_is_found_by_its_key_and_by_what_it_is_called() {
@@ -604,8 +606,7 @@ mod tests {
         };
         let mut there = short();
         set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
-        let there = there.check().unwrap();
-        let answer = solve(&there, Keep::default(), &mut crate::run::watch::unwatched).unwrap();
+        let answer = answered(&there);
         let apex = answer.results()[Quantity::Apex].unwrap();
         assert!((apex / 2.0 - 1.0).abs() < 2e-4, "{apex} at {}", crossing.at);
         // The apex is nearly proportional to the force, so their errors are of one share.
@@ -631,8 +632,7 @@ mod tests {
 
     #[test]
     fn a_risk_carries_what_is_said_of_it_and_the_speeds_at_which_its_range_holds_the_target() {
-        let preset = crate::scenario::library::find("bb-56").unwrap();
-        let bb = preset.scenario().unwrap();
+        let bb = preset("bb-56", &[]);
         let until = "globe_rupture_percent = 50";
         let anywhere = found(bb.clone(), "impact.speed_m_s", until);
         let between = found(bb, "impact.speed_m_s=50:75", until);

@@ -11,9 +11,6 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Prints the report on the error of `of`.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
     accuracy: &Accuracy,

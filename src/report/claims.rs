@@ -101,9 +101,6 @@ fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<Stri
 }
 
 /// Prints the table of what was found and every claim that did not hold.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
     block(&heading(found), "", "", out)?;
     if found.study == Study::Steps(Scenes::Sides) {

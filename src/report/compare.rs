@@ -99,9 +99,6 @@ impl Table {
     }
 
     /// Prints it in blocks that fit into 80 columns.
-    ///
-    /// # Errors
-    /// Whatever `out` reports.
     pub fn text(&self, out: &mut dyn Write) -> io::Result<()> {
         let longest = self.rows.iter().map(|(name, _)| name.chars().count()).max();
         let name = longest.unwrap_or(0).min(WIDEST_NAME);
@@ -146,9 +143,6 @@ impl Table {
     }
 
     /// Prints it as Markdown.
-    ///
-    /// # Errors
-    /// Whatever `out` reports.
     pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
         let units = self.heads.iter().zip(&self.units);
         let heads: Vec<String> = units
@@ -173,9 +167,6 @@ impl Table {
 
 /// Prints it as CSV: every result with its errors in %, then those that are at least so large,
 /// flags and refusal.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     let mut head = vec!["preset".to_owned(), "name".to_owned()];

@@ -19,20 +19,15 @@ const BAR: usize = 12;
 /// A distribution in words.
 pub fn distribution(input: &UncertainInput) -> String {
     let unit = input.field.unit;
-    let text = match input.shape {
-        Shape::LogUniform(a, b) => {
-            format!(
-                "log-uniform {} to {} {unit}",
-                significant(a),
-                significant(b)
-            )
-        }
-        Shape::Uniform(a, b) => format!("uniform {} to {} {unit}", significant(a), significant(b)),
-        Shape::Normal(mean, sd) => {
-            format!("normal {} ± {} {unit}", significant(mean), significant(sd))
-        }
+    let (kind, a, between, b) = match input.shape {
+        Shape::LogUniform(a, b) => ("log-uniform", a, "to", b),
+        Shape::Uniform(a, b) => ("uniform", a, "to", b),
+        Shape::Normal(mean, sd) => ("normal", mean, "±", sd),
     };
-    text.trim_end().to_owned()
+    let (a, b) = (significant(a), significant(b));
+    format!("{kind} {a} {between} {b} {unit}")
+        .trim_end()
+        .to_owned()
 }
 
 /// Two digits, without a sign where they are zero.
@@ -57,9 +52,6 @@ pub fn bar(correlation: f64, half: usize) -> String {
 }
 
 /// Prints bands, drivers of `drives`, counts and cost.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
     ensemble: &Ensemble,
@@ -253,15 +245,10 @@ fn band(ensemble: &Ensemble, of: Quantity) -> Value {
 }
 
 fn input(of: &UncertainInput) -> Value {
-    let (kind, a, b) = match of.shape {
-        Shape::LogUniform(a, b) => ("log_uniform", a, b),
-        Shape::Uniform(a, b) => ("uniform", a, b),
-        Shape::Normal(a, b) => ("normal", a, b),
-    };
-    let (first, second) = if kind == "normal" {
-        ("mean", "sd")
-    } else {
-        ("low", "high")
+    let (kind, [first, second], a, b) = match of.shape {
+        Shape::LogUniform(a, b) => ("log_uniform", ["low", "high"], a, b),
+        Shape::Uniform(a, b) => ("uniform", ["low", "high"], a, b),
+        Shape::Normal(a, b) => ("normal", ["mean", "sd"], a, b),
     };
     json!({
         "field": of.field.path,

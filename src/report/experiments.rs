@@ -102,10 +102,7 @@ fn lines(rows: &[&Rerun], out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Prints the table, fitted rows apart from the others, and what the measured orbit gives.
-///
-/// # Errors
-/// Whatever `out` reports.
-pub fn text(rows: &[Rerun], again: &InOrbit, out: &mut dyn Write) -> io::Result<()> {
+pub fn text((rows, again): &(Vec<Rerun>, InOrbit), out: &mut dyn Write) -> io::Result<()> {
     let inside = |mesh: usize| rows.iter().filter(|row| row.inside()[mesh]).count();
     let counts: [usize; MESHES] = std::array::from_fn(inside);
     writeln!(
@@ -223,7 +220,7 @@ fn row(row: &Rerun) -> Value {
 }
 
 /// The rows as JSON, and those in the measured orbit.
-pub fn json(rows: &[Rerun], again: &InOrbit) -> Value {
+pub fn json((rows, again): &(Vec<Rerun>, InOrbit)) -> Value {
     json!({
         "rows": rows.iter().map(row).collect::<Vec<_>>(),
         "in_measured_orbit": orbit_json(again),
@@ -231,9 +228,6 @@ pub fn json(rows: &[Rerun], again: &InOrbit) -> Value {
 }
 
 /// Prints what the fit found.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     let (least, most) = fit.nearly;
     writeln!(
@@ -320,7 +314,7 @@ mod tests {
             fitted: vec![(&EXPERIMENTS[0], FATS_MPA.map(|_| Ok(271.0)))],
             others: vec![(&EXPERIMENTS[12], [Ok(1.0), Err("too wide".to_owned())])],
         };
-        text(&made_up(), &again, &mut page).unwrap();
+        text(&(made_up(), again), &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
         assert!(page.lines().all(|l| l.chars().count() <= WIDTH), "{page}");
         let (fitted, others) = page.split_once("Not fitted").unwrap();

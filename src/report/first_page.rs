@@ -10,8 +10,8 @@ use crate::report::risks::uncounted;
 use crate::report::text::row;
 use crate::run::flags::Flag;
 use crate::run::quantity::Quantity;
+use crate::scenario::Scenario;
 use crate::scenario::problem::plain;
-use crate::scenario::{Impact, Scenario};
 use std::io::{self, Write};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
@@ -32,9 +32,6 @@ const LEADING: [Quantity; 9] = [
 const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
 
 /// Prints the page. Numerics that were chosen for a tolerance are said if `chosen`.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn write(
     scenario: &Scenario,
     answer: &Answer,
@@ -73,15 +70,10 @@ pub fn write(
 
 /// What hit what, in lines.
 fn what(scenario: &Scenario) -> Vec<String> {
-    let object = match &scenario.impact {
-        Impact::Projectile(object) => format!(
-            "{} g, {} mm, {} m/s; ",
-            plain(object.mass_g),
-            plain(object.diameter_mm),
-            plain(object.speed_m_s)
-        ),
-        Impact::ForcePulse(_) => String::new(),
-    };
+    let object = scenario.projectile().map_or_else(String::new, |object| {
+        let parts = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
+        format!("{} g, {} mm, {} m/s; ", parts[0], parts[1], parts[2])
+    });
     let text = format!("{object}{}", scenario.description());
     let name = wrapped(&printable(&scenario.name), WIDTH)
         .into_iter()
@@ -200,20 +192,13 @@ fn flags(flags: &[Flag], room: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
+    use crate::answer::solve::tests::answered;
     use crate::run::flags::FlagKind;
-    use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::library::tests::preset;
 
-    fn page(preset: &str, changes: &[(&str, &str)], more: &[FlagKind]) -> String {
-        let mut scenario = find(preset).unwrap().scenario().unwrap();
-        for (path, value) in changes {
-            set(&mut scenario, path, value).unwrap();
-        }
-        let scenario = scenario.check().unwrap();
-        let mut answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+    fn page(name: &str, changes: &[(&str, &str)], more: &[FlagKind]) -> String {
+        let scenario = preset(name, changes);
+        let mut answer = answered(&scenario);
         answer.flags.extend(more.iter().map(|kind| Flag {
             kind: *kind,
             message: "what happened is said in words that take a line of their own".to_owned(),

@@ -13,9 +13,6 @@ fn flags(outcome: &CaseOutcome) -> Vec<&'static str> {
 }
 
 /// Prints the table.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,

@@ -13,7 +13,7 @@ use crate::run::flags::Flag;
 use crate::run::fold::Fold;
 use crate::run::quantity::Quantity;
 use crate::run::rules::Element;
-use crate::scenario::{Impact, Scenario};
+use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 
 /// How the key of a direction about the eye's axis ends.
@@ -144,7 +144,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             object["results"][format!("{place}_clock_h")] = json!(hour);
         }
     }
-    if let Impact::Projectile(object_of) = &scenario.impact {
+    if let Some(object_of) = scenario.projectile() {
         let direction = object_of.direction(side);
         object["direction"] = json!(direction.unwrap_or_else(|| "straight on".to_owned()));
     }

@@ -66,9 +66,6 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
 }
 
 /// Prints a line for each injury and the signs that count more than any of them.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     for (name, words) in lines(answer) {
         paragraph(&format!("{name}: {words}"), out)?;
@@ -82,9 +79,6 @@ pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Prints what each risk rests on; nothing where there are none.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let risks = answer.risks();
     if risks.is_empty() {
@@ -180,19 +174,8 @@ pub fn json(answer: &Answer) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
-    use crate::scenario::library;
-    use crate::scenario::set::set;
-
-    fn answer(preset: &str, changes: &[(&str, &str)]) -> Answer {
-        let mut scenario = library::find(preset).unwrap().scenario().unwrap();
-        for (path, value) in changes {
-            set(&mut scenario, path, value).unwrap();
-        }
-        solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap()
-    }
+    use crate::answer::solve::tests::answered;
+    use crate::scenario::library::tests::preset;
 
     fn printed(answer: &Answer) -> String {
         let mut out = Vec::new();
@@ -208,7 +191,7 @@ mod tests {
 
     #[test]
     fn every_injury_has_a_line_a_range_and_what_it_rests_on() {
-        let bb = answer("bb-56", &[]);
+        let bb = answered(&preset("bb-56", &[]));
         let page = printed(&bb);
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
@@ -235,7 +218,7 @@ mod tests {
 
     #[test]
     fn a_pulse_on_the_section_says_in_one_line_why_there_are_no_injuries() {
-        let paper = answer("paper-300n", &[]);
+        let paper = answered(&preset("paper-300n", &[]));
         assert_eq!(lines(&paper).len(), 1);
         assert!(printed(&paper).starts_with("injuries: not told: "));
         assert_eq!(json(&paper), json!({}));

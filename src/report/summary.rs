@@ -41,19 +41,13 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
+    use crate::answer::solve::tests::answered;
+    use crate::scenario::library::tests::preset;
 
     #[test]
     fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {
-        let mut bb = crate::scenario::library::find("bb-56")
-            .unwrap()
-            .scenario()
-            .unwrap();
-        bb.window_ms = Some(0.2);
-        let answer = solve(&bb.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-        let text = text(&bb, &answer, Some("contrecoup run bb-56"));
+        let bb = preset("bb-56", &[("window_ms", "0.2")]);
+        let text = text(&bb, &answered(&bb), Some("contrecoup run bb-56"));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 4, "{text}");
         assert!(

@@ -16,7 +16,7 @@ use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
 use crate::scenario::direction::o_clock;
 use crate::scenario::problem::plain;
-use crate::scenario::{Impact, Projectile, Scenario};
+use crate::scenario::{Projectile, Scenario};
 use std::io::{self, Write};
 
 /// Results under headings, by what their traces are shown with.
@@ -29,9 +29,6 @@ const GROUPS: [(&str, &[Group]); 5] = [
 ];
 
 /// Prints the results of an answer.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
     writeln!(out, "{}", printable(&scenario.name))?;
@@ -113,7 +110,7 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
 /// Prints how fast the object goes on or back.
 fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let figure = Figure::of(answer, Quantity::Rebound);
-    let (Impact::Projectile(projectile), Some(mut figure)) = (&scenario.impact, figure) else {
+    let (Some(projectile), Some(mut figure)) = (scenario.projectile(), figure) else {
         return Ok(());
     };
     let label = match figure.number.strip_prefix('-') {
@@ -208,13 +205,11 @@ fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Prints how far the results may be trusted, and how they were computed.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
     numerical(&answer.errors, out)?;
     limits(answer, out)?;
-    balance(&answer.errors, out)?;
+    let balance = percent(answer.errors.energy_balance);
+    writeln!(out, "Energy balance: within {balance}")?;
     writeln!(
         out,
         "Solved in {:.2} ms by {}: {} steps of {:.4} us{},\nstable up to {:.4} us",
@@ -230,22 +225,20 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.step_limit * 1e6,
     )?;
     let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
+    let (at, why) = (answer.run.simulated, answer.case.rules().ends_early);
     if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
-        let (at, why) = (answer.run.simulated * 1e3, answer.case.rules().ends_early);
-        writeln!(out, "Stopped at {at:.3} ms: {why}")?;
-    } else if answer.run.simulated < 0.999_999 * answer.window() {
-        writeln!(
-            out,
-            "Stopped at {:.3} of {} ms: {}",
-            answer.run.simulated * 1e3,
-            plain((answer.window() * 1e9).round() / 1e6),
-            answer.case.rules().ends_early
-        )?;
+        writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
+    } else if at < 0.999_999 * answer.window() {
+        let window = plain((answer.window() * 1e9).round() / 1e6);
+        writeln!(out, "Stopped at {:.3} of {window} ms: {why}", at * 1e3)?;
     }
     for reason in reasons {
         writeln!(out, "  {reason}")?;
     }
-    flagged(&answer.flags, out)
+    for flag in &answer.flags {
+        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
+    }
+    Ok(())
 }
 
 /// Prints the errors of step and mesh.
@@ -263,36 +256,17 @@ fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "Mesh error: {mesh}")
 }
 
-/// Prints the balance of energy.
-fn balance(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "Energy balance: within {}", percent(of.energy_balance))
-}
-
-/// Prints the flags, and what no result may be taken for.
-fn flagged(flags: &[Flag], out: &mut dyn Write) -> io::Result<()> {
-    for flag in flags {
-        paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::answer::solve::tests::answered;
+    use crate::scenario::library::tests::preset;
 
     #[test]
     fn places_around_the_eye_have_clock_hours_in_text_and_data() {
-        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
-        for (path, text) in [("impact.from", "Nose"), ("window_ms", "0.05")] {
-            set(&mut scenario, path, text).unwrap();
-        }
-        let scenario = scenario.check().unwrap();
-        let answer = solve(&scenario, Keep::default(), &mut unwatched).unwrap();
+        let changes = [("impact.from", "Nose"), ("window_ms", "0.05")];
+        let scenario = preset("bb-62", &changes);
+        let answer = answered(&scenario);
         let data = crate::report::json::answer(&scenario, &answer, &[]);
         let hour = data["results"]["scleral_stress_clock_h"].as_f64().unwrap();
         assert_eq!(data["direction"], "from the nose at 30 deg");

@@ -81,9 +81,6 @@ fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String
 }
 
 /// Prints where the result reaches the value.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(
     scenario: &Scenario,
     search: &ThresholdSearch,

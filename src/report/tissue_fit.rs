@@ -7,9 +7,6 @@ use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
 /// Prints each curve as it was found beside the one that is shipped, then what each kind felt.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
     paragraph(
         "Curves of injury against what the tissue felt, matched by running the objects behind the \

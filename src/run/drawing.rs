@@ -8,7 +8,7 @@
 //! shell, lens and wall.
 
 use crate::run::kept::Frame;
-use crate::run::places::Region;
+use crate::run::places::{ORBIT_RADIUS_M, Region};
 use nalgebra::{Point2, Vector2};
 
 /// Room beyond the wall for the bone as it is drawn, in m.
@@ -18,7 +18,16 @@ const BEFORE_M: f64 = 24e-3;
 /// How far beyond a triangle a point that it holds may lie, as a share of it.
 const BEYOND: f64 = 0.6;
 /// Room around the outermost part, as a share.
-pub(crate) const MARGIN: f64 = 1.03;
+const MARGIN: f64 = 1.03;
+
+/// How far a picture of an eye with such places reaches, across and up, in m; the arrow of the blow
+/// needs some room too.
+pub(crate) fn reach(places: impl Iterator<Item = Point2<f64>>) -> (f64, f64) {
+    let room = (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN);
+    places.fold(room, |(across, up), at| {
+        (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
+    })
+}
 
 /// A node that is drawn.
 #[derive(Debug, Clone, Copy)]

@@ -32,7 +32,8 @@ impl Flag {
 }
 
 /// Kinds of flags.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum FlagKind {
     /// A quad of the mesh turned inside out.
     MeshFolded,
@@ -108,29 +109,7 @@ impl FlagKind {
 
     /// Name as used in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::MeshFolded => "mesh_folded",
-            Self::MeshNearlyFolded => "mesh_nearly_folded",
-            Self::FinerMeshFolds => "finer_mesh_folds",
-            Self::EnergyImbalance => "energy_imbalance",
-            Self::NotPredictable => "not_predictable",
-            Self::Unconverged => "unconverged",
-            Self::LostInRounding => "lost_in_rounding",
-            Self::WindowShort => "window_short",
-            Self::WindowCapped => "window_capped",
-            Self::PulseCut => "pulse_cut",
-            Self::ArcUnresolved => "arc_unresolved",
-            Self::BoneShields => "bone_shields",
-            Self::SurfaceCrushed => "surface_crushed",
-            Self::WentPast => "went_past",
-            Self::BeyondTests => "beyond_tests",
-            Self::EyeFlat => "eye_flat",
-            Self::RimStops => "rim_stops",
-            Self::BoneMayBreak => "bone_may_break",
-            Self::EyeMissed => "eye_missed",
-            Self::AngleBeyondTrust => "angle_beyond_trust",
-            Self::ContactCut => "contact_cut",
-        }
+        self.into()
     }
 
     /// What to do about it.

@@ -48,20 +48,34 @@ pub trait EyeModel: Debug + Send + Sync {
     fn elements(&self) -> usize;
 
     /// How many of them each evaluation of the forces computes.
-    fn elements_per_evaluation(&self) -> usize;
+    fn elements_per_evaluation(&self) -> usize {
+        self.elements()
+    }
 
     /// Largest stable step of `integrator`, in s, of the eye at rest.
     fn step_limit(&self, integrator: Integrator) -> f64;
 
     /// The longest step of a plan, in s; where steps follow the motion, the step at rest.
-    fn longest_step(&self, plan: &Plan) -> f64;
+    fn longest_step(&self, plan: &Plan) -> f64 {
+        plan.step / plan.multiple
+    }
 
     /// Steps of a plan; where steps follow the motion, those that it would take at rest.
-    fn steps(&self, plan: &Plan) -> usize;
+    fn steps(&self, plan: &Plan) -> usize {
+        (plan.window * plan.multiple / plan.step).ceil() as usize
+    }
 
     /// The run whose difference from that of `plan` tells the step error, and the factor from the
     /// difference to the error.
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64);
+    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
+        let estimate = &self.rules().estimate;
+        let finer = Plan {
+            multiple: plan.multiple * estimate.ratio,
+            ..*plan
+        };
+        let share = 1.0 - estimate.ratio.powi(-self.order(plan.integrator));
+        (finer, estimate.safety / share)
+    }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.
     ///
@@ -171,12 +185,13 @@ pub enum Shown {
 }
 
 impl Detail {
+    /// A figure and where people read it.
+    pub fn new(key: &'static str, value: f64, shown: Shown) -> Self {
+        Self { key, value, shown }
+    }
+
     /// A figure for programs alone.
     pub fn data(key: &'static str, value: f64) -> Self {
-        Self {
-            key,
-            value,
-            shown: Shown::InData,
-        }
+        Self::new(key, value, Shown::InData)
     }
 }

@@ -1,10 +1,11 @@
 //! Numbered jobs on all cores whose results come in their order.
 //!
-//! Each thread of the present pool, or the calling one where none can start, takes the next number that nobody has. A result waits until all
-//! before it are there, so whoever receives them sees the same sequence for any number of threads,
-//! and a run that is stopped gives its beginning.
+//! Each thread of the present pool, or the calling one where none can start, takes the next number
+//! that nobody has. A result waits until all before it are there, so whoever receives them sees the
+//! same sequence for any number of threads, and a run that is stopped gives its beginning.
 
 use crate::run::threads;
+use crate::run::watch::stop_if;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -12,13 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// A watch that goes on until `stop` is set.
 pub fn until(stop: &AtomicBool) -> impl FnMut(f64) -> ControlFlow<()> + '_ {
-    |_| {
-        if stop.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
+    |_| stop_if(stop.load(Ordering::Relaxed))
 }
 
 struct Desk<T, D> {

@@ -6,7 +6,8 @@ pub const GLOBE_RADIUS_M: f64 = 12e-3;
 pub const ORBIT_RADIUS_M: f64 = 20e-3;
 
 /// One of the four nodes whose force is followed (paper, "Static plots").
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum Monitor {
     /// 1.33 mm from the centre of the eye, 45 degrees up and back.
     Centre,
@@ -24,17 +25,13 @@ impl Monitor {
 
     /// Lower-case name, as used in reports.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Centre => "centre",
-            Self::Front => "front",
-            Self::Right => "right",
-            Self::Top => "top",
-        }
+        self.into()
     }
 }
 
 /// Which part of the section a node belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum Region {
     /// Inside the shell, lens apart: vitreous and aqueous.
     Interior,
@@ -63,13 +60,6 @@ impl Region {
 
     /// Lower-case name, as used in exports.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Interior => "interior",
-            Self::Lens => "lens",
-            Self::Shell => "shell",
-            Self::Retina => "retina",
-            Self::Fat => "fat",
-            Self::Orbit => "orbit",
-        }
+        self.into()
     }
 }

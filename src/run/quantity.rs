@@ -11,7 +11,7 @@
 
 use crate::run::kept::Traces;
 use crate::run::places::Monitor;
-use crate::run::result_trace::{Group, ResultTrace, trace};
+use crate::run::result_trace::{Group, ResultTrace};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -162,229 +162,124 @@ impl Quantity {
     /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
+        use Group::{Energies, Inside, Motion, NodeForces, Projectile, Tissues};
         match self {
-            Self::Damage => Row {
-                leads: Leads::Always,
-                whole: Some(1e2),
-                ..number("damage_percent", "damage index", "index", "")
-            },
-            Self::ShellGrowth => Row {
-                factor: 1e2,
-                trace: Some(trace(
-                    "wall growth S",
-                    "scleral_growth_percent",
-                    |t| &t.shell_growth,
-                    (Group::Motion, 2),
-                )),
-                ..number("scleral_growth_percent", "wall growth S", "S", "%")
-            },
-            Self::MeridianGrowth => Row {
-                factor: 1e2,
-                trace: Some(trace(
-                    "width growth M",
-                    "meridian_growth_percent",
-                    |t| &t.meridian_growth,
-                    (Group::Motion, 3),
-                )),
-                ..number("meridian_growth_percent", "width growth M", "M", "%")
-            },
-            Self::Energy => Row {
-                rounding: 1e-16,
-                trace: Some(trace(
-                    "work in",
-                    "work_j",
-                    |t| &t.work,
-                    (Group::Energies, 3),
-                )),
-                ..number("energy_imparted_j", "energy imparted E", "E", "J")
-            },
-            Self::Apex => Row {
-                factor: 1e3,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "cornea pushed in",
-                    "apex_mm",
-                    |t| &t.apex,
-                    (Group::Motion, 1),
-                )),
-                ..number("apex_displacement_mm", "cornea pushed in", "pushed", "mm")
-            },
-            Self::ForceCentre => Row {
-                // Far smoother than those of the shell, and really better.
-                family: Family::Alone,
-                trace: Some(trace(
-                    "centre",
-                    "force_centre_n",
-                    |t| &t.force[Monitor::Centre as usize],
-                    (Group::NodeForces, 0),
-                )),
-                ..node_force("peak_force_centre_n", "peak force, centre", "centre")
-            },
-            Self::ForceFront => Row {
-                trace: Some(trace(
-                    "front",
-                    "force_front_n",
-                    |t| &t.force[Monitor::Front as usize],
-                    (Group::NodeForces, 1),
-                )),
-                ..node_force("peak_force_front_n", "peak force, front", "front")
-            },
-            Self::ForceRight => Row {
-                trace: Some(trace(
-                    "right",
-                    "force_right_n",
-                    |t| &t.force[Monitor::Right as usize],
-                    (Group::NodeForces, 2),
-                )),
-                ..node_force("peak_force_right_n", "peak force, right", "right")
-            },
-            Self::ForceTop => Row {
-                trace: Some(trace(
-                    "top",
-                    "force_top_n",
-                    |t| &t.force[Monitor::Top as usize],
-                    (Group::NodeForces, 3),
-                )),
-                ..node_force("peak_force_top_n", "peak force, top", "top")
-            },
-            Self::StoredEnergy => Row {
-                rounding: 1e-16,
-                family: Family::Unstated,
-                trace: Some(trace(
-                    "elastic",
-                    "elastic_j",
-                    |t| &t.elastic,
-                    (Group::Energies, 1),
-                )),
-                ..number("peak_stored_energy_j", "stored energy", "stored", "J")
-            },
-            Self::Pressure => Row {
-                factor: 1e-6,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "pressure",
-                    "pressure_mpa",
-                    |t| &t.pressure,
-                    (Group::Inside, 0),
-                )),
-                ..number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
-            },
-            Self::Contact => Row {
-                rounding: FORCE_ROUNDING,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "contact",
-                    "contact_force_n",
-                    |t| &t.contact_force,
-                    (Group::Projectile, 0),
-                )),
-                ..number("peak_contact_force_n", "contact force", "contact", "N")
-            },
-            Self::BackPressure => Row {
-                factor: 1e-6,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "pressure at back",
-                    "back_pressure_mpa",
-                    |t| &t.back_pressure,
-                    (Group::Inside, 2),
-                )),
-                ..number(
-                    "peak_back_pressure_mpa",
-                    "pressure at back",
-                    "at back",
-                    "MPa",
-                )
-            },
-            Self::ScleralStress => Row {
-                factor: 1e-6,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "scleral stress",
-                    "scleral_stress_mpa",
-                    |t| &t.scleral_stress,
-                    (Group::Inside, 3),
-                )),
-                ..number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
-            },
-            Self::Shortening => Row {
-                factor: 1e2,
-                leads: Leads::Always,
-                trace: Some(trace(
-                    "shortening",
-                    "shortening_percent",
-                    |t| &t.shortening,
-                    (Group::Motion, 4),
-                )),
-                ..number("shortening_percent", "eye shortened by", "squashed", "%")
-            },
-            Self::Intrusion => Row {
-                factor: 1e3,
-                trace: Some(trace(
-                    "intrusion",
-                    "intrusion_mm",
-                    |t| &t.intrusion,
-                    (Group::Projectile, 5),
-                )),
-                ..number("intrusion_mm", "object goes in", "goes in", "mm")
-            },
-            Self::LensWay => Row {
-                factor: 1e3,
-                trace: Some(trace("lens", "lens_mm", |t| &t.lens, (Group::Motion, 5))),
-                ..number("lens_displacement_mm", "lens displacement", "lens", "mm")
-            },
-            Self::Rebound => Row {
-                ..number("rebound_speed_m_s", "rebound speed", "rebound", "m/s")
-            },
-            Self::EquatorStretch => Row {
-                leads: Leads::Watched,
-                factor: 1e2,
-                trace: Some(tissue(
-                    "equator stretch",
-                    "equator_stretch_percent",
-                    0,
-                    |t| &t.tissue[0],
-                )),
-                ..number("equator_stretch_percent", "equator stretch", "stretch", "%")
-            },
-            Self::BackStretch => Row {
-                leads: Leads::Watched,
-                factor: 1e2,
-                trace: Some(tissue("stretch at back", "back_stretch_percent", 1, |t| {
-                    &t.tissue[1]
-                })),
-                ..number("back_stretch_percent", "stretch at back", "back", "%")
-            },
-            Self::EdgeGrowth => Row {
-                leads: Leads::Watched,
-                factor: 1e2,
-                trace: Some(tissue("retina's edge", "edge_growth_percent", 2, |t| {
+            Self::Damage => number("damage_percent", "damage index", "index", "")
+                .leading(Leads::Always)
+                .up_to(1e2),
+            Self::ShellGrowth => number("scleral_growth_percent", "wall growth S", "S", "%")
+                .times(1e2)
+                .followed((Motion, 2), |t| &t.shell_growth),
+            Self::MeridianGrowth => number("meridian_growth_percent", "width growth M", "M", "%")
+                .times(1e2)
+                .followed((Motion, 3), |t| &t.meridian_growth),
+            Self::Energy => number("energy_imparted_j", "energy imparted E", "E", "J")
+                .rounding(1e-16)
+                .traced("work in", "work_j", (Energies, 3), |t| &t.work),
+            Self::Apex => number("apex_displacement_mm", "cornea pushed in", "pushed", "mm")
+                .times(1e3)
+                .leading(Leads::Always)
+                .traced("cornea pushed in", "apex_mm", (Motion, 1), |t| &t.apex),
+            // Far smoother than those of the shell, and really better.
+            Self::ForceCentre => node_force("peak_force_centre_n", "peak force, centre", "centre")
+                .hanging_with(Family::Alone)
+                .traced("centre", "force_centre_n", (NodeForces, 0), |t| {
+                    &t.force[Monitor::Centre as usize]
+                }),
+            Self::ForceFront => node_force("peak_force_front_n", "peak force, front", "front")
+                .traced("front", "force_front_n", (NodeForces, 1), |t| {
+                    &t.force[Monitor::Front as usize]
+                }),
+            Self::ForceRight => node_force("peak_force_right_n", "peak force, right", "right")
+                .traced("right", "force_right_n", (NodeForces, 2), |t| {
+                    &t.force[Monitor::Right as usize]
+                }),
+            Self::ForceTop => node_force("peak_force_top_n", "peak force, top", "top").traced(
+                "top",
+                "force_top_n",
+                (NodeForces, 3),
+                |t| &t.force[Monitor::Top as usize],
+            ),
+            Self::StoredEnergy => number("peak_stored_energy_j", "stored energy", "stored", "J")
+                .rounding(1e-16)
+                .hanging_with(Family::Unstated)
+                .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
+            Self::Pressure => number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
+                .times(1e-6)
+                .leading(Leads::Always)
+                .traced("pressure", "pressure_mpa", (Inside, 0), |t| &t.pressure),
+            Self::Contact => number("peak_contact_force_n", "contact force", "contact", "N")
+                .rounding(FORCE_ROUNDING)
+                .leading(Leads::Always)
+                .traced("contact", "contact_force_n", (Projectile, 0), |t| {
+                    &t.contact_force
+                }),
+            Self::BackPressure => number(
+                "peak_back_pressure_mpa",
+                "pressure at back",
+                "at back",
+                "MPa",
+            )
+            .times(1e-6)
+            .leading(Leads::Always)
+            .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
+                &t.back_pressure
+            }),
+            Self::ScleralStress => {
+                number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
+                    .times(1e-6)
+                    .leading(Leads::Always)
+                    .traced("scleral stress", "scleral_stress_mpa", (Inside, 3), |t| {
+                        &t.scleral_stress
+                    })
+            }
+            Self::Shortening => number("shortening_percent", "eye shortened by", "squashed", "%")
+                .times(1e2)
+                .leading(Leads::Always)
+                .traced("shortening", "shortening_percent", (Motion, 4), |t| {
+                    &t.shortening
+                }),
+            Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm")
+                .times(1e3)
+                .traced("intrusion", "intrusion_mm", (Projectile, 5), |t| {
+                    &t.intrusion
+                }),
+            Self::LensWay => number("lens_displacement_mm", "lens displacement", "lens", "mm")
+                .times(1e3)
+                .traced("lens", "lens_mm", (Motion, 5), |t| &t.lens),
+            Self::Rebound => number("rebound_speed_m_s", "rebound speed", "rebound", "m/s"),
+            Self::EquatorStretch => {
+                number("equator_stretch_percent", "equator stretch", "stretch", "%")
+                    .times(1e2)
+                    .leading(Leads::Watched)
+                    .followed((Tissues, 0), |t| &t.tissue[0])
+            }
+            Self::BackStretch => number("back_stretch_percent", "stretch at back", "back", "%")
+                .times(1e2)
+                .leading(Leads::Watched)
+                .followed((Tissues, 1), |t| &t.tissue[1]),
+            Self::EdgeGrowth => number("edge_growth_percent", "retina edge growth", "edge", "%")
+                .times(1e2)
+                .leading(Leads::Watched)
+                .traced("retina's edge", "edge_growth_percent", (Tissues, 2), |t| {
                     &t.tissue[2]
-                })),
-                ..number("edge_growth_percent", "retina edge growth", "edge", "%")
-            },
-            Self::LensPull => Row {
-                leads: Leads::Watched,
-                factor: 1e3,
-                trace: Some(tissue("pull on lens", "lens_pull_mm", 3, |t| &t.tissue[3])),
-                ..number("lens_pull_mm", "pull on lens", "pull", "mm")
-            },
-            Self::IrisPull => Row {
-                leads: Leads::Watched,
-                factor: 1e3,
-                trace: Some(tissue("pull on iris", "iris_pull_mm", 4, |t| &t.tissue[4])),
-                ..number("iris_pull_mm", "pull on iris", "iris", "mm")
-            },
-            Self::CornealEnergy => Row {
-                leads: Leads::Watched,
-                factor: 1e-3,
-                ..number(
-                    "corneal_energy_kj_m2",
-                    "energy at cornea",
-                    "cornea",
-                    "kJ/m2",
-                )
-            },
+                }),
+            Self::LensPull => number("lens_pull_mm", "pull on lens", "pull", "mm")
+                .times(1e3)
+                .leading(Leads::Watched)
+                .followed((Tissues, 3), |t| &t.tissue[3]),
+            Self::IrisPull => number("iris_pull_mm", "pull on iris", "iris", "mm")
+                .times(1e3)
+                .leading(Leads::Watched)
+                .followed((Tissues, 4), |t| &t.tissue[4]),
+            Self::CornealEnergy => number(
+                "corneal_energy_kj_m2",
+                "energy at cornea",
+                "cornea",
+                "kJ/m2",
+            )
+            .times(1e-3)
+            .leading(Leads::Watched),
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
             Self::RetinaBack => risk("retina_back_percent", "retina at the back", "ret.back"),
             Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret.edge"),
@@ -443,6 +338,58 @@ const fn number(
     }
 }
 
+impl Row {
+    const fn times(self, factor: f64) -> Self {
+        Self { factor, ..self }
+    }
+
+    const fn rounding(self, rounding: f64) -> Self {
+        Self { rounding, ..self }
+    }
+
+    const fn leading(self, leads: Leads) -> Self {
+        Self { leads, ..self }
+    }
+
+    const fn hanging_with(self, family: Family) -> Self {
+        Self { family, ..self }
+    }
+
+    /// On a map its colours go up to `whole`.
+    const fn up_to(self, whole: f64) -> Self {
+        Self {
+            whole: Some(whole),
+            ..self
+        }
+    }
+
+    /// Over time it has the same name and key, and is looked at there.
+    const fn followed(self, place: (Group, u8), values: fn(&Traces) -> &[f64]) -> Self {
+        let (label, column) = (self.label, self.key);
+        self.traced(label, column, place, values)
+    }
+
+    /// Over time it is called so, written to such a column, and looked at there.
+    const fn traced(
+        self,
+        label: &'static str,
+        column: &'static str,
+        place: (Group, u8),
+        values: fn(&Traces) -> &[f64],
+    ) -> Self {
+        let trace = ResultTrace {
+            label,
+            column,
+            values,
+            place,
+        };
+        Self {
+            trace: Some(trace),
+            ..self
+        }
+    }
+}
+
 /// The force of a node of the shell.
 const fn node_force(key: &'static str, label: &'static str, short: &'static str) -> Row {
     Row {
@@ -451,16 +398,6 @@ const fn node_force(key: &'static str, label: &'static str, short: &'static str)
         family: Family::ShellForces,
         ..number(key, label, short, "N")
     }
-}
-
-/// A trace of what a tissue feels.
-const fn tissue(
-    label: &'static str,
-    column: &'static str,
-    place: u8,
-    values: fn(&Traces) -> &[f64],
-) -> ResultTrace {
-    trace(label, column, values, (Group::Tissues, place))
 }
 
 /// A risk, which what a tissue felt was turned into.

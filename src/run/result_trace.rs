@@ -34,18 +34,3 @@ pub struct ResultTrace {
     /// What it is looked at with, and its place there.
     pub place: (Group, u8),
 }
-
-/// A trace.
-pub(crate) const fn trace(
-    label: &'static str,
-    column: &'static str,
-    values: fn(&Traces) -> &[f64],
-    place: (Group, u8),
-) -> ResultTrace {
-    ResultTrace {
-        label,
-        column,
-        values,
-        place,
-    }
-}

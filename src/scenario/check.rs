@@ -159,13 +159,6 @@ fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str>
     }
 }
 
-fn angle_of(scenario: &Scenario) -> f64 {
-    match &scenario.impact {
-        Impact::ForcePulse(pulse) => pulse.angle_deg,
-        Impact::Projectile(projectile) => projectile.angle_deg,
-    }
-}
-
 /// The Paper model takes no object: in its flat section a ball is a rod.
 fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
     let (Model::Paper, Impact::Projectile(_)) = (&scenario.model, &scenario.impact) else {
@@ -181,14 +174,14 @@ fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
 
 /// The problems of a scenario that the axisymmetric eye cannot take.
 fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
-    let Model::Physiological(model) = &scenario.model else {
+    let Some(model) = scenario.physiological() else {
         return Vec::new();
     };
     let mut problems = Vec::new();
     let mut refuse = |path, value: &str, complaint, allowed: &str| {
         problems.push(Problem::refused(path, value, complaint, allowed.to_owned()));
     };
-    let angle = angle_of(scenario);
+    let angle = scenario.impact.angle_deg();
     let steepest = match scenario.impact {
         Impact::ForcePulse(_) => STEEPEST_DEG,
         Impact::Projectile(_) => STEEPEST_OBJECT_DEG,
@@ -202,7 +195,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
         let asked = format!("{:?}", scenario.numerics.geometry);
         refuse("numerics.geometry", &asked, complaint, allowed);
     }
-    if let Impact::Projectile(projectile) = &scenario.impact {
+    if let Some(projectile) = scenario.projectile() {
         let opening = model.gelatin_opening_deg;
         let in_holder = model.support == Support::Gelatin
             && scenario.geometry().is_some_and(Geometry::is_spatial);
@@ -304,9 +297,7 @@ fn behind_bone(scenario: &Scenario) -> Option<Problem> {
 
 /// The bound of a force holds for the highest knot of a table too.
 fn too_high(scenario: &Scenario) -> Option<Problem> {
-    let Impact::ForcePulse(pulse) = &scenario.impact else {
-        return None;
-    };
+    let pulse = scenario.pulse()?;
     let force = fields::find("impact.force_n")?;
     let Kind::Number(bounds, _) = &force.kind else {
         return None;
@@ -326,9 +317,7 @@ fn too_high(scenario: &Scenario) -> Option<Problem> {
 
 /// A mark of doubt must name something.
 fn unknown_marks(scenario: &Scenario) -> Option<Problem> {
-    let Impact::Projectile(projectile) = &scenario.impact else {
-        return None;
-    };
+    let projectile = scenario.projectile()?;
     let known = |name: &&String| Projectile::FIELDS.contains(&name.as_str());
     let stranger = projectile.unverified.iter().find(|name| !known(name))?;
     Some(Problem::refused(
@@ -357,10 +346,7 @@ mod tests {
         scenario.eye.filament_hops = vec![2, 2];
         scenario.eye.opening_deg = 10.0;
         scenario.name = "\u{1b}[31m".to_owned();
-        let Impact::ForcePulse(pulse) = &mut scenario.impact else {
-            panic!()
-        };
-        pulse.angle_deg = -10.5;
+        scenario.pulse_mut().unwrap().angle_deg = -10.5;
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(
@@ -394,14 +380,10 @@ mod tests {
 
     #[test]
     fn the_axisymmetric_eye_has_its_own_limits_and_none_of_the_sections() {
-        let mut scenario = Scenario {
-            model: Model::Physiological(crate::scenario::Physiological::default()),
-            impact: Impact::Projectile(Projectile {
-                angle_deg: 60.0,
-                ..Projectile::default()
-            }),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario::of(Impact::Projectile(Projectile {
+            angle_deg: 60.0,
+            ..Projectile::default()
+        }));
         assert!(scenario.check().is_ok());
         let problem = |projectile: Projectile| {
             let mut scenario = scenario.clone();

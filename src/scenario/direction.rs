@@ -2,7 +2,7 @@
 //! sees it: the nose lies at 3 o'clock of a right eye and at 9 of a left one.
 
 use crate::scenario::fields::Choices;
-use crate::scenario::{Impact, Model, Projectile, Scenario};
+use crate::scenario::{Impact, Projectile, Scenario};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
@@ -109,10 +109,8 @@ impl Impact {
 impl Scenario {
     /// Which eye it is.
     pub fn eye_side(&self) -> Side {
-        match &self.model {
-            Model::Physiological(model) => model.eye_side,
-            Model::Paper => Side::Right,
-        }
+        self.physiological()
+            .map_or(Side::Right, |model| model.eye_side)
     }
 }
 
@@ -199,9 +197,7 @@ impl Choices for Directions {
     }
 
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let Impact::Projectile(projectile) = &scenario.impact else {
-            return None;
-        };
+        let projectile = scenario.projectile()?;
         if projectile.angle_deg == 0.0 {
             return Some(STRAIGHT_ON);
         }
@@ -213,7 +209,7 @@ impl Choices for Directions {
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
         let side = scenario.eye_side();
         let same = self.get(scenario) == Some(name);
-        let Impact::Projectile(projectile) = &mut scenario.impact else {
+        let Some(projectile) = scenario.projectile_mut() else {
             return false;
         };
         if same {
@@ -261,9 +257,7 @@ mod tests {
         let text = "(name: \"x\", impact: Projectile((mass_g: 1.0, diameter_mm: 6.0, \
                     speed_m_s: 9.0, angle_deg: -30.0, offset_mm: -2.0)))";
         let read: Scenario = ron::from_str(text).unwrap();
-        let Impact::Projectile(read) = read.impact else {
-            panic!()
-        };
+        let read = read.projectile().unwrap();
         assert_eq!((read.angle_deg, read.angle_clock), (30.0, 6.0));
         assert_eq!((read.offset_mm, read.offset_clock), (2.0, 6.0));
         let words = "from below at 30 deg, 2 mm towards below";
@@ -291,16 +285,12 @@ mod tests {
 
     #[test]
     fn a_word_sets_the_hour_of_its_side_and_keeps_an_angle_that_is_there() {
-        let mut scenario = Scenario {
-            impact: Impact::Projectile(Projectile::default()),
-            model: Model::Physiological(crate::scenario::Physiological::default()),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario::of(Impact::Projectile(Projectile::default()));
         set(&mut scenario, "model.eye_side", "Left").unwrap();
         set(&mut scenario, "impact.from", "Temple").unwrap();
-        let of = |scenario: &Scenario| match &scenario.impact {
-            Impact::Projectile(p) => (p.angle_deg, p.angle_clock),
-            Impact::ForcePulse(_) => panic!(),
+        let of = |scenario: &Scenario| {
+            let object = scenario.projectile().unwrap();
+            (object.angle_deg, object.angle_clock)
         };
         assert_eq!(of(&scenario), (30.0, 3.0));
         set(&mut scenario, "impact.angle_deg", "12").unwrap();

@@ -209,7 +209,7 @@ impl Choices for Shapes {
     }
 
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        match &pulse(scenario)?.shape {
+        match &scenario.pulse()?.shape {
             PulseShape::Table(_) => Some(TABLE),
             _ => self.0.get(scenario),
         }
@@ -227,25 +227,38 @@ macro_rules! at {
     };
 }
 
-/// Both accessors of a field of one variant, given the variant's own accessors.
+/// Both accessors of a part that a scenario may have.
 macro_rules! within {
-    ($get:ident, $get_mut:ident, $part:ident) => {
+    ($get:ident, $get_mut:ident $(, $part:ident)*) => {
         Place {
-            get: |s| Some(&$get(s)?.$part),
-            get_mut: |s| Some(&mut $get_mut(s)?.$part),
+            get: |s| Some(&s.$get()?$(.$part)*),
+            get_mut: |s| Some(&mut s.$get_mut()?$(.$part)*),
         }
     };
 }
 
-/// Both accessors of a length of the orbit's rim.
+/// Both accessors of what some variants of a part of the impact hold.
+macro_rules! of_variant {
+    ($get:ident, $get_mut:ident, $part:ident, $held:ident in $variant:pat) => {
+        Place {
+            get: |s| match &s.$get()?.$part {
+                $variant => Some($held),
+                _ => None,
+            },
+            get_mut: |s| match &mut s.$get_mut()?.$part {
+                $variant => Some($held),
+                _ => None,
+            },
+        }
+    };
+}
+
+/// A length of the orbit's rim.
 macro_rules! rim {
     ($length:ident, $direction:ident) => {
         Number(
             b(0.0, 40.0, 0.5, 2.0),
-            Place {
-                get: |s| Some(&orbit(s)?.rim.$length.$direction),
-                get_mut: |s| Some(&mut orbit_mut(s)?.rim.$length.$direction),
-            },
+            within!(orbit, orbit_mut, rim, $length, $direction),
         )
     };
 }
@@ -253,102 +266,8 @@ macro_rules! rim {
 /// Both accessors of a field that only the Paper model has.
 macro_rules! of_section {
     ($part:ident) => {
-        Place {
-            get: |s| Some(&section(s)?.eye.$part),
-            get_mut: |s| Some(&mut section_mut(s)?.eye.$part),
-        }
+        within!(section, section_mut, eye, $part)
     };
-}
-
-fn pulse(scenario: &Scenario) -> Option<&ForcePulse> {
-    match &scenario.impact {
-        Impact::ForcePulse(pulse) => Some(pulse),
-        Impact::Projectile(_) => None,
-    }
-}
-
-pub(super) fn pulse_mut(scenario: &mut Scenario) -> Option<&mut ForcePulse> {
-    match &mut scenario.impact {
-        Impact::ForcePulse(pulse) => Some(pulse),
-        Impact::Projectile(_) => None,
-    }
-}
-
-fn projectile(scenario: &Scenario) -> Option<&Projectile> {
-    match &scenario.impact {
-        Impact::Projectile(projectile) => Some(projectile),
-        Impact::ForcePulse(_) => None,
-    }
-}
-
-pub(super) fn projectile_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    match &mut scenario.impact {
-        Impact::Projectile(projectile) => Some(projectile),
-        Impact::ForcePulse(_) => None,
-    }
-}
-
-fn physiological(scenario: &Scenario) -> Option<&Physiological> {
-    match &scenario.model {
-        Model::Physiological(parts) => Some(parts),
-        Model::Paper => None,
-    }
-}
-
-fn physiological_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
-    match &mut scenario.model {
-        Model::Physiological(parts) => Some(parts),
-        Model::Paper => None,
-    }
-}
-
-fn orbit(scenario: &Scenario) -> Option<&Physiological> {
-    physiological(scenario).filter(|parts| parts.support == Support::Orbit)
-}
-
-fn orbit_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
-    physiological_mut(scenario).filter(|parts| parts.support == Support::Orbit)
-}
-
-fn gelatin(scenario: &Scenario) -> Option<&Physiological> {
-    physiological(scenario).filter(|parts| parts.support == Support::Gelatin)
-}
-
-fn gelatin_mut(scenario: &mut Scenario) -> Option<&mut Physiological> {
-    physiological_mut(scenario).filter(|parts| parts.support == Support::Gelatin)
-}
-
-/// The scenario, if it is of the Paper model.
-fn section(scenario: &Scenario) -> Option<&Scenario> {
-    physiological(scenario).is_none().then_some(scenario)
-}
-
-fn section_mut(scenario: &mut Scenario) -> Option<&mut Scenario> {
-    physiological(scenario).is_none().then_some(scenario)
-}
-
-fn gives_way(projectile: &Projectile) -> bool {
-    projectile.stiffness != ProjectileStiffness::Rigid || projectile.surface != Surface::Hard
-}
-
-/// An object that gives way, by its spring or its surface: nothing else loses energy.
-fn lossy(scenario: &Scenario) -> Option<&Projectile> {
-    projectile(scenario).filter(|projectile| gives_way(projectile))
-}
-
-fn lossy_mut(scenario: &mut Scenario) -> Option<&mut Projectile> {
-    projectile_mut(scenario).filter(|projectile| gives_way(projectile))
-}
-
-/// The numerics of a model that chooses how much of the eye it computes.
-fn choosing(scenario: &Scenario) -> Option<&Geometry> {
-    physiological(scenario)?;
-    Some(&scenario.numerics.geometry)
-}
-
-fn choosing_mut(scenario: &mut Scenario) -> Option<&mut Geometry> {
-    physiological_mut(scenario)?;
-    Some(&mut scenario.numerics.geometry)
 }
 
 /// Both impacts have an angle.
@@ -363,67 +282,28 @@ const ANGLE: Place<f64> = Place {
     },
 };
 
-const N_PER_M: Place<f64> = Place {
-    get: |s| match &projectile(s)?.stiffness {
-        ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
-        ProjectileStiffness::Rigid => None,
-    },
-    get_mut: |s| match &mut projectile_mut(s)?.stiffness {
-        ProjectileStiffness::Linear { n_per_m } => Some(n_per_m),
-        ProjectileStiffness::Rigid => None,
-    },
+const N_PER_M: Place<f64> = of_variant!(
+    projectile, projectile_mut, stiffness, n_per_m in ProjectileStiffness::Linear { n_per_m }
+);
+const CYLINDER_EDGE: Place<f64> = of_variant!(
+    projectile, projectile_mut, outline, edge_mm in Outline::Cylinder { edge_mm }
+);
+const MODULUS_MPA: Place<f64> = of_variant!(
+    projectile, projectile_mut, surface,
+    modulus_mpa in Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. }
+);
+const KPA: Place<f64> = of_variant!(
+    projectile, projectile_mut, surface, kpa in Surface::Inflated { kpa, .. }
+);
+const PULSE_EDGE: Place<f64> = of_variant!(
+    pulse, pulse_mut, shape, edge_fraction in PulseShape::SmoothRectangle { edge_fraction }
+);
+
+/// Only one model chooses how much of the eye it computes.
+const CHOOSING: Place<Geometry> = Place {
+    get: Scenario::choosing,
+    get_mut: Scenario::choosing_mut,
 };
-
-const EDGE_MM: Place<f64> = Place {
-    get: |s| match &projectile(s)?.outline {
-        Outline::Cylinder { edge_mm } => Some(edge_mm),
-        Outline::Sphere => None,
-    },
-    get_mut: |s| match &mut projectile_mut(s)?.outline {
-        Outline::Cylinder { edge_mm } => Some(edge_mm),
-        Outline::Sphere => None,
-    },
-};
-
-const MODULUS_MPA: Place<f64> = Place {
-    get: |s| match &projectile(s)?.surface {
-        Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
-            Some(modulus_mpa)
-        }
-        Surface::Hard | Surface::Splashing => None,
-    },
-    get_mut: |s| match &mut projectile_mut(s)?.surface {
-        Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. } => {
-            Some(modulus_mpa)
-        }
-        Surface::Hard | Surface::Splashing => None,
-    },
-};
-
-const KPA: Place<f64> = Place {
-    get: |s| match &projectile(s)?.surface {
-        Surface::Inflated { kpa, .. } => Some(kpa),
-        Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
-    },
-    get_mut: |s| match &mut projectile_mut(s)?.surface {
-        Surface::Inflated { kpa, .. } => Some(kpa),
-        Surface::Hard | Surface::Elastic { .. } | Surface::Splashing => None,
-    },
-};
-
-fn edge(scenario: &Scenario) -> Option<&f64> {
-    match &pulse(scenario)?.shape {
-        PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
-        _ => None,
-    }
-}
-
-fn edge_mut(scenario: &mut Scenario) -> Option<&mut f64> {
-    match &mut pulse_mut(scenario)?.shape {
-        PulseShape::SmoothRectangle { edge_fraction } => Some(edge_fraction),
-        _ => None,
-    }
-}
 
 const fn field(
     path: &'static str,
@@ -498,14 +378,14 @@ pub static FIELDS: &[Field] = &[
     field("impact.stiffness", "Stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(projectile, projectile_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Spring stiffness", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
     field("impact.outline", "Shape", "", "A ball, or a rod with a flat end", Choice(&OneOf(OUTLINES, within!(projectile, projectile_mut, outline)))),
-    field("impact.outline.edge_mm", "Edge radius", "mm", "How round the edge of the flat end is", Number(b(0.01, 100.0, 0.1, 1.0), EDGE_MM)),
+    field("impact.outline.edge_mm", "Edge radius", "mm", "How round the edge of the flat end is", Number(b(0.01, 100.0, 0.1, 1.0), CYLINDER_EDGE)),
     field("impact.surface", "Surface", "", "Hard, solid and elastic, gas or foam, or liquid in a skin", Choice(&OneOf(SURFACES, within!(projectile, projectile_mut, surface)))),
     field("impact.surface.kpa", "Gives way at", "kPa", "The pressure beyond which its surface gives way", Number(b(1.0, 1e5, 1.0, 10.0), KPA)),
     field("impact.surface.modulus_mpa", "Contact stiffness", "MPa", "How stiff its surface is at first touch", Number(b(1e-3, 1e6, 0.1, 1.0), MODULUS_MPA)),
     field("impact.restitution", "Restitution", "", "Share of its speed that it keeps off a rigid wall", Number(b(0.0, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
     field("impact.half_width_deg", "Half width", "deg", "Half of the arc that the force acts on", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", "How the force rises and falls", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
-    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), Place { get: edge, get_mut: edge_mut })),
+    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), PULSE_EDGE)),
     field("window_ms", "Simulated time", "ms", "How long to watch from the first contact on; auto until it is over", OptionalNumber(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", "A finer mesh is slower and off by less", Integer(1, 8, at!(eye.level))),
     field("eye.opening_deg", "Orbit opening", "deg", "Angle from the front at which bone begins", Number(b(1.0, 120.0, 1.0, 10.0), of_section!(opening_deg))),
@@ -522,7 +402,7 @@ pub static FIELDS: &[Field] = &[
     field("eye.fat_drag_ns_m", "Fat drag", "N s/m", "What slows each node of the fat", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(fat_drag_ns_m))),
     field("numerics.integrator", "Integrator", "", "How the motion is computed; Auto chooses for you", Choice(&AnIntegrator(at!(numerics.integrator)))),
     field("numerics.step_us", "Time step", "µs", "Time between two states; auto takes a stable one", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
-    field("numerics.geometry", "Eye computed", "", "Auto: no more of the eye than the blow needs", Choice(&OneOf(GEOMETRIES, Place { get: choosing, get_mut: choosing_mut }))),
+    field("numerics.geometry", "Eye computed", "", "Auto: no more of the eye than the blow needs", Choice(&OneOf(GEOMETRIES, CHOOSING))),
 ];
 
 /// The field at a dotted path.

@@ -8,8 +8,8 @@
 //! the mean of an orbit, which the brow is not.
 
 use crate::scenario::{
-    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile, STEEPEST_OBJECT_DEG,
-    Scenario, Support, TRUSTED_ANGLE_DEG,
+    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Projectile, STEEPEST_OBJECT_DEG, Scenario, Support,
+    TRUSTED_ANGLE_DEG,
 };
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +36,7 @@ impl Geometry {
 
 /// The finest level of the eye in three dimensions.
 pub const FINEST_SPATIAL_LEVEL: u32 = 3;
+
 impl Projectile {
     /// Whether its path and the line through the middle of the cornea that it aims beside lie in
     /// one plane with the eye's axis.
@@ -48,13 +49,11 @@ impl Projectile {
 impl Scenario {
     /// How much of the eye the scene needs, or is told to compute; none of the Paper model.
     pub fn geometry(&self) -> Option<Geometry> {
-        let Model::Physiological(model) = &self.model else {
-            return None;
-        };
+        let model = self.physiological()?;
         if self.numerics.geometry != Geometry::Auto {
             return Some(self.numerics.geometry);
         }
-        let Impact::Projectile(projectile) = &self.impact else {
+        let Some(projectile) = self.projectile() else {
             return Some(Geometry::Axisymmetric);
         };
         Some(if projectile.is_straight_on() {
@@ -69,8 +68,7 @@ impl Scenario {
     /// The angle of a blow up to which the eye that is computed can be trusted, in degrees, if it
     /// has one.
     pub fn trusted_angle_deg(&self) -> Option<f64> {
-        let turned = self.numerics.geometry == Geometry::Axisymmetric
-            || matches!(self.impact, Impact::ForcePulse(_));
+        let turned = self.numerics.geometry == Geometry::Axisymmetric || self.pulse().is_some();
         self.geometry().map(|_| {
             if turned {
                 TRUSTED_ANGLE_DEG
@@ -83,7 +81,7 @@ impl Scenario {
     /// The eye in words, where the blow comes from, and how much of it is computed.
     pub fn description(&self) -> String {
         let mut words = self.model.description();
-        if let Impact::Projectile(object) = &self.impact
+        if let Some(object) = self.projectile()
             && let Some(direction) = object.direction(self.eye_side())
         {
             words.extend(["; ", &direction]);
@@ -107,9 +105,7 @@ impl Scenario {
 
     /// Why the geometry that is asked for cannot be had, and what could.
     pub(super) fn geometry_unfit(&self) -> Option<(&'static str, &'static str)> {
-        let (Model::Physiological(model), Impact::Projectile(projectile)) =
-            (&self.model, &self.impact)
-        else {
+        let (Some(model), Some(projectile)) = (self.physiological(), self.projectile()) else {
             let spatial = self.numerics.geometry.is_spatial();
             return spatial.then_some(("takes objects only", "Auto, Axisymmetric"));
         };
@@ -133,15 +129,10 @@ impl Scenario {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::library::tests::preset;
 
-    fn of(preset: &str, changes: &[(&str, &str)]) -> Option<Geometry> {
-        let mut scenario = find(preset).unwrap().scenario().unwrap();
-        for (path, value) in changes {
-            set(&mut scenario, path, value).unwrap();
-        }
-        scenario.geometry()
+    fn of(name: &str, changes: &[(&str, &str)]) -> Option<Geometry> {
+        preset(name, changes).geometry()
     }
 
     #[test]
@@ -163,14 +154,13 @@ mod tests {
 
     #[test]
     fn what_has_no_mirror_plane_is_not_halved() {
-        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
-        set(&mut scenario, "numerics.geometry", "Half").unwrap();
-        let told = scenario.check().unwrap_err().to_string();
+        let half = ("numerics.geometry", "Half");
+        let told = preset("bb-62", &[half]).check().unwrap_err().to_string();
         assert!(
             told.contains("numerics.geometry") && told.contains("Full"),
             "{told}"
         );
-        set(&mut scenario, "model.support", "Free").unwrap();
-        assert!(scenario.check().is_ok());
+        let free = preset("bb-62", &[half, ("model.support", "Free")]);
+        assert!(free.check().is_ok());
     }
 }

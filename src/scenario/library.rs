@@ -265,8 +265,18 @@ fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
+    use crate::scenario::set::set;
+
+    /// A built-in preset with some of its fields set.
+    pub(crate) fn preset(name: &str, changes: &[(&str, &str)]) -> Scenario {
+        let mut scenario = find(name).unwrap().scenario().unwrap();
+        for (path, value) in changes {
+            set(&mut scenario, path, value).unwrap();
+        }
+        scenario
+    }
 
     #[test]
     fn the_program_holds_every_preset_of_the_folder() {

@@ -19,6 +19,7 @@ pub mod library;
 pub mod load;
 pub(crate) mod locate;
 mod naming;
+mod parts;
 mod physiological;
 pub(crate) mod problem;
 mod projectile;
@@ -112,7 +113,21 @@ impl From<WrittenScenario> for Scenario {
     }
 }
 
+/// Whether a value is the usual one, which files leave out.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
 impl Scenario {
+    /// Such a blow to an eye of the model that takes it.
+    pub fn of(impact: Impact) -> Self {
+        Self {
+            model: Model::usual_for(&impact),
+            impact,
+            ..Self::default()
+        }
+    }
+
     /// Simulated time in ms, where it is known before a run: what is asked, else of a pulse at the
     /// Paper model, whose drag stills the eye within 2 ms, the customary 3 ms or as long as that
     /// takes.

@@ -3,7 +3,7 @@
 //! Each default has its source in the model itself. This holds what a person may change of it. Of
 //! [`crate::scenario::EyeInput`] it takes the level alone: the rest there is of the section.
 
-use crate::scenario::{Rim, Side};
+use crate::scenario::{Rim, Side, is_default};
 use serde::{Deserialize, Serialize};
 
 /// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of
@@ -50,7 +50,7 @@ pub struct Physiological {
     /// Front angle at which orbital fat and bone begin.
     pub orbit_opening_deg: f64,
     /// Where the rim of the bone lies, where the eye is computed in three dimensions.
-    #[serde(skip_serializing_if = "Rim::is_default")]
+    #[serde(skip_serializing_if = "is_default")]
     pub rim: Rim,
     /// Bulk modulus of the gelatin.
     pub gelatin_bulk_mpa: f64,

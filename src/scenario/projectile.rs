@@ -3,6 +3,7 @@
 //! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological
 //! model.
 
+use crate::scenario::is_default;
 use serde::{Deserialize, Serialize};
 
 /// A ball or cylinder that flies at the cornea along the inward normal at its angle.
@@ -25,7 +26,7 @@ pub struct Projectile {
     )]
     pub angle_clock: f64,
     /// How far beside the middle of the cornea it aims, in mm.
-    #[serde(default, skip_serializing_if = "Projectile::is_zero")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub offset_mm: f64,
     /// The hour towards which that is.
     #[serde(
@@ -37,10 +38,10 @@ pub struct Projectile {
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
     /// Its shape.
-    #[serde(default, skip_serializing_if = "Outline::is_default")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub outline: Outline,
     /// How its surface gives way.
-    #[serde(default, skip_serializing_if = "Surface::is_default")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub surface: Surface,
     /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid
     /// wall.
@@ -98,14 +99,6 @@ impl Projectile {
 
     fn lossless() -> f64 {
         1.0
-    }
-
-    #[expect(
-        clippy::trivially_copy_pass_by_ref,
-        reason = "serde asks for a reference"
-    )]
-    fn is_zero(offset: &f64) -> bool {
-        *offset == 0.0
     }
 
     #[expect(
@@ -173,10 +166,6 @@ pub enum Outline {
 impl Outline {
     /// What a switch to `Cylinder` starts from.
     pub(super) const CYLINDER: Self = Self::Cylinder { edge_mm: 1.0 };
-
-    fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
 }
 
 /// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
@@ -213,8 +202,4 @@ impl Surface {
         kpa: 110.0,
         modulus_mpa: 5.0,
     };
-
-    fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
 }

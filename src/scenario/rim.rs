@@ -3,8 +3,8 @@
 //! Measured on computed tomographs of 15 caucasian and 12 east asian orbits (Arch Facial Plast Surg
 //! 2011;13:51); 141 Koreans agree within 2.7 mm (Shin 2017, Anat Cell Biol 50:41).
 
+use crate::scenario::Scenario;
 use crate::scenario::fields::Choices;
-use crate::scenario::{Model, Scenario, Support};
 use serde::{Deserialize, Serialize};
 
 /// A length in four directions, in mm.
@@ -88,10 +88,6 @@ impl Rim {
     pub fn is_measured(&self) -> bool {
         NAMED.iter().any(|(_, rim)| rim == self)
     }
-
-    pub(super) fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
 }
 
 impl Default for Rim {
@@ -115,11 +111,9 @@ impl Choices for Rims {
     }
 
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let Model::Physiological(model) = &scenario.model else {
-            return None;
-        };
+        let model = scenario.orbit()?;
         let known = NAMED.iter().find(|(_, rim)| *rim == model.rim);
-        (model.support == Support::Orbit).then_some(known.map_or(OWN, |(name, _)| *name))
+        Some(known.map_or(OWN, |(name, _)| *name))
     }
 
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
@@ -127,13 +121,11 @@ impl Choices for Rims {
             return true;
         }
         let found = NAMED.iter().find(|(known, _)| *known == name);
-        match (found, &mut scenario.model) {
-            (Some((_, rim)), Model::Physiological(model)) if model.support == Support::Orbit => {
-                model.rim = *rim;
-                true
-            }
-            _ => false,
-        }
+        let (Some((_, rim)), Some(model)) = (found, scenario.orbit_mut()) else {
+            return false;
+        };
+        model.rim = *rim;
+        true
     }
 }
 
@@ -151,10 +143,7 @@ mod tests {
             );
             parse(&text, "x.ron")
         };
-        let rim = |scenario: Scenario| match scenario.model {
-            Model::Physiological(model) => model.rim,
-            Model::Paper => panic!("not asked for"),
-        };
+        let rim = |scenario: Scenario| scenario.physiological().unwrap().rim;
         let asian = file("EastAsian").unwrap();
         assert_eq!(
             rim(parse(&to_ron(&asian), "y.ron").unwrap()),

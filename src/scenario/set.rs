@@ -16,99 +16,76 @@ use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name}
 use crate::scenario::ron_text::{not_a, read};
 use crate::scenario::{PulseShape, Scenario, doubt, fields, naming};
 
-/// A part of the scenario that a person may replace as a whole, in the syntax of a file.
-struct Group {
-    path: &'static str,
-    replace: fn(&mut Scenario, &str) -> Result<(), ScenarioError>,
+/// What replaces a part of the scenario as a whole by text in the syntax of a file.
+type Replace = fn(&mut Scenario, Typed) -> Result<(), ScenarioError>;
+
+/// The groups of fields with their paths; fields that the text leaves out take their defaults, as
+/// in a file.
+static GROUPS: &[(&str, Replace)] = &[
+    ("model", |s, typed| typed.put(Some(&mut s.model))),
+    ("impact", |s, typed| typed.put(Some(&mut s.impact))),
+    ("impact.shape", |s, typed| {
+        let mut shape = PulseShape::default();
+        typed.put(Some(&mut shape))?;
+        match (s.pulse_mut(), shape) {
+            // What was recorded keeps its times; a duration that is set later stretches it.
+            (Some(pulse), PulseShape::Table(curve)) => pulse.follow(curve),
+            (Some(pulse), shape) => pulse.shape = shape,
+            (None, _) => {}
+        }
+        Ok(())
+    }),
+    ("impact.stiffness", |s, typed| {
+        typed.put(s.projectile_mut().map(|object| &mut object.stiffness))
+    }),
+    ("impact.outline", |s, typed| {
+        typed.put(s.projectile_mut().map(|object| &mut object.outline))
+    }),
+    ("impact.surface", |s, typed| {
+        typed.put(s.projectile_mut().map(|object| &mut object.surface))
+    }),
+    ("eye", |s, typed| typed.put(Some(&mut s.eye))),
+    ("numerics", |s, typed| typed.put(Some(&mut s.numerics))),
+    ("doubt", |s, typed| {
+        let mut doubts = Doubts::default();
+        typed.put(Some(&mut doubts))?;
+        s.doubt = doubts.0;
+        Ok(())
+    }),
+];
+
+/// What a person typed for a path.
+struct Typed<'a> {
+    path: &'a str,
+    text: &'a str,
 }
 
-/// The groups; a group's fields that the text leaves out take their defaults, as in a file.
-static GROUPS: &[Group] = &[
-    Group {
-        path: "model",
-        replace: |s, text| put(Some(&mut s.model), text, "model"),
-    },
-    Group {
-        path: "impact",
-        replace: |s, text| put(Some(&mut s.impact), text, "impact"),
-    },
-    Group {
-        path: "impact.shape",
-        replace: |s, text| {
-            let pulse = fields::pulse_mut(s);
-            let mut shape = PulseShape::default();
-            put(Some(&mut shape), text, "impact.shape")?;
-            match (pulse, shape) {
-                // What was recorded keeps its times; a duration that is set later stretches it.
-                (Some(pulse), PulseShape::Table(curve)) => pulse.follow(curve),
-                (Some(pulse), shape) => pulse.shape = shape,
-                (None, _) => {}
-            }
-            Ok(())
-        },
-    },
-    Group {
-        path: "impact.stiffness",
-        replace: |s, text| {
-            let stiffness = fields::projectile_mut(s).map(|projectile| &mut projectile.stiffness);
-            put(stiffness, text, "impact.stiffness")
-        },
-    },
-    Group {
-        path: "impact.outline",
-        replace: |s, text| {
-            let outline = fields::projectile_mut(s).map(|projectile| &mut projectile.outline);
-            put(outline, text, "impact.outline")
-        },
-    },
-    Group {
-        path: "impact.surface",
-        replace: |s, text| {
-            let surface = fields::projectile_mut(s).map(|projectile| &mut projectile.surface);
-            put(surface, text, "impact.surface")
-        },
-    },
-    Group {
-        path: "eye",
-        replace: |s, text| put(Some(&mut s.eye), text, "eye"),
-    },
-    Group {
-        path: "numerics",
-        replace: |s, text| put(Some(&mut s.numerics), text, "numerics"),
-    },
-    Group {
-        path: "doubt",
-        replace: |s, text| {
-            let mut doubts = Doubts::default();
-            put(Some(&mut doubts), text, "doubt")?;
-            s.doubt = doubts.0;
-            Ok(())
-        },
-    },
-];
+impl Typed<'_> {
+    fn put<T: DeserializeOwned>(&self, place: Option<&mut T>) -> Result<(), ScenarioError> {
+        if let Some(value) = place {
+            *value = with_files(&PathBase::Typed, || read(self.text, self.path))?;
+        }
+        Ok(())
+    }
+}
+
+/// The group at a path.
+fn group(path: &str) -> Option<Replace> {
+    let mut groups = GROUPS.iter();
+    groups.find_map(|(of, replace)| (*of == path).then_some(*replace))
+}
 
 /// The map of doubts alone, as a file holds it.
 #[derive(Default, Deserialize)]
 #[serde(transparent)]
 struct Doubts(#[serde(deserialize_with = "doubt::once")] BTreeMap<String, f64>);
 
-fn put<T: DeserializeOwned>(
-    place: Option<&mut T>,
-    text: &str,
-    path: &str,
-) -> Result<(), ScenarioError> {
-    if let Some(value) = place {
-        *value = with_files(&PathBase::Typed, || read(text, path))?;
-    }
-    Ok(())
-}
-
 /// The dotted path that is meant by its end, with or without the unit: `speed` where only
 /// `impact.speed_m_s` fits. A field that the scenario has goes before one that it has not. What
 /// fits nothing, or several, stays as it was typed.
 pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
     let typed = typed.trim();
-    let is_known = |path: &str| fields::find(path).is_some() || is_group(path);
+    let is_known = |path: &str| fields::find(path).is_some() || group(path).is_some();
     if is_known(typed) {
         return typed;
     }
@@ -122,10 +99,6 @@ pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
 /// nose means a place of the eye that is meant in the end.
 pub fn model_first<T>(scenario: &Scenario, changes: &mut [T], path: impl Fn(&T) -> &str) {
     changes.sort_by_key(|change| !full_path(scenario, path(change)).starts_with("model"));
-}
-
-fn is_group(path: &str) -> bool {
-    GROUPS.iter().any(|group| group.path == path)
 }
 
 /// The fields that end as typed; if there are none, those that do but for their unit. Of these,
@@ -166,13 +139,12 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     let text = text.trim();
     let mut changed = scenario.clone();
     let field = fields::find(path);
-    let group = GROUPS.iter().find(|group| group.path == path);
-    match (field, group) {
+    match (field, group(path)) {
         (Some(field), _) if field.text(scenario).is_none() => {
             return Err(absent(field, scenario).into());
         }
-        (_, Some(group)) if field.is_none() || !is_name(text) => {
-            (group.replace)(&mut changed, text)?;
+        (_, Some(replace)) if field.is_none() || !is_name(text) => {
+            replace(&mut changed, Typed { path, text })?;
         }
         (Some(field), _) if matches!(field.kind, Kind::Number(..)) => {
             let (value, doubted) = doubt::split(without_unit(field, text));
@@ -199,7 +171,7 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     let name = path
         .strip_prefix("impact.")
         .and_then(|p| p.split('.').next());
-    if let (Some(name), Some(projectile)) = (name, fields::projectile_mut(scenario)) {
+    if let (Some(name), Some(projectile)) = (name, scenario.projectile_mut()) {
         projectile.unverified.retain(|field| field != name);
     }
 }
@@ -391,7 +363,7 @@ fn unknown(scenario: &Scenario, path: &str) -> Problem {
         let message = format!("fits several fields: {}", paths.join(", "));
         return Problem::new(path, message);
     }
-    let groups = GROUPS.iter().map(|group| group.path);
+    let groups = GROUPS.iter().map(|(path, _)| *path);
     let paths = FIELDS
         .iter()
         .map(|field| field.path)

@@ -6,15 +6,13 @@ use crate::models::axisymmetric::eye::parameters::{
     Material, Parameters, ShellParameters, Surround,
 };
 use crate::models::axisymmetric::forces::object::{BallSpring, Object};
-use crate::models::axisymmetric::rules::RULES;
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::Pulse;
-use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
-    CheckedScenario, Impact, Integrator, Outline, Physiological, Projectile, ProjectileStiffness,
-    Species, Support, Surface,
+    CheckedScenario, Impact, Outline, Physiological, Projectile, ProjectileStiffness, Species,
+    Support, Surface,
 };
 use std::f64::consts::PI;
 
@@ -69,18 +67,6 @@ impl AxisymmetricCase {
                 Support::Orbit | Support::Free => ORBITS_RIM,
             },
         }
-    }
-
-    /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    pub(super) fn steps_by(&self, plan: &Plan) -> Result<engine::Steps, Refusal> {
-        Ok(engine::Steps {
-            share: plan.step / plan.multiple / self.limit,
-            scheme: match plan.integrator {
-                Integrator::VelocityVerlet => engine::Scheme::Leapfrog,
-                Integrator::SemiImplicitEuler => engine::Scheme::SemiImplicitEuler,
-                other => return Err(RULES.unfit(other)),
-            },
-        })
     }
 
     /// Why there is no result.

@@ -1,6 +1,7 @@
 //! The axisymmetric model through the trait of all models: answers, flags, errors, frames.
 
 use crate::answer::mesh_error::add_mesh_error;
+use crate::answer::solve::tests::{answered, answered_with};
 use crate::answer::solve::{Answer, solve};
 use crate::run::flags::FlagKind;
 use crate::run::kept::Keep;
@@ -10,21 +11,18 @@ use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
 use crate::scenario::set::set;
 use crate::scenario::{
-    ForcePulse, Geometry, Impact, Model, NumericsInput, Outline, Physiological, Projectile,
-    Scenario, Surface,
+    ForcePulse, Geometry, Impact, NumericsInput, Outline, Projectile, Scenario, Surface,
 };
 use std::ops::ControlFlow;
 
 fn scene(projectile: Projectile) -> Scenario {
     Scenario {
-        model: Model::Physiological(Physiological::default()),
-        impact: Impact::Projectile(projectile),
         window_ms: Some(1.0),
         numerics: NumericsInput {
             geometry: Geometry::Axisymmetric,
             ..NumericsInput::default()
         },
-        ..Scenario::default()
+        ..Scenario::of(Impact::Projectile(projectile))
     }
 }
 
@@ -37,16 +35,16 @@ fn bb(speed_m_s: f64) -> Projectile {
     }
 }
 
-fn solved(scenario: &Scenario) -> Answer {
+fn refused(scenario: &Scenario) -> Refusal {
     let checked = scenario.check().unwrap();
-    solve(&checked, Keep::default(), &mut unwatched).unwrap()
+    solve(&checked, Keep::default(), &mut unwatched).unwrap_err()
 }
 
 #[test]
 fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
     let of = |modulus_mpa| {
         let surface = Surface::Elastic { modulus_mpa };
-        solved(&scene(Projectile {
+        answered(&scene(Projectile {
             surface,
             ..bb(30.0)
         }))
@@ -68,8 +66,7 @@ fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
 #[test]
 fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
     let refused = |projectile: Projectile| {
-        let checked = scene(projectile).check().unwrap();
-        let refusal = solve(&checked, Keep::default(), &mut unwatched).unwrap_err();
+        let refusal = refused(&scene(projectile));
         assert!(refusal.is_of_input());
         refusal.to_string()
     };
@@ -102,19 +99,15 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
     use crate::scenario::Integrator;
     let mut scenario = scene(bb(56.0));
     scenario.window_ms = Some(0.2);
-    let plain = solved(&scenario);
+    let plain = answered(&scenario);
     scenario.numerics.integrator = Some(Integrator::VelocityVerlet);
     scenario.numerics.step_us = Some(0.5 * plain.step * 1e6);
-    let finer = solved(&scenario);
+    let finer = answered(&scenario);
     assert!((finer.step / plain.step - 0.5).abs() < 1e-9);
     let steps = finer.run.cost.steps as f64 / plain.run.cost.steps as f64;
     assert!((1.8..2.2).contains(&steps), "{steps}");
     assert!(finer.errors.time_step_percent() < plain.errors.time_step_percent());
     scenario.numerics.step_us = Some(1.01 * plain.step_limit * 1e6);
-    let refused = |scenario: &Scenario| {
-        let checked = scenario.check().unwrap();
-        solve(&checked, Keep::default(), &mut unwatched).unwrap_err()
-    };
     assert!(matches!(refused(&scenario), Refusal::StepAboveLimit { .. }));
     scenario.numerics.integrator = Some(Integrator::Rk4);
     let unfit = refused(&scenario).to_string();
@@ -123,7 +116,7 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
 
 #[test]
 fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy() {
-    let mut answer = solved(&scene(bb(56.0)));
+    let mut answer = answered(&scene(bb(56.0)));
     let results = answer.results();
     let missing: Vec<_> = Quantity::ALL
         .iter()
@@ -153,7 +146,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
             ..projectile
         });
         scenario.window_ms = Some(0.5);
-        let answer = solved(&scenario);
+        let answer = answered(&scenario);
         let case = &answer.case;
         let finer = Plan {
             multiple: 12.5,
@@ -173,7 +166,7 @@ fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
 fn a_pulse_acts_on_it_too_and_has_no_result_of_an_object() {
     let mut scenario = scene(bb(1.0));
     scenario.impact = Scenario::default().impact;
-    let answer = solved(&scenario);
+    let answer = answered(&scenario);
     let results = answer.results();
     for none in [Quantity::Contact, Quantity::Intrusion, Quantity::Rebound] {
         assert_eq!(results[none], None);
@@ -188,7 +181,7 @@ fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
         ..bb(20.0)
     });
     scenario.window_ms = Some(0.05);
-    let answer = solved(&scenario);
+    let answer = answered(&scenario);
     let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
     assert!(kinds.contains(&FlagKind::AngleBeyondTrust), "{kinds:?}");
     assert!(kinds.contains(&FlagKind::ContactCut), "{kinds:?}");
@@ -316,7 +309,7 @@ fn a_crushed_front_says_how_many_cells_folded_and_where() {
         half_width_deg: 3.0,
         ..ForcePulse::default()
     });
-    let answer = solve(&narrow.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+    let answer = answered(&narrow);
     let fold = answer.run.fold.expect("3 kN on 1 mm folds cells");
     assert!(fold.quads > 0 && fold.quads < fold.of / 4, "{fold:?}");
     assert!(fold.front_angle().to_degrees() < 15.0 && fold.radius() < 12e-3);
@@ -335,7 +328,7 @@ fn neighbouring_angles_have_neighbouring_stresses_where_the_sclera_comes_under_t
             ..bb(62.5)
         });
         turned.window_ms = Some(0.4);
-        let value = solved(&turned).result(Quantity::ScleralStress);
+        let value = answered(&turned).result(Quantity::ScleralStress);
         value.unwrap()
     };
     let stresses: Vec<f64> = (0..=20)
@@ -356,7 +349,7 @@ fn what_bone_or_the_cup_keeps_off_the_eye_does_nothing_and_is_said_to() {
         ..Projectile::default()
     });
     set(&mut wide, "model.support", "Gelatin").unwrap();
-    let answer = solved(&wide);
+    let answer = answered(&wide);
     for quantity in [
         Quantity::Damage,
         Quantity::Energy,
@@ -388,12 +381,11 @@ fn a_tolerance_chooses_level_and_step_or_says_why_it_cannot() {
 #[test]
 fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
     use crate::run::kept::Spacing;
-    let checked = short().check().unwrap();
     let keep = Keep {
         traces: true,
         frames: Some(Spacing::even(7e-6)),
     };
-    let answer = solve(&checked, keep, &mut unwatched).unwrap();
+    let answer = answered_with(&short(), keep);
     assert_eq!(answer.run.frames.len(), 15);
     for (i, frame) in answer.run.frames.iter().enumerate() {
         assert!((frame.time - 7e-6 * i as f64).abs() < 1e-12);

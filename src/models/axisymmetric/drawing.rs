@@ -7,11 +7,10 @@
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::mesh::Block;
-use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::axisymmetric::recording::sensor::monitored;
 use crate::models::axisymmetric::time::run::AxisymmetricLoad;
-use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines};
-use crate::run::places::{ORBIT_RADIUS_M, Region};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
+use crate::run::places::Region;
 use nalgebra::{Point2, Vector2};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -72,27 +71,16 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         monitors: monitored(eye),
         loaded: loaded.flat_map(|ends| [ends, mirrored(ends)]).collect(),
         loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
-        // The arrow of the blow needs some room too.
-        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
+        reach: (0.0, 0.0),
         along: Some(along),
         object: match &case.load {
-            AxisymmetricLoad::Object(object) => Some(DrawnObject {
-                radius: object.outline.radius(),
-                edge: match object.outline {
-                    ObjectOutline::Sphere(_) => None,
-                    ObjectOutline::Cylinder(_, edge) => Some(edge),
-                },
-                direction: along,
-            }),
+            AxisymmetricLoad::Object(object) => Some(object.outline.drawn(along)),
             AxisymmetricLoad::Pulse(..) => None,
         },
         nodes,
         lines,
     };
-    let places = drawing.nodes.iter().map(|node| drawing.at_rest(node));
-    drawing.reach = places.fold(drawing.reach, |(across, up), at| {
-        (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
-    });
+    drawing.reach = reach(drawing.nodes.iter().map(|node| drawing.at_rest(node)));
     drawing
 }
 
@@ -216,34 +204,23 @@ fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::run::kept::Keep;
-    use crate::run::kept::Spacing;
-    use crate::run::watch::unwatched;
-    use crate::scenario::{
-        Geometry, Impact, Model, NumericsInput, Physiological, Projectile, Scenario,
-    };
+    use crate::answer::solve::tests::answered_with;
+    use crate::run::kept::{Keep, Spacing};
+    use crate::scenario::{Geometry, Impact, Projectile, Scenario};
 
     #[test]
     fn an_axisymmetric_eye_is_drawn_as_a_whole_section_that_faces_the_blow() {
-        let scenario = Scenario {
-            model: Model::Physiological(Physiological::default()),
-            impact: Impact::Projectile(Projectile {
-                angle_deg: 30.0,
-                ..Projectile::default()
-            }),
-            window_ms: Some(0.05),
-            numerics: NumericsInput {
-                geometry: Geometry::Axisymmetric,
-                ..NumericsInput::default()
-            },
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario::of(Impact::Projectile(Projectile {
+            angle_deg: 30.0,
+            ..Projectile::default()
+        }));
+        scenario.window_ms = Some(0.05);
+        scenario.numerics.geometry = Geometry::Axisymmetric;
         let keep = Keep {
             traces: false,
             frames: Some(Spacing::even(1e-5)),
         };
-        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let answer = answered_with(&scenario, keep);
         let drawing = answer.case.eye.drawing();
         let (first, last) = (&answer.run.frames[0], answer.run.frames.last().unwrap());
         let has = |region| drawing.lines.iter().any(|line| line.region == region);

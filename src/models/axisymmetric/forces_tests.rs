@@ -1,7 +1,7 @@
 //! Forces against differences of energy, and closed forms.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters};
+use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
 use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
@@ -13,15 +13,26 @@ use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::Shell;
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::paper::forces::kernel::vector_sets;
+use fearless_simd::Level;
 use proptest::prelude::*;
 use std::fmt::Debug;
+use std::sync::LazyLock;
 
-fn free_eye(level: u32) -> AxisymmetricEye {
+fn eye(surround: Option<Surround>, level: u32) -> AxisymmetricEye {
     let parameters = Parameters {
-        surround: None,
+        surround,
         ..Parameters::default()
     };
     AxisymmetricEye::new(&parameters, level)
+}
+
+fn free_eye(level: u32) -> AxisymmetricEye {
+    eye(None, level)
+}
+
+/// Along the axis and from it, of the nodes of the shell at rest.
+fn shell_at_rest(eye: &AxisymmetricEye) -> (Vec<f64>, Vec<f64>) {
+    eye.mesh.shell.iter().map(|&node| eye.at(node)).unzip()
 }
 
 fn sphere(surface: ObjectSurface) -> Object {
@@ -59,9 +70,11 @@ proptest! {
         shifts in prop::array::uniform8(-2e-4..2e-4),
         speeds in prop::array::uniform8(-20.0..20.0),
     ) {
-        let eye = AxisymmetricEye::new(&Parameters::default(), 1);
+        static EYE: LazyLock<AxisymmetricEye> =
+            LazyLock::new(|| AxisymmetricEye::new(&Parameters::default(), 1));
+        let eye = &*EYE;
         let cell = &eye.cells[index];
-        let rest = Rest::new(&eye, cell);
+        let rest = Rest::new(eye, cell);
         let at: Vec<f64> = cell
             .corners
             .iter()
@@ -97,15 +110,9 @@ proptest! {
         let shell = Shell::new(&eye);
         let n = eye.mesh.shell.len();
         let shift = |i: usize| shifts[i % 32];
-        let at: Vec<f64> = eye
-            .mesh
-            .shell
-            .iter()
-            .map(|&node| eye.at(node).0)
-            .chain(eye.mesh.shell.iter().map(|&node| eye.at(node).1))
-            .enumerate()
-            .map(|(i, x)| x + shift(i))
-            .collect();
+        let at = shell_at_rest(&eye);
+        let at = at.0.into_iter().chain(at.1).enumerate();
+        let at: Vec<f64> = at.map(|(i, x)| x + shift(i)).collect();
         let respond = |at: &[f64]| {
             let mut f = vec![0.0; 2 * n];
             let (fx, fr) = f.split_at_mut(n);
@@ -125,21 +132,13 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let target = Target::new(&eye);
     let n = eye.mesh.shell.len();
     let still = vec![0.0; n];
-    let rest: Vec<f64> = eye
-        .mesh
-        .shell
-        .iter()
-        .map(|&node| eye.at(node).0)
-        .chain(eye.mesh.shell.iter().map(|&node| eye.at(node).1))
-        .collect();
+    let rest = shell_at_rest(&eye);
+    let rest = [rest.0, rest.1].concat();
     let cylinder = ObjectOutline::Cylinder(5e-3, 1e-3);
     let soft = ObjectSurface::foundation(1e9, 5e-3);
     for outline in [ObjectOutline::Sphere(5e-3), cylinder] {
-        for surface in [
-            ObjectSurface::RIGID,
-            soft,
-            ObjectSurface::capped(1e9, 2e5, 5e-3),
-        ] {
+        let hollow = ObjectSurface::capped(1e9, 2e5, 5e-3);
+        for surface in [ObjectSurface::RIGID, soft, hollow] {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
                 let object = Object {
                     outline,
@@ -229,6 +228,16 @@ fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
     }
 }
 
+/// A ball of 20 g and 40 mm at 15 m/s.
+fn ball(surface: ObjectSurface) -> Object {
+    Object {
+        outline: ObjectOutline::Sphere(20e-3),
+        mass: 20e-3,
+        speed: 15.0,
+        ..sphere(surface)
+    }
+}
+
 #[test]
 fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
     for restitution in [1.0, 0.8, 0.5, 0.3] {
@@ -237,13 +246,7 @@ fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
             ObjectSurface::capped(1e9, 2e5, 20e-3),
             ObjectSurface::splashing(1e5, 20e-3),
         ] {
-            let object = Object {
-                outline: ObjectOutline::Sphere(20e-3),
-                mass: 20e-3,
-                speed: 15.0,
-                surface: surface.losing(restitution),
-                spring: None,
-            };
+            let object = ball(surface.losing(restitution));
             let (back, _, missing) = bounce(&object, 200);
             // The loss is felt in full from a tenth of the speed of arrival on, a hundredth of the
             // energy, and less on the flanks, where the surface gives way more slowly.
@@ -256,13 +259,7 @@ fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
 
 #[test]
 fn a_surface_that_gives_nothing_back_keeps_a_thirtieth_of_its_energy_at_most() {
-    let object = Object {
-        outline: ObjectOutline::Sphere(20e-3),
-        mass: 20e-3,
-        speed: 15.0,
-        surface: ObjectSurface::capped(1e9, 2e5, 20e-3).losing(0.0),
-        spring: None,
-    };
+    let object = ball(ObjectSurface::capped(1e9, 2e5, 20e-3).losing(0.0));
     let (back, ..) = bounce(&object, 200);
     assert!(back * back < 1.0 / 30.0, "{back}");
 }
@@ -328,9 +325,8 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
     for level in [1, 3, 5] {
         let eye = AxisymmetricEye::new(&parameters, level);
         let grown = 1.01;
-        let nodes = &eye.mesh.shell;
-        let x: Vec<f64> = nodes.iter().map(|&n| eye.at(n).0 * grown).collect();
-        let r: Vec<f64> = nodes.iter().map(|&n| eye.at(n).1 * grown).collect();
+        let (x, r) = shell_at_rest(&eye);
+        let [x, r] = [x, r].map(|of| of.iter().map(|x| x * grown).collect::<Vec<f64>>());
         let (mut fx, mut fr) = (vec![0.0; x.len()], vec![0.0; x.len()]);
         let mut tension = vec![[0.0; 2]; x.len() - 1];
         Shell::new(&eye).forces((&x, &r), (&mut fx, &mut fr), &mut tension);
@@ -368,7 +364,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
 }
 
 /// A state that is far from rest and moves, the same for every form of the cells.
-fn shaken(cells: &impl Cells, eye: &AxisymmetricEye) -> NodeState {
+fn shaken(cells: &dyn Cells, eye: &AxisymmetricEye) -> NodeState {
     let mut state = cells.rest();
     for (node, &fixed) in eye.fixed.iter().enumerate() {
         let wave = |k: f64| (k * (node as f64 + 1.0)).sin();
@@ -393,7 +389,7 @@ fn numbers(sums: &CellSums) -> [f64; 6] {
         sums.pressure,
         sums.sensor,
         sums.volume,
-        sums.least_triangle,
+        sums.least_corner,
     ]
 }
 
@@ -404,9 +400,9 @@ fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
 #[test]
 fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
     let eye = free_eye(2);
-    let mut cells = CellRows::new(&eye);
+    let mut cells = CellRows::new(&eye, Level::new());
     let mut state = shaken(&cells, &eye);
-    let whole = cells.forces(&mut state).least_triangle;
+    let whole = cells.forces(&mut state).least_corner;
     let at = |node: usize| {
         let place = cells.place(node);
         (state.x[place], state.r[place])
@@ -426,18 +422,14 @@ fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
 fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
     for level in [1, 2, 5] {
         for surround in [None, Parameters::default().surround] {
-            let parameters = Parameters {
-                surround,
-                ..Parameters::default()
-            };
-            let eye = AxisymmetricEye::new(&parameters, level);
+            let eye = eye(surround, level);
             let mut plain = PlainCells::new(&eye);
             let mut expected = shaken(&plain, &eye);
             let sums = plain.forces(&mut expected);
             let largest = expected.fx.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
             let mut narrow: Option<NodeState> = None;
             for vectors in vector_sets() {
-                let mut rows = CellRows::with_level(&eye, vectors);
+                let mut rows = CellRows::new(&eye, vectors);
                 let mut state = shaken(&rows, &eye);
                 rows.share(&mut state);
                 let others = rows.forces(&mut state);
@@ -467,9 +459,8 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     let parameters = free_and_even();
     let eye = AxisymmetricEye::new(&parameters, 2);
     let chain = Shell::new(&eye);
-    let nodes = &eye.mesh.shell;
-    let n = nodes.len();
-    let (x0, r0): (Vec<f64>, Vec<f64>) = nodes.iter().map(|&node| eye.at(node)).unzip();
+    let (x0, r0) = shell_at_rest(&eye);
+    let n = x0.len();
     let mut mass = vec![0.0; n];
     for i in 0..n - 1 {
         let length = (x0[i + 1] - x0[i]).hypot(r0[i + 1] - r0[i]);
@@ -516,11 +507,7 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
 fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
     use nalgebra::SMatrix;
     for surround in [None, Parameters::default().surround] {
-        let parameters = Parameters {
-            surround,
-            ..Parameters::default()
-        };
-        let eye = AxisymmetricEye::new(&parameters, 1);
+        let eye = eye(surround, 1);
         for cell in &eye.cells {
             let rest = Rest::new(&eye, cell);
             let at: Vec<f64> = cell
@@ -596,7 +583,7 @@ fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
     };
     assert_eq!(globe(&free), free.cells.len());
     assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
-    let mut cells = CellRows::new(&free);
+    let mut cells = CellRows::new(&free, Level::new());
     assert_eq!(cells.pressures().len(), free.cells.len());
     let mut state = cells.rest();
     assert!(cells.forces(&mut state).loss == 0.0);

@@ -5,7 +5,7 @@
 //!   out, `nodes` moves what is between them), `plain` the loop that tests them; `shell` is cornea
 //!   and sclera, `object` and `contact` what hits them, `face` the bone beside them.
 //! * `time`: the leapfrog through the window.
-//! * `recording`: `record`, `frames` and `sensor` read off what `results` keeps.
+//! * `recording`: `record` and `sensor` read off what `account` and `results` keep.
 //! * `case` compiles a scenario, `model` is the trait [`EyeModel`](crate::run::model::EyeModel);
 //!   `rules`, `readings`, `flags` and `drawing` are its parts.
 

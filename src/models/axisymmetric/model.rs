@@ -51,34 +51,12 @@ impl EyeModel for AxisymmetricCase {
         self.eye.cells.len()
     }
 
-    fn elements_per_evaluation(&self) -> usize {
-        self.eye.cells.len()
-    }
-
     fn step_limit(&self, _: Integrator) -> f64 {
         self.limit
     }
 
-    fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.step / plan.multiple
-    }
-
-    fn steps(&self, plan: &Plan) -> usize {
-        (plan.window * plan.multiple / plan.step).ceil() as usize
-    }
-
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        let ratio = RULES.estimate.ratio;
-        let finer = Plan {
-            multiple: plan.multiple * ratio,
-            ..*plan
-        };
-        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
-        (finer, RULES.estimate.safety / share)
-    }
-
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let steps = self.steps_by(plan)?;
+        let steps = engine::Steps::by(plan, self.limit, &RULES)?;
         let run = engine::run(
             &self.eye,
             &self.load,
@@ -114,7 +92,7 @@ impl EyeModel for AxisymmetricCase {
         spacing: Spacing,
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
-        let steps = self.steps_by(plan)?;
+        let steps = engine::Steps::by(plan, self.limit, &RULES)?;
         engine::run_through(
             &self.eye,
             &self.load,

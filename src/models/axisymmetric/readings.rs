@@ -42,23 +42,20 @@ pub fn of(e: &Extremes) -> Readings {
 
 /// Figures beside them.
 pub(crate) fn details(e: &Extremes) -> Vec<Detail> {
-    let percent = |share: f64| share * 1e2;
     let angle = e.stress_angle.to_degrees();
-    let (least, most) = (percent(e.least_volume), percent(e.most_volume));
-    vec![
-        Detail {
-            key: "scleral_stress_angle_deg",
-            value: angle,
-            shown: Shown::Behind(
-                Quantity::ScleralStress,
-                format!("{angle:.0} deg from the front"),
-            ),
-        },
-        Detail {
-            key: "least_globe_volume_percent",
-            value: least,
-            shown: Shown::OnLine("Globe volume", format!("to {most:.2} % of that at rest")),
-        },
+    let words = format!("{angle:.0} deg from the front");
+    let behind = Shown::Behind(Quantity::ScleralStress, words);
+    let mut details = vec![Detail::new("scleral_stress_angle_deg", angle, behind)];
+    details.extend(common_details(e));
+    details
+}
+
+/// Those that every eye of cells has.
+pub(crate) fn common_details(e: &Extremes) -> [Detail; 4] {
+    let (least, most) = (e.least_volume * 1e2, e.most_volume * 1e2);
+    let volume = Shown::OnLine("Globe volume", format!("to {most:.2} % of that at rest"));
+    [
+        Detail::new("least_globe_volume_percent", least, volume),
         Detail::data("largest_globe_volume_percent", most),
         Detail::data("peak_rim_force_n", e.rim_force.value),
         Detail::data("peak_sensor_pressure_mpa", e.back_pressure.value * 1e-6),

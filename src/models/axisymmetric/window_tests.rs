@@ -1,10 +1,10 @@
 //! How long a run lasts: as long as was asked, else until nothing can grow.
 
+use crate::answer::solve::tests::{answered, answered_with};
 use crate::answer::solve::{Answer, Cut, solve};
 use crate::run::flags::FlagKind;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
-use crate::run::watch::unwatched;
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario};
 use proptest::prelude::*;
@@ -27,10 +27,6 @@ fn preset(name: &str, window_ms: Option<f64>) -> Scenario {
     }
 }
 
-fn solved(scenario: &Scenario, keep: Keep) -> Answer {
-    solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap()
-}
-
 fn raised(answer: &Answer, kind: FlagKind) -> bool {
     answer.flags.iter().any(|flag| flag.kind == kind)
 }
@@ -38,9 +34,9 @@ fn raised(answer: &Answer, kind: FlagKind) -> bool {
 #[test]
 fn a_run_that_ends_by_itself_reads_what_a_long_one_does() {
     for (name, long) in [("bb-56", 9.0), ("squash-ball", 18.0)] {
-        let own = solved(&preset(name, None), Keep::default());
+        let own = answered(&preset(name, None));
         // What keeps traces goes on to the end of its window.
-        let whole = solved(&preset(name, Some(long)), ALL);
+        let whole = answered_with(&preset(name, Some(long)), ALL);
         assert_eq!(whole.run.simulated, long * 1e-3);
         assert!(own.run.simulated < 0.5 * whole.run.simulated, "{name}");
         for &of in Quantity::ALL {
@@ -62,7 +58,7 @@ fn a_run_that_ends_by_itself_reads_what_a_long_one_does() {
 #[test]
 fn what_is_kept_changes_neither_the_end_nor_a_reading() {
     let scenario = preset("bb-56", None);
-    let (bare, kept) = (solved(&scenario, Keep::default()), solved(&scenario, ALL));
+    let (bare, kept) = (answered(&scenario), answered_with(&scenario, ALL));
     assert_eq!(bare.run.simulated, kept.run.simulated);
     assert_eq!(bare.run.readings, kept.run.readings);
     assert_eq!(bare.errors, kept.errors);
@@ -83,10 +79,8 @@ fn what_is_kept_changes_neither_the_end_nor_a_reading() {
 #[test]
 fn what_never_settles_meets_a_cap_that_is_flagged() {
     let mut slow = preset("bb-62", None);
-    if let Impact::Projectile(bb) = &mut slow.impact {
-        bb.speed_m_s = 0.01;
-    }
-    let answer = solved(&slow, Keep::default());
+    slow.projectile_mut().unwrap().speed_m_s = 0.01;
+    let answer = answered(&slow);
     assert!(raised(&answer, FlagKind::WindowCapped));
     assert_eq!(answer.run.simulated, 60e-3);
     assert_eq!(answer.cut(Quantity::Pressure), Some(Cut::AtLeast));
@@ -94,7 +88,7 @@ fn what_never_settles_meets_a_cap_that_is_flagged() {
 
 #[test]
 fn a_window_that_is_set_counts() {
-    let answer = solved(&preset("bb-62", Some(0.2)), Keep::default());
+    let answer = answered(&preset("bb-62", Some(0.2)));
     assert_eq!((answer.run.simulated, answer.window()), (0.2e-3, 0.2e-3));
     assert!(raised(&answer, FlagKind::ContactCut));
     assert!(!raised(&answer, FlagKind::WindowCapped));
@@ -117,7 +111,7 @@ fn struck(force_n: f64, duration_ms: f64) -> Answer {
         }),
         ..Scenario::default()
     };
-    solved(&scenario, Keep::default())
+    answered(&scenario)
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::run::kept::Keep;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
-use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact};
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse};
 
 /// Steps between two calls of a watch.
 const STEPS_BETWEEN_CALLS: usize = 64;
@@ -80,9 +80,7 @@ impl PaperCase {
     /// Compiles a scenario; `whole` leaves symmetry unused, `portable` asks for the
     /// kernel that rounds alike everywhere.
     pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
-        let (Impact::ForcePulse(pulse), Some(window_ms)) =
-            (&scenario.impact, scenario.known_window_ms())
-        else {
+        let (Some(pulse), Some(window_ms)) = (scenario.pulse(), scenario.known_window_ms()) else {
             unreachable!("no checked scenario has an object at the Paper model");
         };
         let input = (scenario.eye.clone(), pulse.clone());

@@ -7,8 +7,8 @@ use crate::models::paper::case::PaperCase;
 use crate::models::paper::eye::Eye;
 use crate::models::paper::eye::mesh::Node;
 use crate::models::paper::eye::springs::{Spring, SpringKind};
-use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, MARGIN, Outlines};
-use crate::run::places::{ORBIT_RADIUS_M, Region};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
+use crate::run::places::Region;
 use std::f64::consts::TAU;
 
 /// The drawing of a case.
@@ -45,7 +45,7 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
             .map(|(of, &corners)| DrawnCell { corners, of })
             .collect(),
         outlines: outlines(eye),
-        reach: (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN),
+        reach: reach(std::iter::empty()),
         along: None,
         object: None,
     }

@@ -76,21 +76,18 @@ pub(crate) fn frames(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
+    use crate::answer::solve::tests::answered_with;
     use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
+    use crate::scenario::library::tests::preset;
 
     #[test]
     fn the_same_frames_come_one_by_one_as_are_kept() {
-        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
-        scenario.window_ms = Some(0.2);
         let spacing = Spacing::even(1e-5);
         let keep = Keep {
             traces: false,
             frames: Some(spacing),
         };
-        let kept = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let kept = answered_with(&preset("paper-300n", &[("window_ms", "0.2")]), keep);
         let mut streamed = Vec::new();
         let take = &mut |frame| {
             streamed.push(frame);

@@ -29,20 +29,14 @@ pub(crate) fn of(e: &PaperExtremes) -> Readings {
 pub(crate) fn details(case: &PaperCase, e: &PaperExtremes) -> Vec<Detail> {
     let (strain, shielded) = (e.strain.value * 1e2, case.load.shielded);
     let at = e.strain.time * 1e3;
+    let behind = if shielded > NEGLIGIBLE {
+        Shown::OnLine("Shielded by bone", "%  of the arc".to_owned())
+    } else {
+        Shown::InData
+    };
+    let largest = Shown::OnLine("Spring strain", format!("%  at {at:.4} ms, the largest"));
     vec![
-        Detail {
-            key: "largest_spring_strain_percent",
-            value: strain,
-            shown: Shown::OnLine("Spring strain", format!("%  at {at:.4} ms, the largest")),
-        },
-        Detail {
-            key: "shielded_percent",
-            value: shielded * 1e2,
-            shown: if shielded > NEGLIGIBLE {
-                Shown::OnLine("Shielded by bone", "%  of the arc".to_owned())
-            } else {
-                Shown::InData
-            },
-        },
+        Detail::new("largest_spring_strain_percent", strain, largest),
+        Detail::new("shielded_percent", shielded * 1e2, behind),
     ]
 }

@@ -3,17 +3,15 @@
 use crate::models::axisymmetric::case::{LONGEST, object, parameters, refused};
 use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::object::Object;
-use crate::models::axisymmetric::time::march::{Scheme, Steps, Stop};
+use crate::models::axisymmetric::time::march::Stop;
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::mesh::Extent;
 use crate::models::spatial::eye::orbit::OrbitRim;
 use crate::models::spatial::forces::object::Aim;
-use crate::models::spatial::rules::RULES;
 use crate::models::spatial::time::run::{Blow, step_limit};
-use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
-use crate::scenario::{CheckedScenario, Geometry, Integrator, Physiological, Projectile, Support};
+use crate::scenario::{CheckedScenario, Geometry, Physiological, Projectile, Support};
 
 /// A blow this little out of the plane through the eye's axis is in it, in m.
 const IN_PLANE: f64 = 1e-9;
@@ -123,18 +121,6 @@ impl SpatialCase {
             eye,
             ..self.clone()
         }
-    }
-
-    /// The share of the stability bound that a plan takes: its step is that of the eye at rest.
-    pub(super) fn steps_by(&self, plan: &Plan) -> Result<Steps, Refusal> {
-        Ok(Steps {
-            share: plan.step / plan.multiple / self.limit,
-            scheme: match plan.integrator {
-                Integrator::VelocityVerlet => Scheme::Leapfrog,
-                Integrator::SemiImplicitEuler => Scheme::SemiImplicitEuler,
-                other => return Err(RULES.unfit(other)),
-            },
-        })
     }
 
     /// Why there is no result.

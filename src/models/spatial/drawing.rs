@@ -1,10 +1,9 @@
 //! The picture of the eye in three dimensions: its section in the plane of the blow.
 
-use crate::models::axisymmetric::forces::object::ObjectOutline;
 use crate::models::spatial::case::SpatialCase;
 use crate::models::spatial::recording::section::Section;
-use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, DrawnObject, Line, MARGIN, Outlines};
-use crate::run::places::{ORBIT_RADIUS_M, Region};
+use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
+use crate::run::places::Region;
 use nalgebra::{Point2, Vector2};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -15,7 +14,6 @@ const AROUND: usize = 72;
 /// The drawing of a case.
 pub(crate) fn of(case: &SpatialCase) -> Drawing {
     let section = Section::new(&case.eye, &case.blow);
-    let outline = case.blow.object.outline;
     let shown = section.shown(case.blow.in_mesh().way());
     let along = Vector2::new(shown.x, shown.y);
     let lines = lines(&section);
@@ -31,11 +29,7 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
             mirrored: false,
         });
     let nodes: Vec<DrawnNode> = nodes.collect();
-    let room = (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN);
-    let reach = nodes.iter().fold(room, |(across, up), node| {
-        let at: Point2<f64> = node.rest;
-        (across.max(at.x.abs() * MARGIN), up.max(at.y.abs() * MARGIN))
-    });
+    let reach = reach(nodes.iter().map(|node| node.rest));
     let cells = section.cells.iter().enumerate();
     Drawing {
         cells: cells
@@ -50,14 +44,7 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
         loaded_until: 0.0,
         reach,
         along: None,
-        object: Some(DrawnObject {
-            radius: outline.radius(),
-            edge: match outline {
-                ObjectOutline::Sphere(_) => None,
-                ObjectOutline::Cylinder(_, edge) => Some(edge),
-            },
-            direction: along.normalize(),
-        }),
+        object: Some(case.blow.object.outline.drawn(along.normalize())),
         nodes,
         lines,
         rim: rim(case),

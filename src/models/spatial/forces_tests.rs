@@ -24,6 +24,7 @@ use crate::scenario;
 use fearless_simd::Level;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
+use std::sync::LazyLock;
 
 fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
     let parameters = Parameters {
@@ -52,6 +53,11 @@ fn scattered(at: Vector3<f64>, size: f64) -> Vector3<f64> {
     at + Vector3::new(x, wave(5e3, -11e3, 9e3), wave(-3e3, 8e3, 17e3)) * size
 }
 
+/// The largest part of any force.
+fn largest(force: &[Vec<f64>; 3]) -> f64 {
+    force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()))
+}
+
 /// Largest difference of the force on some nodes from minus the slope of `energy`, over the
 /// largest force.
 fn worst(
@@ -59,11 +65,7 @@ fn worst(
     nodes: impl Iterator<Item = usize>,
     energy: impl Fn(&NodeState) -> f64,
 ) -> f64 {
-    let largest = state
-        .force
-        .iter()
-        .flatten()
-        .fold(0.0, |m: f64, f| m.max(f.abs()));
+    let largest = largest(&state.force);
     let h = 1e-9;
     let mut error = 0.0_f64;
     for node in nodes {
@@ -87,11 +89,12 @@ proptest! {
         shifts in prop::array::uniform24(-1.5e-4..1.5e-4),
         speeds in prop::array::uniform24(-20.0..20.0),
     ) {
-        let eye = eye(Some(Surround::orbit()), Extent::Full);
-        let cell = &eye.cells[index];
-        let c = cell::constants(&eye, cell);
+        static EYE: LazyLock<SpatialEye> =
+            LazyLock::new(|| eye(Some(Surround::orbit()), Extent::Full));
+        let cell = &EYE.cells[index];
+        let c = cell::constants(&EYE, cell);
         let p: Eight<f64> = std::array::from_fn(|i| {
-            let at = eye.mesh.at[cell.corners[i]];
+            let at = EYE.mesh.at[cell.corners[i]];
             std::array::from_fn(|k| at[k] + shifts[3 * i + k])
         });
         let v: Eight<f64> = std::array::from_fn(|i| std::array::from_fn(|k| speeds[3 * i + k]));
@@ -159,11 +162,7 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
     let mut cells = PlainCells::new(&eye);
     let sums = cells.forces(&mut state);
     let shell = Shell::new(&eye, Level::new()).forces(&mut state);
-    let largest = state
-        .force
-        .iter()
-        .flatten()
-        .fold(0.0, |m: f64, f| m.max(f.abs()));
+    let largest = largest(&state.force);
     assert!(largest < 1e-8, "{largest:e}");
     assert!(sums.loss < 1e-9 && shell < 1e-12 && cells.energy(&state) < 1e-12);
     assert!(sums.pressure.abs() < 1e-4 && (sums.least_corner - 1.0).abs() < 1e-9);
@@ -222,7 +221,7 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
         let sums = PlainCells::new(&eye).forces(&mut plain);
         let mut pressures = Vec::new();
         for level in vector_sets() {
-            let mut rows = CellRows::with_level(&eye, level);
+            let mut rows = CellRows::new(&eye, level);
             let mut own = state.clone();
             let told = rows.forces(&mut own);
             let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
@@ -230,11 +229,7 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
             assert!(near(told.pressure, sums.pressure) && near(told.sensor, sums.sensor));
             assert!(near(told.volume, sums.volume));
             assert!(near(told.least_corner, sums.least_corner));
-            let largest = plain
-                .force
-                .iter()
-                .flatten()
-                .fold(0.0, |m: f64, f| m.max(f.abs()));
+            let largest = largest(&plain.force);
             for k in 0..3 {
                 for (a, b) in own.force[k].iter().zip(&plain.force[k]) {
                     assert!((a - b).abs() < 1e-11 * largest, "{level:?}");

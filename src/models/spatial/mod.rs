@@ -6,7 +6,7 @@
 //!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` and
 //!   `bone` what stops the object and the globe.
 //! * `time`: the leapfrog through the window.
-//! * `recording`: `record`, `shape`, `tissue`, `sensor` and `frames` read off what `results` keeps.
+//! * `recording`: `record`, `shape`, `tissue` and `sensor` read off what `results` keeps.
 //! * `case` is an eye ready to be hit, `model` the trait [`EyeModel`](crate::run::model::EyeModel);
 //!   `rules`, `readings`, `flags` and `drawing` are its parts.
 //!

@@ -1,6 +1,7 @@
 //! The eye in three dimensions behind the trait that every model fills.
 
 use crate::models::axisymmetric;
+use crate::models::axisymmetric::time::march::Steps;
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::spatial as engine;
 use crate::models::spatial::case::SpatialCase;
@@ -50,34 +51,12 @@ impl EyeModel for SpatialCase {
         self.eye.cells.len()
     }
 
-    fn elements_per_evaluation(&self) -> usize {
-        self.eye.cells.len()
-    }
-
     fn step_limit(&self, _: Integrator) -> f64 {
         self.limit
     }
 
-    fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.step / plan.multiple
-    }
-
-    fn steps(&self, plan: &Plan) -> usize {
-        (plan.window * plan.multiple / plan.step).ceil() as usize
-    }
-
-    fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        let ratio = RULES.estimate.ratio;
-        let finer = Plan {
-            multiple: plan.multiple * ratio,
-            ..*plan
-        };
-        let share = 1.0 - ratio.powi(-self.order(plan.integrator));
-        (finer, RULES.estimate.safety / share)
-    }
-
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
-        let steps = self.steps_by(plan)?;
+        let steps = Steps::by(plan, self.limit, &RULES)?;
         let window = self.window.within(plan.window);
         let run = engine::run(&self.eye, &self.blow, window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
@@ -107,7 +86,7 @@ impl EyeModel for SpatialCase {
         spacing: Spacing,
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
-        let steps = self.steps_by(plan)?;
+        let steps = Steps::by(plan, self.limit, &RULES)?;
         let window = self.window.within(plan.window);
         engine::run_through(&self.eye, &self.blow, window, steps, spacing, take)
             .map_err(|stop| self.refused(stop))

@@ -316,15 +316,13 @@ pub fn pictures(entries: &[Entry]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
-    use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
+    use crate::answer::solve::tests::answered_with;
+    use crate::scenario::library::tests::preset;
 
     #[test]
     fn a_replay_has_few_frames_and_moves_as_the_eye_does() {
-        let scenario = find("squash-ball").unwrap().scenario().unwrap();
-        let keep = crate::tui::simulation::keep(&scenario);
-        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let scenario = preset("squash-ball", &[]);
+        let answer = answered_with(&scenario, crate::tui::simulation::keep(&scenario));
         let picture = Picture::of(&answer).unwrap();
         assert!(answer.run.frames.len() > 400 && picture.frames.len() <= 82);
         let apart = |frame: &Frame| (frame.time - picture.time()).abs();

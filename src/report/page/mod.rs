@@ -47,9 +47,6 @@ impl PageFormat {
 }
 
 /// Writes a page of one blow or several; `command` repeats it, if one can.
-///
-/// # Errors
-/// Whatever `out` reports.
 pub fn write(
     form: PageFormat,
     entries: &[Entry],

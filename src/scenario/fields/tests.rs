@@ -56,12 +56,12 @@ fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default()
     let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else {
         panic!()
     };
-    *edge_mut(&mut scenario).unwrap() = 0.3;
+    *(PULSE_EDGE.get_mut)(&mut scenario).unwrap() = 0.3;
     assert!(shape.set(&mut scenario, "SmoothRectangle"));
-    assert_eq!(edge(&scenario), Some(&0.3));
+    assert_eq!((PULSE_EDGE.get)(&scenario), Some(&0.3));
     assert!(shape.set(&mut scenario, "Triangle"));
     assert_eq!(shape.get(&scenario), Some("Triangle"));
-    assert_eq!(edge(&scenario), None);
+    assert_eq!((PULSE_EDGE.get)(&scenario), None);
     assert!(!shape.set(&mut scenario, "Square"));
 }
 

@@ -1,12 +1,12 @@
 //! Tests of the parent module.
 
 use crate::scenario::fields::tests::every_variant;
-use crate::scenario::library;
+use crate::scenario::library::tests::preset;
 use crate::scenario::load;
 use crate::scenario::set::*;
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Integrator, Lens, Model, Physiological, Projectile,
-    ProjectileStiffness, PulseShape, Species,
+    EyeInput, ForcePulse, Impact, Integrator, Lens, Physiological, Projectile, ProjectileStiffness,
+    PulseShape, Species,
 };
 
 fn after(path: &str, text: &str) -> Scenario {
@@ -23,10 +23,7 @@ fn refusal(path: &str, text: &str) -> String {
 }
 
 fn pulse(scenario: &Scenario) -> &ForcePulse {
-    let Impact::ForcePulse(pulse) = &scenario.impact else {
-        panic!("{:?}", scenario.impact)
-    };
-    pulse
+    scenario.pulse().unwrap()
 }
 
 #[test]
@@ -51,23 +48,16 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
          unverified: [\"speed_m_s\"])",
     );
     set(&mut scenario, "impact.mass_g", "0.35").unwrap();
-    let Impact::Projectile(object) = &scenario.impact else {
-        panic!()
-    };
+    let object = scenario.projectile().unwrap();
     assert_eq!((object.mass_g, object.unverified.len()), (0.35, 1));
     set(&mut scenario, "impact.speed_m_s", "60").unwrap();
     set(&mut scenario, "impact.stiffness", "rigid").unwrap();
-    let Impact::Projectile(object) = &scenario.impact else {
-        panic!()
-    };
+    let object = scenario.projectile().unwrap();
     assert_eq!(object.stiffness, ProjectileStiffness::Rigid);
     assert!(object.unverified.is_empty());
     assert!(set(&mut scenario, "impact.force_n", "1").is_err());
 
-    let parts = |scenario: &Scenario| match scenario.model {
-        Model::Physiological(parts) => parts,
-        Model::Paper => panic!(),
-    };
+    let parts = |scenario: &Scenario| *scenario.physiological().unwrap();
     assert_eq!(
         parts(&after("model", "physiological")),
         Physiological::default()
@@ -226,7 +216,7 @@ fn a_number_that_is_put_is_no_longer_unverified() {
         fields::find("impact.speed_m_s").unwrap(),
         40.0,
     );
-    let object = fields::projectile_mut(&mut scenario).unwrap();
+    let object = scenario.projectile_mut().unwrap();
     assert_eq!(
         (object.speed_m_s, &object.unverified[..]),
         (40.0, &["mass_g".to_owned()][..])
@@ -272,9 +262,7 @@ fn what_is_next_to_nothing_is_nothing() {
         set(&mut scenario, "impact.force_n", tiny).unwrap();
         let angle = format!("{tiny} +- {tiny}");
         set(&mut scenario, "impact.angle_deg", &angle).unwrap();
-        let Impact::ForcePulse(pulse) = &scenario.impact else {
-            panic!()
-        };
+        let pulse = pulse(&scenario);
         let doubt = scenario.doubt["impact.angle_deg"];
         for number in [pulse.force_n, pulse.angle_deg, doubt] {
             assert_eq!(number.to_bits(), 0, "{tiny}: {number:?}");
@@ -301,10 +289,7 @@ fn what_is_next_to_nothing_is_nothing() {
 
 #[test]
 fn a_doubt_goes_with_its_field() {
-    let mut scenario = crate::scenario::library::find("squash-ball")
-        .unwrap()
-        .scenario()
-        .unwrap();
+    let mut scenario = preset("squash-ball", &[]);
     assert!(scenario.doubt.contains_key("impact.restitution"));
     scenario.doubt.insert("impact.speed_m_s".to_owned(), 5.0);
     set(&mut scenario, "impact.stiffness", "Rigid").unwrap();
@@ -318,14 +303,11 @@ fn a_doubt_goes_with_its_field() {
 
 #[test]
 fn an_hour_is_typed_as_a_clock_shows_it() {
-    let ball = library::find("bb-62").unwrap().scenario().unwrap();
+    let ball = preset("bb-62", &[]);
     let hour = |text: &str| {
         let mut scenario = ball.clone();
         set(&mut scenario, "impact.angle_clock", text)?;
-        match scenario.impact {
-            Impact::Projectile(ball) => Ok(ball.angle_clock),
-            Impact::ForcePulse(_) => panic!("it is a ball"),
-        }
+        Ok(scenario.projectile().unwrap().angle_clock)
     };
     for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("3", 3.0)] {
         assert_eq!(

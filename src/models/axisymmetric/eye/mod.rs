@@ -18,6 +18,7 @@ use mesh::{Layers, Mesh};
 use nalgebra::Point2;
 use parameters::{Material, Parameters};
 use std::f64::consts::{FRAC_PI_3, PI};
+use std::sync::LazyLock;
 
 /// Points around the axis that means over the azimuth take; those of one half, as the other
 /// mirrors it.
@@ -128,17 +129,24 @@ fn mean(values: impl Iterator<Item = f64>) -> f64 {
     sum / count
 }
 
+/// Cosines of the azimuths that a turned eye is averaged over.
+static AROUND: LazyLock<[f64; AZIMUTHS]> =
+    LazyLock::new(|| std::array::from_fn(|i| libm::cos(part(i, AZIMUTHS) * PI)));
+
 /// Angle from the axis of the eye at `front` rad from the line of the blow, for all azimuths.
 fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
-    let azimuths = if axis == 0.0 { 1 } else { AZIMUTHS };
-    (0..azimuths).map(move |i| {
+    let (azimuths, along, across) = if axis == 0.0 {
+        (1, 0.0, 0.0)
+    } else {
+        let along = libm::cos(front) * libm::cos(axis);
+        (AZIMUTHS, along, libm::sin(front) * libm::sin(axis))
+    };
+    AROUND[..azimuths].iter().map(move |cosine| {
         if axis == 0.0 {
-            return front;
+            front
+        } else {
+            libm::acos((along + across * cosine).clamp(-1.0, 1.0))
         }
-        let azimuth = part(i, AZIMUTHS) * PI;
-        let cosine = libm::cos(front) * libm::cos(axis)
-            + libm::sin(front) * libm::sin(axis) * libm::cos(azimuth);
-        libm::acos(cosine.clamp(-1.0, 1.0))
     })
 }
 
@@ -147,13 +155,9 @@ impl Parameters {
     fn segment(&self, [a, b]: [(f64, f64); 2]) -> ShellSegment {
         let front = |s: f64| libm::atan2(a.1 + s * (b.1 - a.1), -(a.0 + s * (b.0 - a.0)));
         let shell = &self.shell;
-        let over = |of: &dyn Fn(f64) -> f64| {
-            mean(
-                (0..ALONG)
-                    .flat_map(|i| own_angles(front(part(i, ALONG)), self.axis_angle))
-                    .map(of),
-            )
-        };
+        let angles = (0..ALONG).flat_map(|i| own_angles(front(part(i, ALONG)), self.axis_angle));
+        let angles: Vec<f64> = angles.collect();
+        let over = |of: &dyn Fn(f64) -> f64| mean(angles.iter().copied().map(of));
         let thickness = over(&|angle| shell.at(angle).0);
         let stiffness = over(&|angle| shell.at(angle).0 * shell.at(angle).1);
         let front_angle = front(0.5);
@@ -350,6 +354,23 @@ mod tests {
         AxisymmetricEye::new(&parameters, level)
     }
 
+    /// What the shell has of something, per 2 pi of it: a sum over its area.
+    fn over_shell(eye: &AxisymmetricEye, of: impl Fn(&ShellSegment) -> f64) -> f64 {
+        let segments = eye.segments.iter().zip(eye.mesh.shell.windows(2));
+        let each = segments.map(|(segment, ends)| {
+            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
+            of(segment) * 0.5 * (ra + rb) * (xb - xa).hypot(rb - ra)
+        });
+        each.sum()
+    }
+
+    /// What its cells have of something, by their volume.
+    fn over_cells(eye: &AxisymmetricEye, of: impl Fn(&Cell) -> f64) -> f64 {
+        let each = eye.cells.iter();
+        each.map(|cell| of(cell) * volume(&cell.corners.map(|node| eye.at(node))))
+            .sum()
+    }
+
     #[test]
     fn limbus_and_opening_lie_on_nodes_of_the_shell_at_every_level() {
         for level in 1..=12 {
@@ -363,11 +384,8 @@ mod tests {
                 }
                 let rim = eye.rim().unwrap();
                 assert!((rim.1.atan2(-rim.0) - surround.opening).abs() < 1e-12);
-                assert!(
-                    eye.segments
-                        .iter()
-                        .all(|s| s.sclera == 0.0 || s.sclera == 1.0)
-                );
+                let pure = |s: &ShellSegment| s.sclera == 0.0 || s.sclera == 1.0;
+                assert!(eye.segments.iter().all(pure));
             }
         }
     }
@@ -377,20 +395,8 @@ mod tests {
         for axis in [0.0, 0.6] {
             let measures = [1, 2, 4, 8].map(|level| {
                 let eye = eye(level, None, axis);
-                let lens: f64 = eye
-                    .cells
-                    .iter()
-                    .map(|cell| cell.lens * volume(&cell.corners.map(|node| eye.at(node))))
-                    .sum();
-                let shell: f64 = eye
-                    .segments
-                    .iter()
-                    .zip(eye.mesh.shell.windows(2))
-                    .map(|(s, ends)| {
-                        let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
-                        s.thickness * (b.0 - a.0).hypot(b.1 - a.1) * (a.1 + b.1)
-                    })
-                    .sum();
+                let lens = over_cells(&eye, |cell| cell.lens);
+                let shell = over_shell(&eye, |segment| segment.thickness);
                 [lens, shell]
             });
             for coarse in measures {
@@ -424,20 +430,8 @@ mod tests {
     fn the_globe_weighs_what_its_volumes_weigh_and_comes_near_a_ball() {
         for level in 1..=AxisymmetricEye::FINEST {
             let eye = eye(level, None, 0.0);
-            let cells: f64 = eye
-                .cells
-                .iter()
-                .map(|cell| cell.material.density * volume(&cell.corners.map(|node| eye.at(node))))
-                .sum();
-            let shell: f64 = eye
-                .segments
-                .iter()
-                .zip(eye.mesh.shell.windows(2))
-                .map(|(s, ends)| {
-                    let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-                    1100.0 * s.thickness * PI * (ra + rb) * (xb - xa).hypot(rb - ra)
-                })
-                .sum();
+            let cells = over_cells(&eye, |cell| cell.material.density);
+            let shell = over_shell(&eye, |segment| 2.0 * PI * 1100.0 * segment.thickness);
             let mass: f64 = eye.mass.iter().sum();
             assert!((mass / (cells + shell) - 1.0).abs() < 1e-12);
             assert!(eye.mass.iter().all(|&m| m > 0.0));
@@ -449,31 +443,16 @@ mod tests {
     fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
         let straight = eye(5, None, 0.0);
         let turned = eye(5, None, 0.7);
-        let area = |eye: &AxisymmetricEye, of: fn(&ShellSegment) -> f64| -> f64 {
-            let ends = eye.mesh.shell.windows(2);
-            eye.segments
-                .iter()
-                .zip(ends)
-                .map(|(s, ends)| {
-                    let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-                    of(s) * (ra + rb) * (xb - xa).hypot(rb - ra)
-                })
-                .sum()
-        };
         for of in [
             |s: &ShellSegment| s.thickness,
             |s: &ShellSegment| s.thickness * s.modulus,
         ] {
-            let ratio = area(&turned, of) / area(&straight, of);
+            let ratio = over_shell(&turned, of) / over_shell(&straight, of);
             assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
         }
         assert!(turned.segments.last().is_some_and(|s| s.sclera == 1.0));
-        assert!(
-            turned
-                .segments
-                .iter()
-                .any(|s| s.sclera > 0.2 && s.sclera < 0.8)
-        );
+        let mixed = |s: &ShellSegment| s.sclera > 0.2 && s.sclera < 0.8;
+        assert!(turned.segments.iter().any(mixed));
     }
 
     #[test]

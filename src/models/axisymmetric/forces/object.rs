@@ -23,6 +23,8 @@
 //! bursts or flows (e = 0) gives back nothing.
 
 use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
+use crate::run::drawing::DrawnObject;
+use nalgebra::Vector2;
 
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;
@@ -77,6 +79,18 @@ impl ObjectOutline {
     pub fn radius(&self) -> f64 {
         match *self {
             Self::Sphere(radius) | Self::Cylinder(radius, _) => radius,
+        }
+    }
+
+    /// What a picture shows of it on its way.
+    pub(crate) fn drawn(&self, direction: Vector2<f64>) -> DrawnObject {
+        DrawnObject {
+            radius: self.radius(),
+            edge: match *self {
+                Self::Sphere(_) => None,
+                Self::Cylinder(_, edge) => Some(edge),
+            },
+            direction,
         }
     }
 }

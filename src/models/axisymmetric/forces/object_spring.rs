@@ -15,8 +15,6 @@
 const LINEAR: f64 = 0.5;
 /// Share of the diameter that is left when no force is enough.
 const LEAST: f64 = 0.1;
-/// Halvings of an interval that leave nothing of it.
-const HALVINGS: usize = 80;
 
 /// The spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,24 +75,6 @@ impl ObjectSpring {
             slope: k * (2.0 - left) / left.powi(3),
         }
     }
-
-    /// Largest force that `energy` J can press it to, in N.
-    pub fn greatest_force(&self, energy: f64) -> f64 {
-        let linear = (2.0 * energy / self.stiffness).sqrt();
-        if linear <= self.linear {
-            return self.stiffness * linear;
-        }
-        let (mut low, mut high) = (self.linear, self.linear + self.room);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.at(middle).energy < energy {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        self.at(low).force
-    }
 }
 
 #[cfg(test)]
@@ -121,21 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn no_energy_presses_it_flat_and_its_greatest_force_stores_that_energy() {
+    fn no_energy_presses_it_flat() {
         assert_eq!(SPRING.at(0.0361).energy, f64::INFINITY);
-        for energy in [1.0, 4.0, 10.0, 1e4] {
-            let force = SPRING.greatest_force(energy);
-            let (mut low, mut high) = (0.0, 0.036);
-            for _ in 0..100 {
-                let middle = 0.5 * (low + high);
-                if SPRING.at(middle).force < force {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            let stored = SPRING.at(low).energy;
-            assert!((stored / energy - 1.0).abs() < 1e-6, "{energy} {stored}");
-        }
     }
 }

@@ -77,7 +77,7 @@ impl Cells for PlainCells {
             pressure: 0.0,
             sensor: 0.0,
             volume: 0.0,
-            least_triangle: f64::INFINITY,
+            least_corner: f64::INFINITY,
         };
         state.fx.fill(0.0);
         state.fr.fill(0.0);
@@ -99,7 +99,7 @@ impl Cells for PlainCells {
             }
             sums.limit = sums.limit.min(response.limit);
             sums.loss += response.loss;
-            sums.least_triangle = sums.least_triangle.min(response.least_triangle);
+            sums.least_corner = sums.least_corner.min(response.least_triangle);
         }
         sums
     }

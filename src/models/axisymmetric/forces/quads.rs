@@ -14,7 +14,7 @@
 use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
 use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
-use crate::models::axisymmetric::forces::state::{CellSums, NodeState};
+use crate::models::axisymmetric::forces::state::{CellSums, NodeState, Totals};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use crate::models::paper::forces::layout::{LANES, Lane};
 use fearless_simd::{Bytes, Simd, SimdBase, SimdFloat};
@@ -113,17 +113,6 @@ pub(crate) fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     y * y
 }
 
-/// Sums by place in a group.
-struct Totals {
-    loss: Lane,
-    mean: Lane,
-    sensor: Lane,
-    volume: Lane,
-    /// 1/s, most.
-    rate: Lane,
-    triangle: Lane,
-}
-
 #[inline(always)]
 fn add<S: Simd>(simd: S, to: &mut Lane, lane: usize, value: V<S>) {
     let sum = load(simd, to, lane) + value;
@@ -133,14 +122,7 @@ fn add<S: Simd>(simd: S, to: &mut Lane, lane: usize, value: V<S>) {
 /// Forces of all cells on the nodes, and what else they say.
 #[inline(always)]
 pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellSums {
-    let mut totals = Totals {
-        loss: [0.0; LANES],
-        mean: [0.0; LANES],
-        sensor: [0.0; LANES],
-        volume: [0.0; LANES],
-        rate: [0.0; LANES],
-        triangle: [f64::INFINITY; LANES],
-    };
+    let mut totals = Totals::new();
     for index in 0..rows.runs.len() {
         let run = rows.runs[index];
         for group in 0..run.cell_places / LANES {
@@ -165,19 +147,7 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeStat
         }
         nodes::gather(simd, rows, run, state);
     }
-    let sum = |of: Lane| of.iter().sum::<f64>();
-    CellSums {
-        limit: 1.0 / totals.rate.iter().copied().fold(0.0, f64::max),
-        loss: sum(totals.loss),
-        pressure: sum(totals.mean),
-        sensor: sum(totals.sensor),
-        volume: sum(totals.volume),
-        least_triangle: totals
-            .triangle
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min),
-    }
+    totals.sums()
 }
 
 /// Forces of some cells on their corners.
@@ -288,7 +258,7 @@ fn cells<S: Simd>(
 
     // Pressures of the corners, which are subtracted from an edge's coefficient.
     let mut whole = pressure + artificial;
-    let mut least = load(simd, &totals.triangle, lane);
+    let mut least = load(simd, &totals.corner, lane);
     let eta = c!(field::CORNER) * length;
     let absent = c!(field::ABSENT);
     let mut shrinking = number!(0.0);
@@ -308,7 +278,7 @@ fn cells<S: Simd>(
         loss += share * shape_rate;
         elastic - viscous
     });
-    store::<S>(&mut totals.triangle, lane, least);
+    store::<S>(&mut totals.corner, lane, least);
     most = most.max(-(shrinking * c!(field::SHRINKING)));
     store::<S>(&mut totals.rate, lane, most);
 

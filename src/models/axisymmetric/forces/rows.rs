@@ -118,11 +118,7 @@ pub(crate) struct CellRows {
 }
 
 impl CellRows {
-    pub fn new(eye: &AxisymmetricEye) -> Self {
-        Self::with_level(eye, Level::new())
-    }
-
-    pub fn with_level(eye: &AxisymmetricEye, level: Level) -> Self {
+    pub fn new(eye: &AxisymmetricEye, level: Level) -> Self {
         let (mut runs, mut places, mut twins) =
             (Vec::new(), vec![usize::MAX; eye.mass.len()], Vec::new());
         let (mut nodes, mut cells, mut corners) = (0, 0, 0);

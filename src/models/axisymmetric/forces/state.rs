@@ -1,5 +1,6 @@
 //! Positions, velocities and forces of the nodes, and what moves them.
 
+use crate::models::paper::forces::layout::{LANES, Lane};
 use std::ops::Range;
 
 /// The nodes of the moving eye. Positions belong to full steps, velocities to half steps.
@@ -34,8 +35,47 @@ pub(crate) struct CellSums {
     pub sensor: f64,
     /// Volume of the globe, m3.
     pub volume: f64,
-    /// Smallest corner triangle over its volume at rest.
-    pub least_triangle: f64,
+    /// Smallest corner over its volume at rest.
+    pub least_corner: f64,
+}
+
+/// Sums of many cells by place in a group of eight.
+pub(crate) struct Totals {
+    pub loss: Lane,
+    pub mean: Lane,
+    pub sensor: Lane,
+    pub volume: Lane,
+    /// 1/s, most.
+    pub rate: Lane,
+    /// Least.
+    pub corner: Lane,
+}
+
+impl Totals {
+    pub fn new() -> Self {
+        let zeros = [0.0; LANES];
+        Self {
+            loss: zeros,
+            mean: zeros,
+            sensor: zeros,
+            volume: zeros,
+            rate: zeros,
+            corner: [f64::INFINITY; LANES],
+        }
+    }
+
+    /// Over all places.
+    pub fn sums(&self) -> CellSums {
+        let sum = |of: &Lane| of.iter().sum::<f64>();
+        CellSums {
+            limit: 1.0 / self.rate.iter().copied().fold(0.0, f64::max),
+            loss: sum(&self.loss),
+            pressure: sum(&self.mean),
+            sensor: sum(&self.sensor),
+            volume: sum(&self.volume),
+            least_corner: self.corner.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
 }
 
 /// The cells of an eye, in one form of computing them or another.

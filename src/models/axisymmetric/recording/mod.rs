@@ -1,6 +1,6 @@
 //! What is read off the moving eye.
 
-pub mod frames;
+pub(crate) mod account;
 pub mod record;
 pub mod results;
 pub mod sensor;

@@ -1,32 +1,29 @@
-//! What is read off the moving eye at each step, and what is kept of it.
+//! What is read off the moving eye at each step, and the eye at the instants that frames are due.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::forces::cell;
-use crate::models::axisymmetric::forces::state::{Cells, NodeState};
-use crate::models::axisymmetric::recording::sensor::LowPass;
+use crate::models::axisymmetric::forces::object::MovingObject;
+use crate::models::axisymmetric::forces::state::NodeState;
+use crate::models::axisymmetric::recording::account::{
+    Account, Flight, NODE_MASS, Recorded, Shape,
+};
+use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::axisymmetric::time::run::{Instant, Motion};
+use crate::run::kept::Frame;
+use nalgebra::Point2;
 
-/// Mass by which accelerations become the node forces of the paper, kg.
-pub(crate) const NODE_MASS: f64 = 75e-6;
+impl Recorded for Motion<'_> {
+    type Now = Instant;
 
-impl<C: Cells> Motion<'_, C> {
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
-    /// nodes.
-    pub fn read(&mut self, now: &Instant, time: f64, step: f64) -> [f64; 4] {
-        let share = LowPass::share(step);
-        let way = self.way();
-        let e = &mut self.extremes;
-        e.force.offer(now.force, time);
-        let mean = self.force_mean.pass(now.force, time, step);
-        e.mean_force.offer(mean, time);
-        e.pressure
-            .offer(self.filters[0].pass(now.sums.pressure, share), time);
-        e.back_pressure
-            .offer(self.filters[1].pass(now.sums.sensor, share), time);
-        let mean = self.back_mean.pass(now.sums.sensor, time, step);
-        e.mean_back_pressure.offer(mean, time);
+    fn account(&mut self) -> &mut Account {
+        &mut self.account
+    }
+
+    fn read(&mut self, now: &Instant, (_, time): (usize, f64), step: f64) -> [f64; 4] {
+        let share = self.account.read(now.force, &now.sums, (time, step));
+        let e = &mut self.account.extremes;
         self.tissues.read(&self.state, share, time, e);
-        self.stress = 0.0;
+        let mut stress = 0.0_f64;
         for (i, (passed, now)) in self
             .tension_passed
             .iter_mut()
@@ -34,10 +31,10 @@ impl<C: Cells> Motion<'_, C> {
             .enumerate()
         {
             for (passed, now) in passed.iter_mut().zip(now) {
-                self.stress = self.stress.max(passed.pass(*now, share));
+                stress = stress.max(passed.pass(*now, share));
             }
-            if self.stress > e.scleral_stress.value {
-                e.scleral_stress.offer(self.stress, time);
+            if stress > e.scleral_stress.value {
+                e.scleral_stress.offer(stress, time);
                 e.stress_angle = self.eye.segments[i].front_angle;
             }
         }
@@ -48,116 +45,94 @@ impl<C: Cells> Motion<'_, C> {
                 e.crushed_at.get_or_insert(time);
             }
         }
-        let shape = Shape::of(self.eye, &self.state, &self.lens, self.lens_rest, way);
-        e.shortening.offer(shape.shortening, time);
-        e.equator_growth.offer(shape.equator_growth, time);
-        e.shell_growth
-            .offer(now.shell.length / self.shell.rest_length - 1.0, time);
-        e.apex.offer(shape.apex, time);
-        e.lens.offer(shape.lens, time);
+        self.account.stress = stress;
+        let way = self.way();
+        let growth = now.shell.length / self.shell.rest_length - 1.0;
+        self.shape = shape(
+            self.eye,
+            &self.state,
+            (&self.lens, self.lens_rest),
+            way,
+            growth,
+        );
+        self.account.read_shape(&self.shape, time);
         if let Some((object, projectile)) = &self.object {
-            let kept =
-                projectile.kinetic(0.0) + projectile.stored() + self.account.energy.lost_in_object;
+            let energy = projectile.kinetic(0.0) + projectile.stored();
             let between = now.touch.map_or(0.0, |touch| touch.energy);
-            e.energy_given
-                .offer(self.account.energy_before - kept - between, time);
             let touched = -self.eye.parameters.radius - object.reach();
-            e.intrusion.offer(projectile.x[0] - touched, time);
+            let intrusion = projectile.x[0] - touched;
+            self.account
+                .read_object(energy, (between, 0.0), intrusion, time);
         }
         if self.load.is_some() {
-            e.energy_given.offer(self.account.energy.work, time);
+            let work = self.account.energy.work;
+            self.account.extremes.energy_given.offer(work, time);
         }
-        let volume = now.sums.volume / self.globe_volume;
-        e.least_volume = e.least_volume.min(volume);
-        e.most_volume = e.most_volume.max(volume);
-        e.least_triangle = e.least_triangle.min(now.sums.least_triangle);
         let (eye, cells, state) = (self.eye, &self.cells, &self.state);
         let at = |node: usize| {
             let place = cells.place(node);
             (state.x[place], state.r[place])
         };
-        self.fold.record(
+        self.account.fold.record(
             time,
-            now.sums.least_triangle,
+            now.sums.least_corner,
             |cell| cell::least_triangle(eye, &eye.cells[cell].corners, at),
             |cell| eye.cells[cell].place(eye),
         );
         let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
-        let forces = accelerations.map(|a| NODE_MASS * a);
-        for (peak, force) in e.node_force.iter_mut().zip(forces) {
-            peak.offer(force, time);
-        }
-        forces
+        self.account.read_nodes(accelerations, time)
     }
 
-    pub fn balance(&mut self, now: &Instant, kick: f64) {
+    fn balance(&mut self, now: &Instant, kick: f64) {
         let state = &self.state;
         let stored = self.balance.energy(|node| {
             let place = self.cells.place(node);
             (state.x[place], state.r[place])
         });
-        self.account.energy.elastic = stored + now.shell.energy;
-        self.account.energy.contact = now.touch.map_or(0.0, |t| t.energy);
-        self.account.energy.kinetic = (0..state.x.len())
+        let energy = &mut self.account.energy;
+        energy.elastic = stored + now.shell.energy;
+        energy.contact = now.touch.map_or(0.0, |t| t.energy);
+        energy.kinetic = (0..state.x.len())
             .map(|i| {
                 let along = state.vx[i] * (state.vx[i] + kick * state.fx[i] * state.free_x[i]);
                 let across = state.vr[i] * (state.vr[i] + kick * state.fr[i] * state.free_r[i]);
                 0.5 * self.mass[i] * (along + across)
             })
             .sum();
-        let (mut object, mut given) = (0.0, self.account.energy.work);
+        let mut given = energy.work;
         if let Some((_, projectile)) = &self.object {
-            object = projectile.kinetic(kick) + projectile.stored();
-            given = self.account.energy_before
-                - object
-                - self.account.energy.lost_in_object
-                - self.account.energy.contact;
+            energy.object = projectile.kinetic(kick) + projectile.stored();
+            given = self.account.given();
         }
-        self.account.energy.object = object;
-        self.extremes.energy_imparted = given;
+        self.account.extremes.energy_imparted = given;
     }
 
-    pub fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
-        let shape = Shape::of(
-            self.eye,
-            &self.state,
-            &self.lens,
-            self.lens_rest,
-            self.way(),
+    fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+        let flight = self.object.as_ref().map(|(object, projectile)| Flight {
+            intrusion: projectile.x[0] + self.eye.parameters.radius + object.reach(),
+            middle: projectile.middle(),
+            velocity: projectile.velocity(),
+        });
+        let (forces, tissue) = ((now.force, node_force), self.tissues.now);
+        self.account
+            .trace(time, forces, &self.shape, tissue, flight);
+    }
+
+    fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
+        let Some(mut due) = self.frames_due.take() else {
+            return Vec::new();
+        };
+        let frames = due.take(
+            (time, step),
+            || self.velocities(),
+            |due, before| self.frame(due, time, before),
         );
-        let t = &mut self.account.traces;
-        t.time.push(time);
-        t.load.push(now.force);
-        for (trace, force) in t.force.iter_mut().zip(node_force) {
-            trace.push(force);
-        }
-        t.apex.push(shape.apex);
-        t.shell_growth
-            .push(now.shell.length / self.shell.rest_length - 1.0);
-        t.meridian_growth.push(shape.equator_growth);
-        t.kinetic.push(self.account.energy.kinetic);
-        t.elastic.push(self.account.energy.elastic);
-        t.dissipated.push(self.account.energy.lost);
-        t.work.push(self.extremes.energy_imparted);
-        t.pressure.push(self.filters[0].now);
-        t.back_pressure.push(self.back_mean.now);
-        t.scleral_stress.push(self.stress);
-        for (trace, now) in t.tissue.iter_mut().zip(self.tissues.now) {
-            trace.push(now);
-        }
-        t.shortening.push(shape.shortening);
-        t.lens.push(shape.lens);
-        if let Some((object, projectile)) = &self.object {
-            t.contact_force.push(self.force_mean.now);
-            t.intrusion
-                .push(projectile.x[0] + self.eye.parameters.radius + object.reach());
-            t.projectile.push(projectile.middle());
-            t.projectile_velocity.push(projectile.velocity());
-        }
+        self.frames_due = Some(due);
+        frames
     }
 }
 
-impl<C: Cells> Motion<'_, C> {
+impl Motion<'_> {
     /// How far an eye that nothing holds has flown as a whole, m: no part of it feels that.
     fn way(&self) -> f64 {
         if self.eye.parameters.surround.is_some() {
@@ -167,39 +142,67 @@ impl<C: Cells> Motion<'_, C> {
         let moment: f64 = weighed.map(|(m, x)| m * x).sum();
         moment / self.mass.iter().sum::<f64>() - self.middle
     }
-}
 
-/// How the eye has changed its shape.
-struct Shape {
-    shortening: f64,
-    equator_growth: f64,
-    apex: f64,
-    lens: f64,
-}
+    fn velocities(&self) -> Vec<(f64, f64)> {
+        let of = |node| {
+            let place = self.cells.place(node);
+            (self.state.vx[place], self.state.vr[place])
+        };
+        (0..self.eye.mass.len()).map(of).collect()
+    }
 
-impl Shape {
-    fn of(
-        eye: &AxisymmetricEye,
-        state: &NodeState,
-        lens: &[(usize, f64)],
-        lens_rest: f64,
-        way: f64,
-    ) -> Self {
-        let shell = state.shell.clone();
-        let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
-        let radius = eye.parameters.radius;
-        let widest = |r: &[f64]| r.iter().copied().fold(0.0, f64::max);
-        let rest = eye
-            .mesh
-            .shell
-            .iter()
-            .map(|&n| eye.mesh.r[n])
-            .fold(0.0, f64::max);
-        Self {
-            shortening: 1.0 - (back - front) / (2.0 * radius),
-            equator_growth: widest(&state.r[shell]) / rest - 1.0,
-            apex: front + radius - way,
-            lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest - way,
+    /// The eye at `due`, within the step that ended at `time`.
+    fn frame(&self, due: f64, time: f64, before: &[(f64, f64)]) -> Frame {
+        let (eye, state, back) = (self.eye, &self.state, time - due);
+        let position = |node: usize| {
+            let place = self.cells.place(node);
+            Point2::new(
+                state.x[place] - back * state.vx[place],
+                state.r[place] - back * state.vr[place],
+            )
+        };
+        let force = |(node, v): (usize, (f64, f64))| {
+            let earlier = before.get(node).copied().unwrap_or_default();
+            let change = libm::hypot(v.0 - earlier.0, v.1 - earlier.1);
+            if eye.fixed[node] {
+                0.0
+            } else {
+                NODE_MASS * change / SMOOTHING_S
+            }
+        };
+        let velocities = self.velocities().into_iter().enumerate();
+        let projectile = self.object.as_ref().map(|(_, projectile)| projectile);
+        Frame {
+            front: None,
+            time: due,
+            positions: (0..eye.mass.len()).map(position).collect(),
+            forces: velocities.map(force).collect(),
+            cells: self.cells.pressures(),
+            projectile: projectile.map(|f| Point2::new(f.middle() - back * f.velocity(), 0.0)),
+            squeezed: projectile.map_or(0.0, MovingObject::squeezed),
+            pressure: Some(self.account.pressure()),
         }
+    }
+}
+
+/// The shape of an eye whose shell has grown by some share, and which has flown by `way` m.
+fn shape(
+    eye: &AxisymmetricEye,
+    state: &NodeState,
+    (lens, lens_rest): (&[(usize, f64)], f64),
+    way: f64,
+    shell_growth: f64,
+) -> Shape {
+    let shell = state.shell.clone();
+    let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
+    let radius = eye.parameters.radius;
+    let widest = |r: &mut dyn Iterator<Item = f64>| r.fold(0.0, f64::max);
+    let rest = widest(&mut eye.mesh.shell.iter().map(|&n| eye.mesh.r[n]));
+    Shape {
+        shortening: 1.0 - (back - front) / (2.0 * radius),
+        width_growth: widest(&mut state.r[shell].iter().copied()) / rest - 1.0,
+        shell_growth,
+        apex: front + radius - way,
+        lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest - way,
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue, volume};
 use crate::models::axisymmetric::forces::state::NodeState;
+use nalgebra::{SVector, Vector2};
 use std::collections::VecDeque;
 
 /// Where the sensor sits, on the axis behind the centre, and how far around it takes a mean, in m.
@@ -127,11 +128,44 @@ impl RunningMean {
     }
 }
 
-/// Velocities of the four monitored places over the last while.
+/// Velocities of the four monitored places over the last while, of `D` components.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Velocities<const D: usize> {
+    past: VecDeque<(f64, [SVector<f64, D>; 4])>,
+}
+
+impl<const D: usize> Velocities<D> {
+    /// By how much they have changed over the last 20 us up to `time` s, at which they are `now`,
+    /// in m/s.
+    pub fn change(&mut self, now: [SVector<f64, D>; 4], time: f64) -> [SVector<f64, D>; 4] {
+        self.past.push_back((time, now));
+        let start = time - SMOOTHING_S;
+        while self.past.len() > 2 && self.past[1].0 <= start {
+            self.past.pop_front();
+        }
+        let (t0, first) = self.past[0];
+        let (t1, second) = self.past[1.min(self.past.len() - 1)];
+        // Before the first step all was at rest.
+        let s = if t1 > t0 {
+            ((start - t0) / (t1 - t0)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        std::array::from_fn(|i| {
+            if start < t0 {
+                now[i]
+            } else {
+                now[i] - (first[i] + (second[i] - first[i]) * s)
+            }
+        })
+    }
+}
+
+/// The four monitored places and what they have been through.
 #[derive(Debug, Clone)]
 pub(crate) struct Accelerometers {
     places: [Vec<(usize, f64)>; 4],
-    past: VecDeque<(f64, [(f64, f64); 4])>,
+    velocities: Velocities<2>,
 }
 
 /// The nodes nearest to the four monitored places.
@@ -183,43 +217,22 @@ impl Accelerometers {
     pub fn new(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> Self {
         Self {
             places: places(eye, place),
-            past: VecDeque::new(),
+            velocities: Velocities::default(),
         }
     }
 
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
     pub fn read(&mut self, state: &NodeState, time: f64) -> [f64; 4] {
         let now = std::array::from_fn(|i| {
-            self.places[i]
+            let velocity = self.places[i]
                 .iter()
                 .fold((0.0, 0.0), |v, &(place, share)| {
                     (v.0 + share * state.vx[place], v.1 + share * state.vr[place])
-                })
+                });
+            Vector2::new(velocity.0, velocity.1)
         });
-        self.past.push_back((time, now));
-        let start = time - SMOOTHING_S;
-        while self.past.len() > 2 && self.past[1].0 <= start {
-            self.past.pop_front();
-        }
-        let (t0, first) = self.past[0];
-        let (t1, second) = self.past[1.min(self.past.len() - 1)];
-        // Before the first step all was at rest.
-        let s = if t1 > t0 {
-            ((start - t0) / (t1 - t0)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        std::array::from_fn(|i| {
-            let old = if start < t0 {
-                (0.0, 0.0)
-            } else {
-                (
-                    first[i].0 + s * (second[i].0 - first[i].0),
-                    first[i].1 + s * (second[i].1 - first[i].1),
-                )
-            };
-            libm::hypot(now[i].0 - old.0, now[i].1 - old.1) / SMOOTHING_S
-        })
+        let change = self.velocities.change(now, time);
+        change.map(|change| libm::hypot(change.x, change.y) / SMOOTHING_S)
     }
 }
 

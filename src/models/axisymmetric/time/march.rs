@@ -8,10 +8,14 @@
 //! whole swing of the eye; any run ends when the eye is pressed flat.
 
 use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::results::{Energy, Extremes};
-use crate::models::axisymmetric::time::until::Until;
-use crate::run::kept::{Frame, Keep, Traces};
+use crate::models::axisymmetric::recording::account::Recorded;
+use crate::models::axisymmetric::recording::results::Extremes;
+use crate::run::kept::Frame;
+use crate::run::plan::Plan;
+use crate::run::refusal::Refusal;
+use crate::run::rules::Rules;
 use crate::run::watch::Watch;
+use crate::scenario::Integrator;
 use fearless_simd::Level;
 use std::ops::ControlFlow;
 
@@ -42,6 +46,16 @@ pub enum CellLoop {
     Rows,
     /// In rows, by these vectors.
     Vectors(Level),
+}
+
+impl CellLoop {
+    /// The vectors of what goes by vectors.
+    pub(crate) fn level(self) -> Level {
+        match self {
+            Self::Plain | Self::Rows => Level::new(),
+            Self::Vectors(level) => level,
+        }
+    }
 }
 
 /// Why a run ended without a result.
@@ -87,6 +101,21 @@ impl From<f64> for Steps {
 }
 
 impl Steps {
+    /// Those of a plan, whose step is that of the eye at rest: a share of its `limit`, in s.
+    ///
+    /// # Errors
+    /// Refuses an integrator that is not among the `rules`.
+    pub(crate) fn by(plan: &Plan, limit: f64, rules: &Rules) -> Result<Self, Refusal> {
+        Ok(Self {
+            share: plan.step / plan.multiple / limit,
+            scheme: match plan.integrator {
+                Integrator::VelocityVerlet => Scheme::Leapfrog,
+                Integrator::SemiImplicitEuler => Scheme::SemiImplicitEuler,
+                other => return Err(rules.unfit(other)),
+            },
+        })
+    }
+
     /// How long forces act on a step of `step` s after one of `before` s.
     fn kick(&self, before: f64, step: f64) -> f64 {
         match self.scheme {
@@ -98,73 +127,6 @@ impl Steps {
 
 /// Takes frames as they come, and may stop the run.
 pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
-
-/// What a march keeps account of, whatever moves.
-#[derive(Debug, Clone)]
-pub(crate) struct Account {
-    pub window: Until,
-    /// How long the slowest swing of the eye takes, s.
-    swing: f64,
-    pub keep: Keep,
-    /// Of the object at the start, J.
-    pub energy_before: f64,
-    pub energy: Energy,
-    pub traces: Traces,
-    /// When what acts was last seen to be gone, s.
-    over_since: Option<f64>,
-    /// Most energy that has come in, and most that the balance was off, J.
-    came: f64,
-    missing: f64,
-}
-
-impl Account {
-    pub fn new(window: Until, swing: f64, keep: Keep, energy_before: f64) -> Self {
-        Self {
-            window,
-            swing,
-            keep,
-            energy_before,
-            energy: Energy::default(),
-            traces: Traces::default(),
-            over_since: None,
-            came: 0.0,
-            missing: 0.0,
-        }
-    }
-
-    /// Compares the energies of the last balance. How often that is done must not depend on what is
-    /// kept.
-    fn audit(&mut self) {
-        self.came = self.came.max(self.energy_before + self.energy.work.abs());
-        let missing = (self.energy.total() - self.energy_before).abs();
-        self.missing = self.missing.max(missing);
-    }
-
-    /// Largest error of the balance over the energy that came in.
-    pub fn residual(&self) -> f64 {
-        if self.came > 0.0 {
-            self.missing / self.came
-        } else {
-            0.0
-        }
-    }
-
-    /// Whether what acts is gone and nothing has grown for long. Traces and frames want the whole
-    /// of a time that was asked for.
-    fn settled(&mut self, over: bool, last_growth: f64, time: f64) -> bool {
-        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
-            return false;
-        }
-        // An eye that was let go swings back: its growth may begin only now.
-        let since = if over {
-            *self.over_since.get_or_insert(time)
-        } else {
-            self.over_since = None;
-            time
-        };
-        over && last_growth.max(since) < time - self.swing
-    }
-}
 
 /// When one of the readings, or a force or pressure that some of them are means of, last grew, in
 /// s.
@@ -181,43 +143,26 @@ pub(crate) struct Bounds {
 }
 
 /// An eye and what hits it, on their way through the window.
-pub(crate) trait Marching: Sized {
-    /// What all parts say at some instant.
-    type Now;
+pub(crate) trait Marching: Recorded + Sized {
     /// What is left at the end.
     type Run;
-
-    fn account(&self) -> &Account;
-    fn account_mut(&mut self) -> &mut Account;
-    fn extremes(&self) -> &Extremes;
-    fn extremes_mut(&mut self) -> &mut Extremes;
 
     /// Forces of everything where it is now.
     fn forces(&mut self, time: f64) -> Self::Now;
     fn bounds(now: &Self::Now) -> Bounds;
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
-    /// nodes.
-    fn offer_readings(&mut self, now: &Self::Now, at: (usize, f64), step: f64) -> [f64; 4];
-    /// Readings that are not taken at every step, at the last.
-    fn offer_last(&mut self, _time: f64) {}
     /// Whether what acts is gone.
     fn over(&self, time: f64) -> bool;
-    /// Energies of this instant, at which forces act for `kick` s.
-    fn take_balance(&mut self, now: &Self::Now, kick: f64);
-    fn take_trace(&mut self, now: &Self::Now, time: f64, node_force: [f64; 4]);
     /// Whether the object has gone through; some look at every so many steps, and at the last.
     fn gone_through(&self, steps: usize, last: bool) -> bool;
     /// Moves everything by `step` s after a kick of `kick` s, and adds up what that costs.
     fn advance(&mut self, now: &Self::Now, kick: f64, step: f64);
-    /// The frames that fall into the step of `step` s that ended at `time`.
-    fn take_frames(&mut self, time: f64, step: f64) -> Vec<Frame>;
     fn finish(self, time: f64, steps: usize, settled: bool) -> Self::Run;
 
-    /// Follows it through the window with such steps.
+    /// Follows it through the window with such steps. Frames that nobody takes are kept.
     ///
     /// # Errors
     /// See [`Stop`].
-    fn march(mut self, by: Steps, watch: Watch, take: Take) -> Result<Self::Run, Stop> {
+    fn march(mut self, by: Steps, watch: Watch, mut take: Option<Take>) -> Result<Self::Run, Stop> {
         let (mut time, mut step, mut steps) = (0.0, 0.0, 0);
         let (mut next_trace, mut next_balance) = (0.0, 0.0);
         let (window, swing) = (self.account().window, self.account().swing);
@@ -239,36 +184,38 @@ pub(crate) trait Marching: Sized {
             } else {
                 most.min(GROWTH * before)
             };
-            let forces = self.offer_readings(&now, (steps, time), before);
+            let forces = self.read(&now, (steps, time), before);
             let settled = looks && {
-                let (over, growth) = (self.over(time), last_growth(self.extremes()));
-                self.account_mut().settled(over, growth, time)
+                let over = self.over(time);
+                let growth = last_growth(&self.account().extremes);
+                self.account().settled(over, growth, time)
             };
             let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(bounds.cells);
-            let flat = bounds.cells < least || self.extremes().shortening.value > FLAT;
+            let extremes = &mut self.account().extremes;
+            let flat = bounds.cells < least || extremes.shortening.value > FLAT;
             if flat {
-                self.extremes_mut().flat_at = Some(time);
+                extremes.flat_at = Some(time);
             }
             let last = time >= end || settled || flat;
             if last {
-                self.offer_last(time);
+                self.read_last(time);
             }
             let trace = self.account().keep.traces && (time >= next_trace || last);
             let balance = time >= next_balance || last;
             if balance || trace {
-                self.take_balance(&now, by.kick(before, step));
+                self.balance(&now, by.kick(before, step));
                 if balance {
                     next_balance = after(time, balance_every);
-                    self.account_mut().audit();
+                    self.account().audit();
                 }
                 if !self.account().energy.total().is_finite() {
                     return Err(Stop::NotFinite { time, step: steps });
                 }
             }
             if trace {
-                self.take_trace(&now, time, forces);
+                self.trace(&now, time, forces);
                 if !last {
-                    window.thin(&mut self.account_mut().traces, &mut trace_every);
+                    window.thin(&mut self.account().traces, &mut trace_every);
                 }
                 next_trace = after(time, trace_every);
             }
@@ -285,7 +232,12 @@ pub(crate) trait Marching: Sized {
             self.advance(&now, by.kick(before, step), step);
             time += step;
             steps += 1;
-            for frame in self.take_frames(time, step) {
+            let frames = self.frames(time, step);
+            let Some(take) = &mut take else {
+                self.account().frames.extend(frames);
+                continue;
+            };
+            for frame in frames {
                 if take(frame).is_break() {
                     return Err(Stop::Watched);
                 }

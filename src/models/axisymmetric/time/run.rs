@@ -17,22 +17,19 @@ use crate::models::axisymmetric::forces::plain::PlainCells;
 use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
-use crate::models::axisymmetric::recording::results::{EngineRun, Extremes};
-use crate::models::axisymmetric::recording::sensor::{
-    Accelerometers, BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
-};
+use crate::models::axisymmetric::recording::account::{Account, Shape};
+use crate::models::axisymmetric::recording::results::EngineRun;
+use crate::models::axisymmetric::recording::sensor::{Accelerometers, LowPass};
 use crate::models::axisymmetric::recording::tissue::Tissues;
 use crate::models::axisymmetric::time::due::FramesDue;
 use crate::models::axisymmetric::time::march::{
-    Account, Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
+    Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::{Piece, Pulse, Segment};
-use crate::run::fold::FoldWatch;
-use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::watch::Watch;
+use crate::run::kept::{Keep, Spacing};
+use crate::run::watch::{Watch, unwatched};
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 /// What acts on the eye.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,13 +43,8 @@ pub enum AxisymmetricLoad {
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
 pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
-    let mut motion = Motion::new(
-        eye,
-        CellRows::new(eye),
-        blow,
-        Keep::default(),
-        Until::Time(1.0),
-    );
+    let (keep, window) = (Keep::default(), Until::Time(1.0));
+    let mut motion = Motion::new(eye, CellLoop::Rows, blow, keep, window);
     motion.forces(0.0).limit
 }
 
@@ -86,27 +78,8 @@ pub fn run_as(
     keep: Keep,
     watch: Watch,
 ) -> Result<EngineRun, Stop> {
-    let (steps, window) = (steps.into(), window.into());
-    let mut frames = Vec::new();
-    let take = &mut |frame| {
-        frames.push(frame);
-        ControlFlow::Continue(())
-    };
-    let run = match form {
-        CellLoop::Plain => {
-            let cells = PlainCells::new(eye);
-            Motion::new(eye, cells, blow, keep, window).march(steps, watch, take)
-        }
-        CellLoop::Rows => {
-            let rows = CellRows::new(eye);
-            Motion::new(eye, rows, blow, keep, window).march(steps, watch, take)
-        }
-        CellLoop::Vectors(level) => {
-            let rows = CellRows::with_level(eye, level);
-            Motion::new(eye, rows, blow, keep, window).march(steps, watch, take)
-        }
-    };
-    Ok(EngineRun { frames, ..run? })
+    let motion = Motion::new(eye, form, blow, keep, window.into());
+    motion.march(steps.into(), watch, None)
 }
 
 /// [`run`] that hands on each frame when it is due and keeps nothing.
@@ -125,9 +98,9 @@ pub fn run_through(
         traces: false,
         frames: Some(spacing),
     };
-    let watch = &mut |_| ControlFlow::Continue(());
-    let motion = Motion::new(eye, CellRows::new(eye), blow, keep, window.into());
-    motion.march(steps.into(), watch, take).map(|_| ())
+    let motion = Motion::new(eye, CellLoop::Rows, blow, keep, window.into());
+    let run = motion.march(steps.into(), &mut unwatched, Some(take));
+    run.map(|_| ())
 }
 
 /// How long the slowest swing of a filled shell takes, 2 pi sqrt(rho R^3/(E t)) but for a factor
@@ -160,9 +133,9 @@ impl Load {
     }
 }
 
-pub(crate) struct Motion<'a, C> {
+pub(crate) struct Motion<'a> {
     pub eye: &'a AxisymmetricEye,
-    pub cells: C,
+    pub cells: Box<dyn Cells>,
     /// For the elastic energy.
     pub balance: PlainCells,
     pub mass: Vec<f64>,
@@ -176,22 +149,14 @@ pub(crate) struct Motion<'a, C> {
     pub lens_rest: f64,
     /// Centre of mass at rest, m.
     pub middle: f64,
-    pub globe_volume: f64,
+    pub shape: Shape,
     pub accelerometers: Accelerometers,
     pub tissues: Tissues,
-    pub force_mean: RunningMean,
-    pub back_mean: RunningMean,
     /// Tension of the sclera in each segment, along and around, Pa, and through a low pass.
     pub tension: Vec<[f64; 2]>,
     pub tension_passed: Vec<[LowPass; 2]>,
-    /// The largest of those that passed, Pa.
-    pub stress: f64,
-    /// Low passes of the mean pressure and of that at the back.
-    pub filters: [LowPass; 2],
     pub contact_evaluations: usize,
     pub account: Account,
-    pub extremes: Extremes,
-    pub fold: FoldWatch,
     pub frames_due: Option<FramesDue<(f64, f64)>>,
 }
 
@@ -205,14 +170,18 @@ pub(crate) struct Instant {
     pub limit: f64,
 }
 
-impl<'a, C: Cells> Motion<'a, C> {
+impl<'a> Motion<'a> {
     fn new(
         eye: &'a AxisymmetricEye,
-        cells: C,
+        form: CellLoop,
         blow: &AxisymmetricLoad,
         keep: Keep,
         window: Until,
     ) -> Self {
+        let cells: Box<dyn Cells> = match form {
+            CellLoop::Plain => Box::new(PlainCells::new(eye)),
+            _ => Box::new(CellRows::new(eye, form.level())),
+        };
         let target = Target::new(eye);
         let (object, load) = match blow {
             AxisymmetricLoad::Object(object) => {
@@ -244,10 +213,6 @@ impl<'a, C: Cells> Motion<'a, C> {
             .filter(|(_, m)| **m > 0.0)
             .map(|(node, m)| (cells.place(node), m / total))
             .collect();
-        let mut extremes = Extremes::at_rest();
-        if let AxisymmetricLoad::Pulse(_, half_width) = blow {
-            extremes.contact_radius = eye.parameters.radius * libm::sin(half_width.min(0.5 * PI));
-        }
         let state = cells.rest();
         let mut mass = vec![0.0; state.x.len()];
         for (node, m) in eye.mass.iter().enumerate() {
@@ -255,12 +220,19 @@ impl<'a, C: Cells> Motion<'a, C> {
         }
         let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut balance.rest()).volume;
+        let brought = object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0));
+        let size = (globe_volume, eye.cells.len());
+        let mut account = Account::new((window, keep), swing(eye), brought, size);
+        if let AxisymmetricLoad::Pulse(_, half_width) = blow {
+            let radius = eye.parameters.radius * libm::sin(half_width.min(0.5 * PI));
+            account.extremes.contact_radius = radius;
+        }
         Self {
             middle: mass.iter().zip(&state.x).map(|(m, x)| m * x).sum::<f64>()
                 / mass.iter().sum::<f64>(),
             lens_rest: lens.iter().map(|&(n, s)| s * state.x[n]).sum(),
             lens,
-            globe_volume,
+            shape: Shape::default(),
             accelerometers: Accelerometers::new(eye, |n| cells.place(n)),
             tissues: Tissues::new(eye, &state, |n| cells.place(n)),
             balance,
@@ -270,47 +242,19 @@ impl<'a, C: Cells> Motion<'a, C> {
             cells,
             mass,
             state,
-            account: Account::new(
-                window,
-                swing(eye),
-                keep,
-                object.as_ref().map_or(0.0, |(_, f)| f.kinetic(0.0)),
-            ),
+            account,
             object,
             load,
-            force_mean: RunningMean::over(FORCE_MEAN_S),
-            back_mean: RunningMean::over(BACK_MEAN_S),
             tension: vec![[0.0; 2]; eye.segments.len()],
             tension_passed: vec![[LowPass::default(); 2]; eye.segments.len()],
-            stress: 0.0,
-            filters: [LowPass::default(); 2],
             contact_evaluations: 0,
-            extremes,
-            fold: FoldWatch::new(eye.cells.len()),
             frames_due: keep.frames.map(FramesDue::new),
         }
     }
 }
 
-impl<C: Cells> Marching for Motion<'_, C> {
-    type Now = Instant;
+impl Marching for Motion<'_> {
     type Run = EngineRun;
-
-    fn account(&self) -> &Account {
-        &self.account
-    }
-
-    fn account_mut(&mut self) -> &mut Account {
-        &mut self.account
-    }
-
-    fn extremes(&self) -> &Extremes {
-        &self.extremes
-    }
-
-    fn extremes_mut(&mut self) -> &mut Extremes {
-        &mut self.extremes
-    }
 
     fn forces(&mut self, time: f64) -> Instant {
         let sums = self.cells.forces(&mut self.state);
@@ -357,10 +301,6 @@ impl<C: Cells> Marching for Motion<'_, C> {
         }
     }
 
-    fn offer_readings(&mut self, now: &Instant, (_, time): (usize, f64), step: f64) -> [f64; 4] {
-        self.read(now, time, step)
-    }
-
     fn over(&self, time: f64) -> bool {
         match (&self.object, &self.load) {
             (Some((object, projectile)), _) => {
@@ -377,14 +317,6 @@ impl<C: Cells> Marching for Motion<'_, C> {
         }
     }
 
-    fn take_balance(&mut self, now: &Instant, kick: f64) {
-        self.balance(now, kick);
-    }
-
-    fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
-        self.trace(now, time, node_force);
-    }
-
     /// Whether the centre of the object lies behind the shell, on the axis or off it.
     fn gone_through(&self, _steps: usize, _last: bool) -> bool {
         let Some((object, projectile)) = &self.object else {
@@ -397,7 +329,7 @@ impl<C: Cells> Marching for Motion<'_, C> {
         };
         // What flattens the eye with no more than a point is on its way through.
         let narrow = object.outline.radius() < NARROW * self.eye.parameters.radius;
-        centre > apex || narrow && self.extremes.flat_at.is_some()
+        centre > apex || narrow && self.account.extremes.flat_at.is_some()
     }
 
     fn advance(&mut self, now: &Instant, kick: f64, step: f64) {
@@ -423,10 +355,6 @@ impl<C: Cells> Marching for Motion<'_, C> {
         }
     }
 
-    fn take_frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
-        self.frames(time, step)
-    }
-
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
         let eye: f64 = self
             .mass
@@ -435,23 +363,12 @@ impl<C: Cells> Marching for Motion<'_, C> {
             .map(|(m, v)| m * v)
             .sum();
         let object = self.object.as_ref().map_or(0.0, |(_, f)| f.momentum());
-        self.extremes.energy_residual = self.account.residual();
-        self.extremes.fold = self.fold.fold();
-        self.extremes.touching = self.account.energy.contact > 0.0;
-        self.extremes.rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
-        if self.extremes.missed() {
-            // What an eye that nothing touched shows is rounding.
-            self.extremes = Extremes {
-                rim_force: self.extremes.rim_force,
-                rebound: self.extremes.rebound,
-                energy_residual: self.extremes.energy_residual,
-                ..Extremes::at_rest()
-            };
-        }
+        let rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
+        self.account.finish(rebound);
         EngineRun {
-            extremes: self.extremes,
+            extremes: self.account.extremes,
             traces: self.account.keep.traces.then_some(self.account.traces),
-            frames: Vec::new(),
+            frames: self.account.frames,
             energy: self.account.energy,
             momentum: eye + object,
             steps,

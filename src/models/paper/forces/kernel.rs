@@ -330,17 +330,19 @@ mod tests {
     use crate::models::paper::eye::Eye;
     use crate::models::paper::forces::load::ArcLoad;
     use crate::models::pulse::Pulse;
-    use crate::scenario::{Impact, Scenario};
+    use crate::scenario::Scenario;
+
+    fn system(scenario: &Scenario, whole: bool, portable: bool) -> System {
+        let pulse = scenario.pulse().unwrap();
+        let eye = Eye::build(&scenario.eye);
+        let load = ArcLoad::new(pulse, &eye);
+        System::new(&eye, Pulse::new(pulse), &load, whole, portable)
+    }
 
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {
         let mut scenario = Scenario::default();
         scenario.eye.level = eye_level;
-        let Impact::ForcePulse(pulse) = &scenario.impact else {
-            panic!()
-        };
-        let eye = Eye::build(&scenario.eye);
-        let load = ArcLoad::new(pulse, &eye);
-        let mut system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
+        let mut system = system(&scenario, whole, portable);
         system.set_level(level);
         let mut state = State::at_rest(&system);
         let h = 0.5 / system.omega_bound();
@@ -379,12 +381,7 @@ mod tests {
     fn without_filaments_the_load_does_not_pile_up() {
         let mut scenario = Scenario::default();
         scenario.eye.filament_factor = 0.0;
-        let Impact::ForcePulse(pulse) = &scenario.impact else {
-            panic!()
-        };
-        let eye = Eye::build(&scenario.eye);
-        let load = ArcLoad::new(pulse, &eye);
-        let system = System::new(&eye, Pulse::new(pulse), &load, true, false);
+        let system = system(&scenario, true, false);
         let mut state = State::at_rest(&system);
         evaluate(&system, &mut state, 100.0, 0.0);
         let once = state.ax.clone();

@@ -1,9 +1,10 @@
 //! The cells one by one: the tested reference of [`super::rows`] and the baseline of its speed.
 
+use crate::models::axisymmetric::forces::state::CellSums;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
 use crate::models::spatial::forces::math::Plain;
-use crate::models::spatial::forces::state::{CellSums, Cells, NodeState};
+use crate::models::spatial::forces::state::{Cells, NodeState};
 use crate::models::spatial::recording::sensor;
 
 /// Cells with lists of corners.

@@ -11,6 +11,7 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
+use crate::models::axisymmetric::forces::state::{CellSums, Totals};
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::SpatialEye;
@@ -18,7 +19,7 @@ use crate::models::spatial::eye::point::Nodes;
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
 use crate::models::spatial::forces::math::{Math, Wide};
 use crate::models::spatial::forces::plain;
-use crate::models::spatial::forces::state::{CellSums, Cells, NodeState};
+use crate::models::spatial::forces::state::{Cells, NodeState};
 use fearless_simd::{Level, Simd, dispatch};
 
 /// The nodes of a corner of eight cells.
@@ -56,11 +57,7 @@ pub(crate) struct CellRows {
 struct Gathered([[Lane; 3]; 8]);
 
 impl CellRows {
-    pub fn new(eye: &SpatialEye) -> Self {
-        Self::with_level(eye, Level::new())
-    }
-
-    pub fn with_level(eye: &SpatialEye, level: Level) -> Self {
+    pub fn new(eye: &SpatialEye, level: Level) -> Self {
         let one: Vec<Constants> = plain::constants(eye);
         let count = eye.cells.len().div_ceil(LANES);
         let mut constants = Aligned::zeros(count * field::COUNT * LANES);
@@ -129,17 +126,6 @@ fn read<M: Math>(m: M, group: &Group, lane: usize, of: &Nodes, lists: &Gathered)
     read
 }
 
-/// Sums by place in a group.
-struct Totals {
-    loss: Lane,
-    mean: Lane,
-    sensor: Lane,
-    volume: Lane,
-    /// 1/s, most.
-    rate: Lane,
-    corner: Lane,
-}
-
 #[inline(always)]
 fn add<M: Math>(m: M, to: &mut Lane, lane: usize, value: M::N) {
     let sum = m.load(to, lane) + value;
@@ -149,14 +135,7 @@ fn add<M: Math>(m: M, to: &mut Lane, lane: usize, value: M::N) {
 #[inline(always)]
 fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellSums {
     let m = Wide(simd);
-    let mut totals = Totals {
-        loss: [0.0; LANES],
-        mean: [0.0; LANES],
-        sensor: [0.0; LANES],
-        volume: [0.0; LANES],
-        rate: [0.0; LANES],
-        corner: [f64::INFINITY; LANES],
-    };
+    let mut totals = Totals::new();
     let zero = Gathered([[[0.0; LANES]; 3]; 8]);
     let (mut at, mut speed, mut on) = (zero, zero, zero);
     for (number, group) in rows.groups.iter().enumerate() {
@@ -207,15 +186,7 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
         }
         scatter(simd, group, &on, state);
     }
-    let sum = |of: Lane| of.iter().sum::<f64>();
-    CellSums {
-        limit: 1.0 / totals.rate.iter().copied().fold(0.0, f64::max),
-        loss: sum(totals.loss),
-        pressure: sum(totals.mean),
-        sensor: sum(totals.sensor),
-        volume: sum(totals.volume),
-        least_corner: totals.corner.iter().copied().fold(f64::INFINITY, f64::min),
-    }
+    totals.sums()
 }
 
 /// Adds what acts on the corners of a group to the nodes.

@@ -1,5 +1,6 @@
 //! Positions, velocities and forces of the nodes, and what moves them.
 
+use crate::models::axisymmetric::forces::state::CellSums;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::point::Nodes;
 use nalgebra::Vector3;
@@ -15,23 +16,6 @@ pub(crate) struct NodeState {
     pub force: Nodes,
     /// 1/kg, 0 where a node is held.
     pub free: Nodes,
-}
-
-/// What the cells say at some instant, beside their forces.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CellSums {
-    /// Longest stable step, s.
-    pub limit: f64,
-    /// Power lost to viscosity, W.
-    pub loss: f64,
-    /// Mean pressure of the globe, Pa.
-    pub pressure: f64,
-    /// Mean pressure of the cells at the sensor, Pa.
-    pub sensor: f64,
-    /// Volume of the globe, m3.
-    pub volume: f64,
-    /// Smallest corner over its volume at rest.
-    pub least_corner: f64,
 }
 
 /// The cells of an eye, in one form of computing them or another.

@@ -1,6 +1,5 @@
 //! What is read off the moving eye.
 
-pub(crate) mod frames;
 pub(crate) mod record;
 pub(crate) mod results;
 pub(crate) mod section;

@@ -1,10 +1,12 @@
-//! What is read off the moving eye at each step, and what is kept of it.
+//! What is read off the moving eye at each step, and its section at the instants that frames are
+//! due.
 
-use crate::models::axisymmetric::recording::record::NODE_MASS;
-use crate::models::axisymmetric::recording::sensor::LowPass;
+use crate::models::axisymmetric::recording::account::{Account, Flight, NODE_MASS, Recorded};
+use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::spatial::eye::mesh::Place;
-use crate::models::spatial::forces::state::Cells;
+use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::{Instant, Motion};
+use crate::run::kept::{Frame, FrontFrame};
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector3};
 use std::f64::consts::PI;
@@ -13,27 +15,22 @@ use std::f64::consts::PI;
 const SHAPE_EVERY: usize = 4;
 const TURN_EVERY: usize = 16;
 
-impl<C: Cells> Motion<'_, C> {
-    /// Extremes of this instant, `step` s after the one before; returns the forces of the monitored
-    /// nodes.
-    pub fn read(&mut self, now: &Instant, (steps, time): (usize, f64), step: f64) -> [f64; 4] {
-        let share = LowPass::share(step);
-        let e = &mut self.extremes.common;
-        e.force.offer(now.force, time);
-        let mean = self.force_mean.pass(now.force, time, step);
-        e.mean_force.offer(mean, time);
-        let pressure = self.filters[0].pass(now.sums.pressure, share);
-        e.pressure.offer(pressure, time);
-        let back = self.filters[1].pass(now.sums.sensor, share);
-        e.back_pressure.offer(back, time);
-        let mean = self.back_mean.pass(now.sums.sensor, time, step);
-        e.mean_back_pressure.offer(mean, time);
-        self.stress = 0.0;
+impl Recorded for Motion<'_> {
+    type Now = Instant;
+
+    fn account(&mut self) -> &mut Account {
+        &mut self.account
+    }
+
+    fn read(&mut self, now: &Instant, (steps, time): (usize, f64), step: f64) -> [f64; 4] {
+        let share = self.account.read(now.force, &now.sums, (time, step));
+        let e = &mut self.account.extremes;
+        let mut stress = 0.0_f64;
         let tensions = self.shell.tensions();
         for (i, (passed, now)) in self.tension_passed.iter_mut().zip(tensions).enumerate() {
-            self.stress = self.stress.max(passed.pass(*now, share));
-            if self.stress > e.scleral_stress.value {
-                e.scleral_stress.offer(self.stress, time);
+            stress = stress.max(passed.pass(*now, share));
+            if stress > e.scleral_stress.value {
+                e.scleral_stress.offer(stress, time);
                 self.extremes.stress_at = self.eye.quads[i].seen;
             }
         }
@@ -48,16 +45,12 @@ impl<C: Cells> Motion<'_, C> {
                 e.crushed_at.get_or_insert(time);
             }
         }
+        self.account.stress = stress;
         let moving = &self.flying.moving;
-        let kept = moving.kinetic(0.0) + moving.stored() + self.account.energy.lost_in_object;
-        let at_bone = now.push.map_or(0.0, |push| push.energy);
-        let given = self.account.energy_before - kept - now.touch.energy - at_bone;
-        e.energy_given.offer(given, time);
-        e.intrusion.offer(self.flying.intrusion(&self.way), time);
-        let volume = now.sums.volume / self.globe_volume;
-        e.least_volume = e.least_volume.min(volume);
-        e.most_volume = e.most_volume.max(volume);
-        e.least_triangle = e.least_triangle.min(now.sums.least_corner);
+        let energy = moving.kinetic(0.0) + moving.stored();
+        let between = (now.touch.energy, now.push.map_or(0.0, |push| push.energy));
+        let intrusion = self.flying.intrusion(&self.way);
+        self.account.read_object(energy, between, intrusion, time);
         if let Some(held) = &now.held {
             let force = self.eye.copies() * held.force;
             self.extremes.globe_on_bone.offer(force, time);
@@ -69,8 +62,8 @@ impl<C: Cells> Motion<'_, C> {
             self.eye,
             &self.state.at,
             (&self.shell.along, &self.dented),
-            share,
-            time,
+            (share, time),
+            &mut self.account.extremes.tissue,
             &mut self.extremes,
         );
         if steps % SHAPE_EVERY == 0 {
@@ -80,7 +73,7 @@ impl<C: Cells> Motion<'_, C> {
             self.read_turn(time);
         }
         let (eye, balance, state) = (self.eye, &self.balance, &self.state);
-        self.fold.record(
+        self.account.fold.record(
             time,
             now.sums.least_corner,
             |cell| balance.least_corner(state, cell),
@@ -101,36 +94,15 @@ impl<C: Cells> Motion<'_, C> {
         let accelerations = self
             .accelerometers
             .read(&self.state.speed, time - 0.5 * step);
-        let forces = accelerations.map(|a| NODE_MASS * a);
-        let e = &mut self.extremes.common;
-        for (peak, force) in e.node_force.iter_mut().zip(forces) {
-            peak.offer(force, time);
-        }
-        forces
+        self.account.read_nodes(accelerations, time)
     }
 
-    pub fn read_shape(&mut self, time: f64) {
-        self.shape = self.shapes.read(&self.state.at);
-        let (shape, e) = (self.shape, &mut self.extremes.common);
-        e.shortening.offer(shape.shortening, time);
-        e.equator_growth.offer(shape.width_growth, time);
-        e.shell_growth.offer(shape.shell_growth, time);
-        e.apex.offer(shape.apex, time);
-        e.lens.offer(shape.lens, time);
+    fn read_last(&mut self, time: f64) {
+        self.read_shape(time);
+        self.read_turn(time);
     }
 
-    /// How the globe has moved and turned.
-    pub fn read_turn(&mut self, time: f64) {
-        let (way, turn) = self.shapes.moved(&self.state.at);
-        let e = &mut self.extremes;
-        e.turn.offer(turn, time);
-        if way.norm() > e.way.value {
-            e.way.offer(way.norm(), time);
-            e.way_then = turned(way, self.up);
-        }
-    }
-
-    pub fn balance(&mut self, now: &Instant, kick: f64) {
+    fn balance(&mut self, now: &Instant, kick: f64) {
         let (state, copies) = (&self.state, self.eye.copies());
         let stored = self.balance.energy(state) + now.shell;
         self.account.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
@@ -146,41 +118,103 @@ impl<C: Cells> Motion<'_, C> {
         self.account.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
         let moving = &self.flying.moving;
         self.account.energy.object = moving.kinetic(kick) + moving.stored();
-        let given = self.account.energy_before
-            - self.account.energy.object
-            - self.account.energy.lost_in_object
-            - self.account.energy.contact;
-        self.extremes.common.energy_imparted = given;
+        self.account.extremes.energy_imparted = self.account.given();
     }
 
-    pub fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
+    fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
         let shape = self.shapes.read(&self.state.at);
-        let t = &mut self.account.traces;
-        t.time.push(time);
-        t.load.push(now.force);
-        for (trace, force) in t.force.iter_mut().zip(node_force) {
-            trace.push(force);
-        }
-        t.apex.push(shape.apex);
-        t.shell_growth.push(shape.shell_growth);
-        t.meridian_growth.push(shape.width_growth);
-        t.kinetic.push(self.account.energy.kinetic);
-        t.elastic.push(self.account.energy.elastic);
-        t.dissipated.push(self.account.energy.lost);
-        t.work.push(self.extremes.common.energy_imparted);
-        t.pressure.push(self.filters[0].now);
-        t.back_pressure.push(self.back_mean.now);
-        t.scleral_stress.push(self.stress);
-        for (trace, now) in t.tissue.iter_mut().zip(self.tissues.now) {
-            trace.push(now);
-        }
-        t.shortening.push(shape.shortening);
-        t.lens.push(shape.lens);
         let moving = &self.flying.moving;
-        t.contact_force.push(self.force_mean.now);
-        t.intrusion.push(self.flying.intrusion(&self.way));
-        t.projectile.push(moving.middle().dot(&self.way));
-        t.projectile_velocity.push(moving.velocity().dot(&self.way));
+        let flight = Flight {
+            intrusion: self.flying.intrusion(&self.way),
+            middle: moving.middle().dot(&self.way),
+            velocity: moving.velocity().dot(&self.way),
+        };
+        let (forces, tissue) = ((now.force, node_force), self.tissues.now);
+        self.account
+            .trace(time, forces, &shape, tissue, Some(flight));
+    }
+
+    fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
+        let Some((section, mut due)) = self.frames_due.take() else {
+            return Vec::new();
+        };
+        let frames = due.take(
+            (time, step),
+            || self.velocities(&section),
+            |due, before| self.frame(&section, due, time - due, before),
+        );
+        self.frames_due = Some((section, due));
+        frames
+    }
+}
+
+impl Motion<'_> {
+    fn read_shape(&mut self, time: f64) {
+        self.account
+            .read_shape(&self.shapes.read(&self.state.at), time);
+    }
+
+    /// How the globe has moved and turned.
+    fn read_turn(&mut self, time: f64) {
+        let (way, turn) = self.shapes.moved(&self.state.at);
+        let e = &mut self.extremes;
+        e.turn.offer(turn, time);
+        if way.norm() > e.way.value {
+            e.way.offer(way.norm(), time);
+            e.way_then = turned(way, self.up);
+        }
+    }
+
+    fn velocities(&self, section: &Section) -> Vec<Vector3<f64>> {
+        let points = section.points.iter();
+        points
+            .map(|shown| shown.point.of(&self.state.speed))
+            .collect()
+    }
+
+    /// The section at `due`, `back` s before now.
+    fn frame(&self, section: &Section, due: f64, back: f64, before: &[Vector3<f64>]) -> Frame {
+        let velocities = self.velocities(section);
+        let points = section.points.iter().zip(&velocities);
+        let position = |at: Vector3<f64>, speed: Vector3<f64>| section.shown(at - speed * back);
+        let forces = velocities.iter().enumerate().map(|(i, speed)| {
+            let earlier = before.get(i).copied().unwrap_or_default();
+            NODE_MASS * (speed - earlier).norm() / SMOOTHING_S
+        });
+        let pressures = self.cells.pressures();
+        let moving = &self.flying.moving;
+        Frame {
+            time: due,
+            positions: points
+                .map(|(shown, speed)| position(shown.point.of(&self.state.at), *speed))
+                .collect(),
+            forces: forces.collect(),
+            cells: section
+                .cells
+                .iter()
+                .map(|(_, cell)| pressures[*cell])
+                .collect(),
+            projectile: Some(position(moving.middle(), moving.velocity())),
+            squeezed: moving.squeezed(),
+            pressure: Some(self.account.pressure()),
+            front: Some(self.front(section, back)),
+        }
+    }
+
+    /// The eye from the front, `back` s before now.
+    fn front(&self, section: &Section, back: f64) -> FrontFrame {
+        let seen = |at: Vector3<f64>, speed: Vector3<f64>| section.facing(at - speed * back);
+        let [limbus, equator] = section.rings.each_ref().map(|ring| {
+            let (at, speed) = (&self.state.at, &self.state.speed);
+            let points = ring.iter().map(|point| seen(point.of(at), point.of(speed)));
+            points.collect()
+        });
+        let moving = &self.flying.moving;
+        FrontFrame {
+            limbus,
+            equator,
+            object: seen(moving.middle(), moving.velocity()),
+        }
     }
 }
 

@@ -4,13 +4,14 @@
 //! The sensor sits on the eye's own axis, as in experiments, and the accelerometers in its vertical
 //! plane. Low pass and running means are the axisymmetric eye's.
 
-use crate::models::axisymmetric::recording::sensor::{SENSOR_REACH, SENSOR_X, SMOOTHING_S};
+use crate::models::axisymmetric::recording::sensor::{
+    SENSOR_REACH, SENSOR_X, SMOOTHING_S, Velocities,
+};
 use crate::models::spatial::eye::mesh::Place;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, within};
 use crate::models::spatial::forces::object::towards;
 use nalgebra::Vector3;
-use std::collections::VecDeque;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.
 const POINTS: usize = 6;
@@ -87,11 +88,11 @@ pub(crate) fn monitored(eye: &SpatialEye, up: f64) -> [Vector3<f64>; 4] {
     ]
 }
 
-/// Velocities of the four monitored places over the last while.
+/// The four monitored places and what they have been through.
 #[derive(Debug, Clone)]
 pub(crate) struct Accelerometers {
     places: [Option<Point>; 4],
-    past: VecDeque<(f64, [Vector3<f64>; 4])>,
+    velocities: Velocities<3>,
 }
 
 impl Accelerometers {
@@ -102,7 +103,7 @@ impl Accelerometers {
         let inside = eye.at(inside, Some(Place::Globe)).map(|(point, _)| point);
         Self {
             places: [inside, front, right, top],
-            past: VecDeque::new(),
+            velocities: Velocities::default(),
         }
     }
 
@@ -113,27 +114,7 @@ impl Accelerometers {
                 .as_ref()
                 .map_or(Vector3::zeros(), |p| p.of(speed))
         };
-        let now = [of(0), of(1), of(2), of(3)];
-        self.past.push_back((time, now));
-        let start = time - SMOOTHING_S;
-        while self.past.len() > 2 && self.past[1].0 <= start {
-            self.past.pop_front();
-        }
-        let (t0, first) = self.past[0];
-        let (t1, second) = self.past[1.min(self.past.len() - 1)];
-        // Before the first step all was at rest.
-        let s = if t1 > t0 {
-            ((start - t0) / (t1 - t0)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        std::array::from_fn(|i| {
-            let old = if start < t0 {
-                Vector3::zeros()
-            } else {
-                first[i] + (second[i] - first[i]) * s
-            };
-            (now[i] - old).norm() / SMOOTHING_S
-        })
+        let change = self.velocities.change(std::array::from_fn(of), time);
+        change.map(|change| change.norm() / SMOOTHING_S)
     }
 }

@@ -5,6 +5,7 @@
 //! across it, the length of the shell in the plane of the way and the eye's axis. Straight on that
 //! is the same as there.
 
+use crate::models::axisymmetric::recording::account::Shape;
 use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::forces::object::towards;
@@ -47,17 +48,6 @@ struct Rest {
     apex: Vector3<f64>,
     lens: Vector3<f64>,
     middle: Vector3<f64>,
-}
-
-/// The shape at some instant.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Shape {
-    pub shortening: f64,
-    pub width_growth: f64,
-    pub shell_growth: f64,
-    /// Ways along the blow, m.
-    pub apex: f64,
-    pub lens: f64,
 }
 
 impl Shapes {

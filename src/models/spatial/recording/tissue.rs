@@ -26,6 +26,7 @@ use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, upon};
 use crate::models::spatial::forces::object::towards;
 use crate::models::spatial::recording::results::Extremes;
+use crate::run::kept::Peak;
 use crate::run::sectors::{HOURS, QUADRANTS};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
@@ -175,18 +176,17 @@ impl Tissues {
     }
 
     /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers
-    /// them to the extremes. `along` is the stretch of each quad and `touched` whether the object
+    /// them to their peaks and to the extremes. `along` is the stretch of each quad and `touched` whether the object
     /// touches it.
     pub fn read(
         &mut self,
         eye: &SpatialEye,
         at: &Nodes,
         (along, touched): (&[f64], &[bool]),
-        share: f64,
-        time: f64,
-        extremes: &mut Extremes,
+        (share, time): (f64, f64),
+        peaks: &mut [Peak; 5],
+        e: &mut Extremes,
     ) {
-        let e = extremes;
         self.now = [0.0; 5];
         for quad in &mut self.equator {
             let dented = touched[quad.quad];
@@ -199,8 +199,8 @@ impl Tissues {
             for hour in quad.hours {
                 e.sectors.equator[hour] = e.sectors.equator[hour].max(stretch);
             }
-            if stretch > e.common.tissue[0].value {
-                e.common.tissue[0].offer(stretch, time);
+            if stretch > peaks[0].value {
+                peaks[0].offer(stretch, time);
                 e.equator_at = eye.quads[quad.quad].seen;
             }
         }
@@ -239,7 +239,7 @@ impl Tissues {
                 to[hour] = to[hour].max(pulled);
             }
         }
-        for (peak, now) in e.common.tissue.iter_mut().zip(self.now).skip(1) {
+        for (peak, now) in peaks.iter_mut().zip(self.now).skip(1) {
             peak.offer(now, time);
         }
     }

@@ -4,13 +4,12 @@
 //! contact, of bone and of the object's spring.
 
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
-use crate::models::axisymmetric::recording::results as axisymmetric;
-use crate::models::axisymmetric::recording::sensor::{
-    BACK_MEAN_S, FORCE_MEAN_S, LowPass, RunningMean,
-};
+use crate::models::axisymmetric::forces::state::CellSums;
+use crate::models::axisymmetric::recording::account::Account;
+use crate::models::axisymmetric::recording::sensor::LowPass;
 use crate::models::axisymmetric::time::due::FramesDue;
 use crate::models::axisymmetric::time::march::{
-    Account, Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
+    Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
 use crate::models::axisymmetric::time::run::slowest_swing;
 use crate::models::axisymmetric::time::until::Until;
@@ -22,19 +21,16 @@ use crate::models::spatial::forces::plain::PlainCells;
 use crate::models::spatial::forces::rim::{Push, Rim};
 use crate::models::spatial::forces::rows::CellRows;
 use crate::models::spatial::forces::shell::Shell;
-use crate::models::spatial::forces::state::{CellSums, Cells, NodeState, vector};
+use crate::models::spatial::forces::state::{Cells, NodeState, vector};
 use crate::models::spatial::recording::results::{EngineRun, Extremes};
 use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::recording::sensor::Accelerometers;
-use crate::models::spatial::recording::shape::{Shape, Shapes};
+use crate::models::spatial::recording::shape::Shapes;
 use crate::models::spatial::recording::tissue::Tissues;
-use crate::run::fold::FoldWatch;
-use crate::run::kept::{Frame, Keep, Spacing};
-use crate::run::watch::Watch;
-use fearless_simd::Level;
+use crate::run::kept::{Keep, Spacing};
+use crate::run::watch::{Watch, unwatched};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 /// Steps between two looks at whether the object is inside of the eye.
 const LOOK_EVERY: usize = 16;
@@ -59,14 +55,8 @@ impl Blow {
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
 pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
-    let mut motion = Motion::new(
-        eye,
-        CellRows::new(eye),
-        Level::new(),
-        blow,
-        Keep::default(),
-        Until::Time(1.0),
-    );
+    let (keep, window) = (Keep::default(), Until::Time(1.0));
+    let mut motion = Motion::new(eye, CellLoop::Rows, blow, keep, window);
     motion.forces(0.0).limit
 }
 
@@ -99,27 +89,8 @@ pub fn run_as(
     keep: Keep,
     watch: Watch,
 ) -> Result<EngineRun, Stop> {
-    let (steps, window) = (steps.into(), window.into());
-    let mut frames = Vec::new();
-    let take = &mut |frame| {
-        frames.push(frame);
-        ControlFlow::Continue(())
-    };
-    let run = match form {
-        CellLoop::Plain => {
-            let cells = PlainCells::new(eye);
-            Motion::new(eye, cells, Level::new(), blow, keep, window).march(steps, watch, take)
-        }
-        CellLoop::Rows => {
-            let cells = CellRows::new(eye);
-            Motion::new(eye, cells, Level::new(), blow, keep, window).march(steps, watch, take)
-        }
-        CellLoop::Vectors(level) => {
-            let cells = CellRows::with_level(eye, level);
-            Motion::new(eye, cells, level, blow, keep, window).march(steps, watch, take)
-        }
-    };
-    Ok(EngineRun { frames, ..run? })
+    let motion = Motion::new(eye, form, blow, keep, window.into());
+    motion.march(steps.into(), watch, None)
 }
 
 /// [`run`] that hands on each frame when it is due and keeps nothing.
@@ -138,11 +109,9 @@ pub fn run_through(
         traces: false,
         frames: Some(spacing),
     };
-    let watch = &mut |_| ControlFlow::Continue(());
-    let cells = CellRows::new(eye);
-    Motion::new(eye, cells, Level::new(), blow, keep, window.into())
-        .march(steps.into(), watch, take)
-        .map(|_| ())
+    let motion = Motion::new(eye, CellLoop::Rows, blow, keep, window.into());
+    let run = motion.march(steps.into(), &mut unwatched, Some(take));
+    run.map(|_| ())
 }
 
 /// What flies at the eye.
@@ -161,9 +130,9 @@ impl Flying {
     }
 }
 
-pub(crate) struct Motion<'a, C> {
+pub(crate) struct Motion<'a> {
     pub eye: &'a SpatialEye,
-    pub cells: C,
+    pub cells: Box<dyn Cells>,
     /// For the elastic energy and folds.
     pub balance: PlainCells,
     pub state: NodeState,
@@ -176,28 +145,20 @@ pub(crate) struct Motion<'a, C> {
     pub way: Vector3<f64>,
     pub up: f64,
     pub shapes: Shapes,
-    pub shape: Shape,
-    pub globe_volume: f64,
     pub accelerometers: Accelerometers,
     pub tissues: Tissues,
     /// Quads of the shell near to where the blow enters.
     pub near_entry: Vec<bool>,
     pub dented: Vec<bool>,
-    pub force_mean: RunningMean,
-    pub back_mean: RunningMean,
     pub tension_passed: Vec<LowPass>,
-    /// The largest of those that passed, Pa.
-    pub stress: f64,
-    /// Low passes of the mean pressure and of that at the back.
-    pub filters: [LowPass; 2],
     pub account: Account,
     /// Work of the object on bone so far, J.
     pub at_bone: f64,
     /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
     pub lost: f64,
     pub kicked: f64,
+    /// What an eye of cells has no account of.
     pub extremes: Extremes,
-    pub fold: FoldWatch,
     pub frames_due: Option<(Section, FramesDue<Vector3<f64>>)>,
 }
 
@@ -214,15 +175,12 @@ pub(crate) struct Instant {
     pub limit: f64,
 }
 
-impl<'a, C: Cells> Motion<'a, C> {
-    fn new(
-        eye: &'a SpatialEye,
-        cells: C,
-        level: Level,
-        blow: &Blow,
-        keep: Keep,
-        window: Until,
-    ) -> Self {
+impl<'a> Motion<'a> {
+    fn new(eye: &'a SpatialEye, form: CellLoop, blow: &Blow, keep: Keep, window: Until) -> Self {
+        let cells: Box<dyn Cells> = match form {
+            CellLoop::Plain => Box::new(PlainCells::new(eye)),
+            _ => Box::new(CellRows::new(eye, form.level())),
+        };
         let aim = blow.in_mesh();
         let (way, passes) = (aim.way(), aim.passes());
         let object = &blow.object;
@@ -242,14 +200,12 @@ impl<'a, C: Cells> Motion<'a, C> {
             moving: MovingObject::new(object, way, passes + way * start),
             at_touch: globe.unwrap_or(start),
         };
-        let extremes = Extremes {
-            common: axisymmetric::Extremes::at_rest(),
-            ..Extremes::default()
-        };
         let state = NodeState::new(eye);
         let mut balance = PlainCells::new(eye);
         let globe_volume = balance.forces(&mut state.clone()).volume;
         let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
+        let swing = slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64);
+        let (brought, size) = (flying.moving.kinetic(0.0), (globe_volume, eye.cells.len()));
         let entry = touches(ObjectOutline::Sphere(0.0), line, Vector3::zeros(), radius);
         let entry = entry.map_or(-way, |along| (passes + way * along).normalize());
         let near = |quad: &ShellQuad| {
@@ -258,13 +214,12 @@ impl<'a, C: Cells> Motion<'a, C> {
         };
         Self {
             shapes: Shapes::new(eye, &state.at, way, blow.aim.plane() - blow.up),
-            shape: Shape::default(),
             accelerometers: Accelerometers::new(eye, blow.up),
             tissues: Tissues::new(eye, &state.at, blow.up),
             near_entry: eye.quads.iter().map(near).collect(),
             dented: vec![false; eye.quads.len()],
             balance,
-            shell: Shell::new(eye, level),
+            shell: Shell::new(eye, form.level()),
             target,
             bone: Bone::new(eye),
             rim,
@@ -272,24 +227,13 @@ impl<'a, C: Cells> Motion<'a, C> {
             cells,
             way,
             up: blow.up,
-            globe_volume,
-            account: Account::new(
-                window,
-                slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64),
-                keep,
-                flying.moving.kinetic(0.0),
-            ),
+            account: Account::new((window, keep), swing, brought, size),
             flying,
-            force_mean: RunningMean::over(FORCE_MEAN_S),
-            back_mean: RunningMean::over(BACK_MEAN_S),
             tension_passed: vec![LowPass::default(); eye.quads.len()],
-            stress: 0.0,
-            filters: [LowPass::default(); 2],
             at_bone: 0.0,
             lost: 0.0,
             kicked: 0.0,
-            extremes,
-            fold: FoldWatch::new(eye.cells.len()),
+            extremes: Extremes::default(),
             frames_due: keep
                 .frames
                 .map(|spacing| (Section::new(eye, blow), FramesDue::new(spacing))),
@@ -332,25 +276,8 @@ impl<'a, C: Cells> Motion<'a, C> {
     }
 }
 
-impl<C: Cells> Marching for Motion<'_, C> {
-    type Now = Instant;
+impl Marching for Motion<'_> {
     type Run = EngineRun;
-
-    fn account(&self) -> &Account {
-        &self.account
-    }
-
-    fn account_mut(&mut self) -> &mut Account {
-        &mut self.account
-    }
-
-    fn extremes(&self) -> &axisymmetric::Extremes {
-        &self.extremes.common
-    }
-
-    fn extremes_mut(&mut self) -> &mut axisymmetric::Extremes {
-        &mut self.extremes.common
-    }
 
     fn forces(&mut self, _time: f64) -> Instant {
         self.state.release();
@@ -392,26 +319,9 @@ impl<C: Cells> Marching for Motion<'_, C> {
         }
     }
 
-    fn offer_readings(&mut self, now: &Instant, at: (usize, f64), step: f64) -> [f64; 4] {
-        self.read(now, at, step)
-    }
-
-    fn offer_last(&mut self, time: f64) {
-        self.read_shape(time);
-        self.read_turn(time);
-    }
-
     fn over(&self, _time: f64) -> bool {
         let (depth, closing) = self.nearest();
         depth < -GONE && closing < 0.0
-    }
-
-    fn take_balance(&mut self, now: &Instant, kick: f64) {
-        self.balance(now, kick);
-    }
-
-    fn take_trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
-        self.trace(now, time, node_force);
     }
 
     /// Whether the middle of the object lies within the shell.
@@ -427,7 +337,7 @@ impl<C: Cells> Marching for Motion<'_, C> {
         // What flattens the eye with no more than a point is on its way through.
         let radius = self.eye.parameters.radius;
         let narrow = flying.object.outline.radius() < NARROW * radius;
-        if narrow && self.extremes.common.flat_at.is_some() {
+        if narrow && self.account.extremes.flat_at.is_some() {
             return true;
         }
         let middle = self.shapes.middle(&self.state.at);
@@ -451,10 +361,6 @@ impl<C: Cells> Marching for Motion<'_, C> {
         self.account.energy.lost_in_object += self.flying.moving.advance(kick, step);
     }
 
-    fn take_frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
-        self.frames(time, step)
-    }
-
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
         let (mut momentum, mut angular) = (Vector3::zeros(), Vector3::zeros());
         for (node, mass) in self.eye.mass.iter().enumerate() {
@@ -466,36 +372,28 @@ impl<C: Cells> Marching for Motion<'_, C> {
             momentum = Vector3::new(2.0 * momentum.x, 2.0 * momentum.y, 0.0);
             angular = Vector3::new(0.0, 0.0, 2.0 * angular.z);
         }
-        let e = &mut self.extremes.common;
         let moving = &self.flying.moving;
         momentum += moving.momentum();
         for i in 0..2 {
             angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
         }
-        e.rebound = Some(-moving.velocity().dot(&self.way));
-        e.energy_residual = self.account.residual();
-        e.fold = self.fold.fold();
-        e.touching = self.account.energy.contact > 0.0;
-        if e.missed() {
-            // What an eye that nothing touched shows is rounding.
-            *e = axisymmetric::Extremes {
-                rim_force: e.rim_force,
-                rebound: e.rebound,
-                energy_residual: e.energy_residual,
-                ..axisymmetric::Extremes::at_rest()
-            };
-            let x = self.extremes;
-            self.extremes = Extremes {
-                common: x.common,
-                impulse_on_bone: x.impulse_on_bone,
-                energy_at_bone: x.energy_at_bone,
+        let rebound = -moving.velocity().dot(&self.way);
+        self.account.finish(Some(rebound));
+        let mut extremes = self.extremes;
+        if self.account.extremes.missed() {
+            extremes = Extremes {
+                impulse_on_bone: extremes.impulse_on_bone,
+                energy_at_bone: extremes.energy_at_bone,
                 ..Extremes::default()
             };
         }
         EngineRun {
-            extremes: self.extremes,
+            extremes: Extremes {
+                common: self.account.extremes,
+                ..extremes
+            },
             traces: self.account.keep.traces.then_some(self.account.traces),
-            frames: Vec::new(),
+            frames: self.account.frames,
             energy: self.account.energy,
             momentum,
             angular_momentum: angular,
