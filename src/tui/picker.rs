@@ -40,7 +40,8 @@ impl Picker {
         self.row = 0;
         self.shown = (0..choices.len()).collect();
         self.shown.sort_by_key(|at| rank(&choices[*at]));
-        let words: Vec<&str> = self.input.value().split_whitespace().collect();
+        let words = self.typed().0.split_whitespace();
+        let words: Vec<&str> = words.collect();
         if words.is_empty() {
             return;
         }
@@ -51,6 +52,14 @@ impl Picker {
             .collect();
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.shown = found.into_iter().map(|(_, at)| at).collect();
+    }
+
+    /// What is searched for, and the speed or force behind an `@`.
+    pub fn typed(&self) -> (&str, Option<&str>) {
+        match self.input.value().split_once('@') {
+            Some((name, strength)) => (name, Some(strength.trim()).filter(|it| !it.is_empty())),
+            None => (self.input.value(), None),
+        }
     }
 
     /// The choice with the cursor.
@@ -145,6 +154,7 @@ mod tests {
             ("bb 92", "bb-92"),
             ("air soft 75", "airsoft-75"),
             ("cork", "champagne-cork"),
+            ("cork@30", "champagne-cork"),
         ] {
             assert_eq!(
                 found(typed).first().map(String::as_str),

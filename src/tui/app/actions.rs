@@ -1,10 +1,13 @@
 //! What the keys do that belong to no single screen.
 
 use crate::run::trace::Trace;
+use crate::scenario::Scenario;
+use crate::scenario::set::set;
 use crate::tui::app::App;
 use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
+use crate::tui::choices::Choice;
 use crate::tui::clock::Moment;
-use crate::tui::form::strength;
+use crate::tui::form::{FormRow, strength};
 use crate::tui::line::TextLine;
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
@@ -71,19 +74,46 @@ pub(crate) fn scroll(app: &mut App, by: i16) {
     }
 }
 
+/// The scenario of a choice with another speed, or force.
+fn with_strength(choice: &Choice, typed: &str) -> Result<Scenario, String> {
+    let mut scenario = choice.scenario.clone()?;
+    if let FormRow::Field(field) = strength(&scenario) {
+        set(&mut scenario, field.path, typed).map_err(|why| why.to_string())?;
+    }
+    Ok(scenario)
+}
+
 /// Accepts what is chosen in front of the screen, or what is typed.
 pub(crate) fn accept(app: &mut App) {
     let model = &mut app.model;
     match &model.overlay {
         Some(Overlay::Picker(picker)) => {
             let at = picker.shown.get(picker.row).copied();
+            let marks = picker.marked.is_some();
+            let stronger = picker.typed().1.zip(picker.chosen(&model.choices));
+            let stronger = stronger.map(|(typed, choice)| {
+                let scenario = with_strength(choice, typed)?;
+                model
+                    .allows(&scenario)
+                    .map(|()| (choice.name.clone(), scenario))
+            });
+            let stronger = match stronger.transpose() {
+                Ok(stronger) => stronger,
+                Err(why) => return model.notice = Some(why),
+            };
             match at {
-                Some(at) if picker.marked.is_some() => {
+                Some(at) if marks => {
                     app.screens[app.screen].mark_choice(model, at);
+                    if let Some((name, scenario)) = stronger {
+                        app.screens[app.screen].take_changed(model, &name, &scenario);
+                    }
                 }
                 Some(at) => {
                     model.overlay = None;
                     presets::open(model, at);
+                    if let Some((_, scenario)) = stronger {
+                        edit::change(model, model.work.with(scenario), "");
+                    }
                     model.form.selected = strength(&model.work.scenario);
                     // The screen of the form is the first, its form the first pane.
                     app.screens[0].show_pane(0);

@@ -247,11 +247,12 @@ pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
     }
 }
 
-/// The place of the screen that a key shows while a value is typed, which no letter does.
+/// The place of the screen that a key shows while a value or a search is typed, which no letter
+/// does.
 pub(crate) fn shown_while_typing(model: &AppModel, event: KeyEvent) -> Option<usize> {
     let letter =
         matches!(event.code, KeyCode::Char(_)) && !event.modifiers.contains(KeyModifiers::ALT);
-    let behind = model.overlay.is_some() || letter;
+    let behind = letter || !matches!(model.overlay, None | Some(Overlay::Picker(_)));
     let binding = SHOW.find(&model.keys, event).filter(|_| !behind)?;
     Some(binding.act)
 }

@@ -235,6 +235,26 @@ fn lists_of_presets_have_a_first_and_a_last() {
 }
 
 #[test]
+fn a_speed_behind_a_name_in_the_list_goes_with_it_and_an_f_key_leaves_the_list() {
+    let mut app = begun();
+    press(&mut app, "p");
+    press(&mut app, "squash@30\r");
+    assert_eq!(app.model.work.scenario.name, "Squash ball at 30 m/s");
+    press(&mut app, "p\x1b4/");
+    press(&mut app, "paintb@80\r");
+    press(&mut app, "cork@fast\r");
+    assert!(
+        notice(&app).contains("fast is not a number"),
+        "{}",
+        notice(&app)
+    );
+    let entries = &app.state::<Comparison>().entries;
+    let names: Vec<&str> = entries.iter().map(|entry| &entry.name[..]).collect();
+    assert_eq!(names, ["paintball@80"]);
+    assert_eq!(entries[0].scenario.name, "Paintball at 80 m/s");
+}
+
+#[test]
 fn more_scenarios_than_can_be_marked_are_counted() {
     let names = [
         "paper-300n",

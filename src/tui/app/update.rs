@@ -104,7 +104,10 @@ fn key(app: &mut App, event: KeyEvent) {
         match table.find(&app.model.keys, event) {
             Some(binding) => run(app, binding.act),
             None => match tables::shown_while_typing(&app.model, event) {
-                Some(place) if typing::accept(&mut app.model) => app.show(place),
+                Some(place) if typing::accept(&mut app.model) => {
+                    app.model.overlay = None;
+                    app.show(place);
+                }
                 Some(_) => {}
                 None => typing::key(&mut app.model, event),
             },

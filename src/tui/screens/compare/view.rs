@@ -150,7 +150,7 @@ fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Bu
     if compare.entries.is_empty() {
         let texts = [
             "Space marks the preset under the cursor,",
-            "/ finds presets by letters and marks them",
+            "/ finds presets by letters and marks them, with a speed: squash@30",
         ];
         let room = usize::from(charts.width.saturating_sub(2));
         let lines = texts.iter().flat_map(|text| wrapped(text, room));
