@@ -16,7 +16,7 @@ use crate::scenario::set::full_path;
 use crate::scenario::{EyeInput, Scenario};
 
 /// A simulation after which what takes many of them is announced, where no progress is seen.
-const LONG: Duration = Duration::from_secs(1);
+const LONG: Duration = Duration::from_secs(3);
 
 /// Simulates the scenario and prints its results.
 ///

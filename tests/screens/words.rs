@@ -321,7 +321,7 @@ fn what_a_state_must_say_is_said_at_every_size() {
     );
     said(
         &after(&["bb-56"], "\x1b3vvvvvvvvv"),
-        &["pressure", "scleral stress"],
+        &["pressure", "stress"],
     );
     let mut app = app(&[], Depth::Mono);
     open_measured(&mut app);
