@@ -62,7 +62,8 @@ fn compiled() -> Option<PathBuf> {
     built.is_ok_and(|s| s.success()).then_some(program)
 }
 
-/// The case in the order in which the program reads it, steps and forces as `Plain::run` takes them.
+/// The case in the order in which the program reads it, steps and forces as `Plain::run` takes
+/// them.
 fn problem(case: &PaperCase, step: f64) -> String {
     let (eye, load, pulse) = (&case.eye, &case.load, &case.system.load().pulse);
     let segments = pulse.segments(case.window);

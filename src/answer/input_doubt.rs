@@ -8,6 +8,7 @@
 //! Left out: inputs that hang together, and curvature over more than one standard deviation.
 
 use crate::answer::brief::single;
+use crate::answer::results::InputDoubt;
 use crate::answer::solve::Answer;
 use crate::answer::uncertain::{UncertainInput, inputs};
 use crate::injury::{Blow, Injury, PerInjury};
@@ -17,15 +18,6 @@ use crate::scenario::{CheckedScenario, Geometry, Scenario};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
-
-/// Standard deviations that what is not known of the inputs brings.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct InputDoubt {
-    /// Of log10 of the measure of each injury.
-    pub measures: PerInjury<f64>,
-    /// Of log10 of the object's energy over its area.
-    pub energy: f64,
-}
 
 /// How far one input moves log10 of the measures and of the energy over area.
 #[derive(Debug, Clone, Copy, PartialEq)]

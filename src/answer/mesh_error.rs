@@ -20,14 +20,13 @@
 //! what all levels share, as the load's sharp edges and the shell without a thickness of its own.
 
 use crate::answer::compiled::Compiled;
-use crate::answer::results::Results;
+use crate::answer::results::{Limit, Limits, Results};
 use crate::answer::solve::Answer;
 use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::Keep;
 use crate::run::ordered::until;
 use crate::run::quantity::Family;
-use crate::run::readings::PerQuantity;
 use crate::run::refusal::Refusal;
 use crate::run::threads::beside;
 use crate::run::watch::Watch;
@@ -40,18 +39,6 @@ const SAFETY: f64 = 2.0;
 const SCATTER_LEVEL: u32 = 3;
 /// An error of more than so many times the result says nothing.
 const LARGEST_ERROR: f64 = 3.0;
-
-/// What a result tends to as the mesh gets finer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit {
-    /// In the unit of the result.
-    pub value: f64,
-    /// How far it may be off, in the same unit.
-    pub error: f64,
-}
-
-/// The limits that are known.
-pub type Limits = PerQuantity<Option<Limit>>;
 
 /// Results on one mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,6 +3,7 @@
 pub mod brief;
 pub mod choose;
 pub mod compiled;
+pub mod complete;
 pub mod derived;
 pub mod input_doubt;
 pub mod mesh_error;

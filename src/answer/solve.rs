@@ -5,9 +5,7 @@
 
 use crate::answer::compiled::Compiled;
 use crate::answer::derived::{self, rests_on};
-use crate::answer::input_doubt::{InputDoubt, InputQuery};
-use crate::answer::mesh_error::{Limits, add_mesh_error};
-use crate::answer::results::Results;
+use crate::answer::results::{InputDoubt, Limits, Results};
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled};
 use crate::injury::{DamageIndex, Injury, Known, Risk};
@@ -247,34 +245,6 @@ impl Answer {
 /// watch stops.
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     solve_case(Compiled::new(scenario), scenario, keep, watch)
-}
-
-/// The share of the progress of [`complete`] that stands for the meshes.
-const MESHES: f64 = 0.6;
-
-/// Adds to an answer what its ranges do not hold yet: the mesh error, if it has none, and what the
-/// inputs are not known to. `progress` is told the share done.
-///
-/// # Errors
-/// As [`solve`].
-pub fn complete(
-    scenario: &Scenario,
-    answer: &mut Answer,
-    stop: &AtomicBool,
-    mut progress: impl FnMut(f64) + Send,
-) -> Result<(), Refusal> {
-    if answer.errors.mesh.is_none() {
-        add_mesh_error(scenario, answer, &mut |share| {
-            progress(MESHES * share);
-            until(stop)(share)
-        })?;
-    }
-    let inputs = InputQuery::of(answer);
-    let inputs = inputs.estimate(scenario, stop, |share| {
-        progress(MESHES + (1.0 - MESHES) * share);
-    });
-    answer.inputs = Some(inputs?);
-    Ok(())
 }
 
 /// Answers `case`, which was compiled from `scenario`.

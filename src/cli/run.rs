@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use crate::answer::choose;
-use crate::answer::solve::{complete, solve};
+use crate::answer::complete::complete;
+use crate::answer::solve::solve;
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, RunArgs};
 use crate::plain_text::write_json;

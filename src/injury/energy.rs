@@ -9,7 +9,8 @@
 //!
 //! Where several published curves of human eyes count for one injury, the mean of their log x50 and
 //! that of their 1/k, which their spread is in proportion to, make one: a slope from 26 eyes that
-//! rises from 24 to 94 % within 7 kJ/m2 would put the lens below the bursting globe at low energies.
+//! rises from 24 to 94 % within 7 kJ/m2 would put the lens below the bursting globe at low
+//! energies.
 //!
 //! Left out: curves against pressure of water streams, whose risks were predicted and not seen, and
 //! limits of force on synthetic eyes.

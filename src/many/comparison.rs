@@ -9,7 +9,8 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
-use crate::answer::solve::{Answer, complete, solve};
+use crate::answer::complete::complete;
+use crate::answer::solve::{Answer, solve};
 use crate::run::kept::Keep;
 use crate::run::ordered;
 use crate::run::ordered::until;
@@ -103,7 +104,8 @@ impl ComparisonColumn {
     }
 }
 
-/// Which of two stands first in the order of a column: the largest first or last, and what has none last either way.
+/// Which of two stands first in the order of a column: the largest first or last, and what has none
+/// last either way.
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,

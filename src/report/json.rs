@@ -4,8 +4,8 @@
 //! sweeps, ensembles and errors; the time of its peak stands under that key in
 //! `peak_time_ms_by_result`. Figures that are no results stand beside them.
 
-use crate::answer::mesh_error::{Limit, Limits};
 use crate::answer::results::Results;
+use crate::answer::results::{Limit, Limits};
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::SIGNS;
 use crate::models::kernel_name;

@@ -1,6 +1,6 @@
 //! What finer meshes tend to, in one wording for every page and screen.
 
-use crate::answer::mesh_error::Limit;
+use crate::answer::results::Limit;
 use crate::answer::solve::Answer;
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{digits, significant};

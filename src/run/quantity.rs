@@ -96,7 +96,8 @@ pub enum Leads {
     /// Only where no projectile hits. Where one does, node forces follow every wave and differ from
     /// mesh to mesh.
     WithoutProjectile,
-    /// Nowhere, but its own error is watched: what tissues feel may wander far more than the motion.
+    /// Nowhere, but its own error is watched: what tissues feel may wander far more than the
+    /// motion.
     Watched,
     /// Nowhere.
     Never,

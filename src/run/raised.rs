@@ -8,7 +8,7 @@ use crate::run::quantity::Quantity;
 use crate::run::rules::Element;
 
 /// An energy residual above this share of what came in is an alarm.
-pub(crate) const ENERGY_ALARM: f64 = 0.01;
+pub(crate) const ENERGY_ALARM: f64 = 0.005;
 /// A step error above this many percent is called unconverged.
 const UNCONVERGED_PERCENT: f64 = 10.0;
 /// Two runs of a folded mesh that differ by more than this many percent predict nothing.

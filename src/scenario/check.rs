@@ -12,8 +12,8 @@ use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
 use crate::scenario::{
-    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, Support,
-    doubt,
+    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, STEEPEST_OBJECT_DEG,
+    Scenario, Support, doubt,
 };
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
@@ -271,8 +271,6 @@ const HOLDER_MM: f64 = 20.0;
 const EDGE_DEG: f64 = 8.0;
 /// A force at a greater angle would come from behind the equator.
 const STEEPEST_DEG: f64 = 90.0;
-/// An object at a greater angle, in degrees, would fly along the face.
-pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {

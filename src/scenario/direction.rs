@@ -1,7 +1,6 @@
 //! Where a blow comes from and what it aims at, by the clock as an examiner who faces the patient
 //! sees it: the nose lies at 3 o'clock of a right eye and at 9 of a left one.
 
-use crate::scenario::fields::Choices;
 use crate::scenario::{Impact, Projectile, Scenario};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -10,8 +9,6 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 pub const HOURS: f64 = 12.0;
 /// Radius of the globe, in mm.
 pub const GLOBE_MM: f64 = 12.0;
-/// The angle that a word alone stands for, in degrees.
-const USUAL_DEG: f64 = 30.0;
 
 /// Which eye of a person.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -160,76 +157,6 @@ impl Projectile {
     }
 }
 
-/// Where an object comes from, in a word: it stands for an angle and an hour.
-pub(super) struct Directions;
-
-const STRAIGHT_ON: &str = "StraightOn";
-/// Each word and its azimuth.
-const WORDS: [(&str, f64); 4] = [
-    ("Above", 0.0),
-    ("Nose", 0.5 * PI),
-    ("Below", PI),
-    ("Temple", 1.5 * PI),
-];
-
-impl Choices for Directions {
-    fn names(&self) -> Vec<&'static str> {
-        let words = WORDS.iter().map(|(word, _)| *word);
-        std::iter::once(STRAIGHT_ON).chain(words).collect()
-    }
-
-    fn synonyms(&self) -> &'static [(&'static str, &'static str)] {
-        &[
-            ("front", STRAIGHT_ON),
-            ("superior", "Above"),
-            ("nasal", "Nose"),
-            ("medial", "Nose"),
-            ("inferior", "Below"),
-            ("temporal", "Temple"),
-            ("lateral", "Temple"),
-        ]
-    }
-
-    fn unclear(&self, typed: &str) -> Option<&'static str> {
-        let sides = ["left", "right"];
-        let is_side = sides.iter().any(|side| typed.eq_ignore_ascii_case(side));
-        is_side.then_some("may be the nose or the temple: it depends on the eye")
-    }
-
-    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let projectile = scenario.projectile()?;
-        if projectile.angle_deg == 0.0 {
-            return Some(STRAIGHT_ON);
-        }
-        let azimuth = scenario.eye_side().azimuth(projectile.angle_clock);
-        let quarter = (azimuth / (0.5 * PI)).round().rem_euclid(4.0) as usize;
-        Some(WORDS[quarter].0)
-    }
-
-    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        let side = scenario.eye_side();
-        let same = self.get(scenario) == Some(name);
-        let Some(projectile) = scenario.projectile_mut() else {
-            return false;
-        };
-        if same {
-            return true;
-        }
-        if name == STRAIGHT_ON {
-            projectile.angle_deg = 0.0;
-            return true;
-        }
-        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else {
-            return false;
-        };
-        projectile.angle_clock = side.hour(*azimuth);
-        if projectile.angle_deg == 0.0 {
-            projectile.angle_deg = USUAL_DEG;
-        }
-        true
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -296,7 +223,8 @@ mod tests {
         set(&mut scenario, "impact.angle_deg", "12").unwrap();
         set(&mut scenario, "impact.from", "Below").unwrap();
         assert_eq!(of(&scenario), (12.0, 6.0));
-        assert_eq!(Directions.get(&scenario), Some("Below"));
+        let from = crate::scenario::fields::find("impact.from").unwrap();
+        assert_eq!(from.text(&scenario).as_deref(), Some("Below"));
         set(&mut scenario, "impact.from", "nasal").unwrap();
         assert_eq!(of(&scenario), (12.0, 9.0));
         let left = set(&mut scenario, "impact.from", "left").unwrap_err();

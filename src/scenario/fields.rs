@@ -6,12 +6,14 @@
 //!
 //! Left out: rules that join two fields (see `check`) and the reading of typed text (see `set`).
 
+mod words;
+
 use std::mem::discriminant;
 
+use self::words::{Directions, Rims};
 use crate::scenario::auto::AUTO;
-use crate::scenario::direction::{Directions, HOURS};
+use crate::scenario::direction::HOURS;
 use crate::scenario::problem::plain;
-use crate::scenario::rim::Rims;
 use crate::scenario::{
     FASTEST_M_S, ForcePulse, Geometry, Impact, Integrator, Lens, Model, Outline, Physiological,
     Projectile, ProjectileStiffness, PulseShape, Scenario, Side, Species, Support, Surface,

@@ -30,7 +30,7 @@ mod text_file;
 
 use std::collections::BTreeMap;
 
-pub use crate::scenario::check::{CheckedScenario, STEEPEST_OBJECT_DEG};
+pub use crate::scenario::check::CheckedScenario;
 pub use crate::scenario::curve::{Curve, CurveError};
 pub use crate::scenario::direction::Side;
 pub use crate::scenario::geometry::{FINEST_SPATIAL_LEVEL, Geometry};
@@ -41,7 +41,9 @@ pub use crate::scenario::physiological::{
 };
 use crate::scenario::problem::plain;
 pub use crate::scenario::problem::{Problem, ScenarioError};
-pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, Surface};
+pub use crate::scenario::projectile::{
+    Outline, Projectile, ProjectileStiffness, STEEPEST_OBJECT_DEG, Surface,
+};
 pub use crate::scenario::rim::{Around, Rim};
 use curve_file::CurveFile;
 use serde::{Deserialize, Deserializer, Serialize};

@@ -3,8 +3,6 @@
 //! Measured on computed tomographs of 15 caucasian and 12 east asian orbits (Arch Facial Plast Surg
 //! 2011;13:51); 141 Koreans agree within 2.7 mm (Shin 2017, Anat Cell Biol 50:41).
 
-use crate::scenario::Scenario;
-use crate::scenario::fields::Choices;
 use serde::{Deserialize, Serialize};
 
 /// A length in four directions, in mm.
@@ -68,6 +66,11 @@ const fn around(above: f64, nose: f64, below: f64, temple: f64) -> Around {
 }
 
 impl Rim {
+    /// The measured ones by their names.
+    pub(super) const NAMED: [(&str, Self); 2] = [
+        ("Caucasian", Self::CAUCASIAN),
+        ("EastAsian", Self::EAST_ASIAN),
+    ];
     /// Of 15 caucasian orbits.
     pub const CAUCASIAN: Self = Self {
         depth_mm: around(4.6, 5.9, 12.6, 20.6),
@@ -86,7 +89,7 @@ impl Rim {
 
     /// Whether it is one of the measured ones.
     pub fn is_measured(&self) -> bool {
-        NAMED.iter().any(|(_, rim)| rim == self)
+        Self::NAMED.iter().any(|(_, rim)| rim == self)
     }
 }
 
@@ -96,42 +99,10 @@ impl Default for Rim {
     }
 }
 
-/// Whose rim: it stands for the eight lengths.
-pub(super) struct Rims;
-
-const NAMED: [(&str, Rim); 2] = [
-    ("Caucasian", Rim::CAUCASIAN),
-    ("EastAsian", Rim::EAST_ASIAN),
-];
-const OWN: &str = "Own";
-
-impl Choices for Rims {
-    fn names(&self) -> Vec<&'static str> {
-        NAMED.iter().map(|(name, _)| *name).collect()
-    }
-
-    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let model = scenario.orbit()?;
-        let known = NAMED.iter().find(|(_, rim)| *rim == model.rim);
-        Some(known.map_or(OWN, |(name, _)| *name))
-    }
-
-    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        if self.get(scenario) == Some(name) {
-            return true;
-        }
-        let found = NAMED.iter().find(|(known, _)| *known == name);
-        let (Some((_, rim)), Some(model)) = (found, scenario.orbit_mut()) else {
-            return false;
-        };
-        model.rim = *rim;
-        true
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::Scenario;
     use crate::scenario::load::{parse, to_ron};
 
     #[test]

@@ -1,8 +1,9 @@
 //! The answer to the form: asked for at every edit, and what its ranges do not hold yet once
 //! nothing newer is wanted: the mesh error, and what the inputs are not known to.
 
-use crate::answer::input_doubt::{InputDoubt, InputQuery};
+use crate::answer::input_doubt::InputQuery;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
+use crate::answer::results::InputDoubt;
 use crate::answer::solve::{Answer, solve};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::refusal::Refusal;

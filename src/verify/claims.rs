@@ -110,7 +110,8 @@ pub struct Checked {
     /// Number of the scene.
     #[serde(rename = "scene")]
     pub index: u32,
-    /// The claims about it; none where the mesh folds, the object goes through or no number is left.
+    /// The claims about it; none where the mesh folds, the object goes through or no number is
+    /// left.
     pub claims: Option<Vec<Claim>>,
     /// What is wrong with it.
     pub faults: Vec<Fault>,

@@ -4,11 +4,11 @@
 //! The leapfrog, its second run and the rules of refinement are those of the axisymmetric eye. What
 //! differs is the mesh: level k has 2 k + 2 cells in half a side of its core, fewer than there, so
 //! results scatter more from level to level. Against the axisymmetric eye straight on, level 1 is
-//! within 3 % in pressure, 7 % in the stretch of the wall at the equator, 10 % at the retina's front
-//! edge, 12 % in the stress of the sclera, 20 % in the stretch at the back, and up to 40 % off in
-//! what pulls on lens and iris after a BB, once the share that a mesh reads of it is put in: that
-//! comes late, in a vitreous that hardly holds it, and is not converged at level 3 either. Their
-//! mesh errors say so.
+//! within 3 % in pressure, 7 % in the stretch of the wall at the equator, 10 % at the retina's
+//! front edge, 12 % in the stress of the sclera, 20 % in the stretch at the back, and up to 40 %
+//! off in what pulls on lens and iris after a BB, once the share that a mesh reads of it is put in:
+//! that comes late, in a vitreous that hardly holds it, and is not converged at level 3 either.
+//! Their mesh errors say so.
 
 use crate::models::axisymmetric::time::march::STEP_SHARE;
 use crate::run::flags::FlagKind;
@@ -42,7 +42,7 @@ pub(crate) static RULES: Rules = Rules {
     // A run takes a second: what a shorter step would better is far below the mesh error.
     refinement: Refinement {
         error_percent: 3.0,
-        balance_percent: 1.0,
+        balance_percent: 0.5,
         attempts: 2,
     },
     mesh: MeshRules {
@@ -66,7 +66,8 @@ const AUTOMATIC: Automatic = Automatic {
     share: STEP_SHARE,
 };
 
-/// Read off nine blows straight on in gelatin at levels 1 and 2 beside the axisymmetric eye, see the guide.
+/// Read off nine blows straight on in gelatin at levels 1 and 2 beside the axisymmetric eye, see
+/// the guide.
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         // Accelerations over 20 us follow each wave, and each mesh has its own.

@@ -1,5 +1,5 @@
-//! The eye from the front, as an examiner who faces the patient sees it: the bone's edge, the globe,
-//! limbus, iris and pupil as they move and bend, and the outline of the object, which is let
+//! The eye from the front, as an examiner who faces the patient sees it: the bone's edge, the
+//! globe, limbus, iris and pupil as they move and bend, and the outline of the object, which is let
 //! through.
 //!
 //! An axisymmetric eye that is hit straight on is round from there; hit from the side it cannot be

@@ -1,9 +1,9 @@
 //! The object as it is drawn: round where it is free; where it presses, the layers over it cut it.
 //!
-//! From its rear pole, a radius behind the middle of what is left of it, to what it meets on its way it has some length left.
-//! A ball is drawn as an ellipse that gives up 0.64 of what it lost, and the rest is cut off by
-//! the eye; it grows in width as the length goes, by at most a quarter. That bulge is drawn, not
-//! computed.
+//! From its rear pole, a radius behind the middle of what is left of it, to what it meets on its
+//! way it has some length left. A ball is drawn as an ellipse that gives up 0.64 of what it lost,
+//! and the rest is cut off by the eye; it grows in width as the length goes, by at most a quarter.
+//! That bulge is drawn, not computed.
 
 use nalgebra::{Point2, Vector2};
 

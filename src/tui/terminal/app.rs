@@ -138,7 +138,8 @@ impl EventLoop {
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return Ok(1),
             }
-            // All that has come so far goes into one frame, unless it takes longer than a frame may.
+            // All that has come so far goes into one frame, unless it takes longer than a frame
+            // may.
             let until = Instant::now() + self.frame_time;
             while self.exit.is_none()
                 && Instant::now() < until

@@ -79,7 +79,8 @@ impl Extremes {
         }
     }
 
-    /// Most energy that the eye was given over the area of the largest contact, J/m2; 0 without any.
+    /// Most energy that the eye was given over the area of the largest contact, J/m2; 0 without
+    /// any.
     pub fn energy_over_contact(&self) -> f64 {
         let area = PI * self.contact_radius * self.contact_radius;
         if area > 0.0 {

@@ -48,8 +48,8 @@ pub fn step_limit(eye: &AxisymmetricEye, blow: &AxisymmetricLoad) -> f64 {
     motion.forces(0.0).limit
 }
 
-/// Hits `eye` and follows it for `window`, which a number alone gives in s, with such `steps`, which
-/// a number alone gives as a share of the stability bound.
+/// Hits `eye` and follows it for `window`, which a number alone gives in s, with such `steps`,
+/// which a number alone gives as a share of the stability bound.
 ///
 /// # Errors
 /// Motion that leaves the finite numbers, an object that goes through the eye, and what the watch

@@ -1,7 +1,8 @@
 //! Cornea and sclera: a membrane of quads with some bending stiffness, without rotations.
 //!
 //! From the metric C of two edges against that at rest come the determinant and the trace of the
-//! stretch, d = sqrt(det C) and s = sqrt(tr C + 2 d), and the law of the axisymmetric shell in them,
+//! stretch, d = sqrt(det C) and s = sqrt(tr C + 2 d), and the law of the axisymmetric shell in
+//! them,
 //!
 //!   W = E/(2 (1 - nu^2)) (s^2 - 2 (1 + nu) s - 2 (1 - nu) d + 2 (1 + nu)),
 //!

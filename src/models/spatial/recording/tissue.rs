@@ -6,7 +6,8 @@
 //! * stretch of the wall along the meridian between 60 and 120 degrees. Where an object touches it,
 //!   a quad shows its dent, and is left out while it does;
 //! * mean of that stretch over each quadrant from 150 degrees to the back pole;
-//! * stretch of the ring at 62 degrees over each hour: straight on that is the growth of its radius;
+//! * stretch of the ring at 62 degrees over each hour: straight on that is the growth of its
+//!   radius;
 //! * how much farther than at rest the lens's equator is from the shell at 62 and at 45 degrees, at
 //!   each hour.
 //!
@@ -175,9 +176,9 @@ impl Tissues {
         }
     }
 
-    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers
-    /// them to their peaks and to the extremes. `along` is the stretch of each quad and `touched` whether the object
-    /// touches it.
+    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers them
+    /// to their peaks and to the extremes. `along` is the stretch of each quad and `touched`
+    /// whether the object touches it.
     pub fn read(
         &mut self,
         eye: &SpatialEye,

@@ -42,7 +42,8 @@ pub struct Blow {
     pub object: Object,
     /// How it comes, in the eye's own axes.
     pub aim: Aim,
-    /// Azimuth of the eye that is up in its mesh, rad: of half an eye that of the plane of the blow.
+    /// Azimuth of the eye that is up in its mesh, rad: of half an eye that of the plane of the
+    /// blow.
     pub up: f64,
 }
 

@@ -2,8 +2,8 @@
 //! and the whole of it. The scale is that of the table of results, or else reaches to the largest
 //! value.
 //!
-//! Digits tell the value without colours; colours add how grave that is, or how much. Where the nearest simulated point
-//! folded its mesh the map is hatched, as no number holds there.
+//! Digits tell the value without colours; colours add how grave that is, or how much. Where the
+//! nearest simulated point folded its mesh the map is hatched, as no number holds there.
 
 use std::collections::BTreeSet;
 

@@ -1,0 +1,37 @@
+//! An answer made whole: its mesh error, and what its inputs are not known to.
+
+use crate::answer::input_doubt::InputQuery;
+use crate::answer::mesh_error::add_mesh_error;
+use crate::answer::solve::Answer;
+use crate::run::ordered::until;
+use crate::run::refusal::Refusal;
+use crate::scenario::Scenario;
+use std::sync::atomic::AtomicBool;
+
+/// The share of the progress of [`complete`] that stands for the meshes.
+const MESHES: f64 = 0.6;
+
+/// Adds to an answer what its ranges do not hold yet: the mesh error, if it has none, and what the
+/// inputs are not known to. `progress` is told the share done.
+///
+/// # Errors
+/// As [`solve`](crate::answer::solve::solve).
+pub fn complete(
+    scenario: &Scenario,
+    answer: &mut Answer,
+    stop: &AtomicBool,
+    mut progress: impl FnMut(f64) + Send,
+) -> Result<(), Refusal> {
+    if answer.errors.mesh.is_none() {
+        add_mesh_error(scenario, answer, &mut |share| {
+            progress(MESHES * share);
+            until(stop)(share)
+        })?;
+    }
+    let inputs = InputQuery::of(answer);
+    let inputs = inputs.estimate(scenario, stop, |share| {
+        progress(MESHES + (1.0 - MESHES) * share);
+    });
+    answer.inputs = Some(inputs?);
+    Ok(())
+}

@@ -1,0 +1,209 @@
+//! One crossing: bracketed, with the errors of step and mesh there, or the range of a risk.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
+
+use super::ThresholdSearch;
+use crate::answer::brief::single;
+use crate::answer::complete::complete;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve};
+use crate::injury::{Blow, Injury, Known, Risk};
+use crate::many::root::{Bracket, narrowed};
+use crate::run::flags::Flag;
+use crate::run::kept::Keep;
+use crate::run::ordered::{self, until};
+use crate::run::refusal::Refusal;
+
+/// How wide the bracket of a crossing is in the end, as a share of it.
+pub(super) const WIDTH: f64 = 1e-4;
+/// Share of a crossing by which its slope is measured to each side.
+const STEP_ASIDE: f64 = 0.01;
+/// How many runs a crossing takes is not known: each leaves this share of its progress to go.
+const PATIENCE: f64 = 0.85;
+/// A result that changes within a bracket by more than this share of its range on the grid jumps
+/// there.
+const JUMP: f64 = 0.05;
+/// An end of such a range is looked for in steps of this ratio, so many of them at most.
+const ASIDE: f64 = 1.2;
+const FARTHEST: usize = 15;
+/// Halvings of the step in which the end is found.
+const HALVINGS: usize = 3;
+
+/// A value of the field at which the result passes the target.
+#[derive(Debug, Clone)]
+pub struct Crossing {
+    /// The value.
+    pub at: f64,
+    /// Whether the result rises there.
+    pub rising: bool,
+    /// By how much the value may be off for the time step; none where that is not known.
+    pub step: Option<f64>,
+    /// By how much the value may be off for the mesh; none where that is not known.
+    pub mesh: Option<f64>,
+    /// From which value to which the result jumps there, if it does.
+    pub jump: Option<(f64, f64)>,
+    /// What limits the results there.
+    pub flags: Vec<Flag>,
+    /// The risk there, where the result is one.
+    pub risk: Option<RiskThere>,
+}
+
+/// A risk where it passes the target.
+#[derive(Debug, Clone)]
+pub struct RiskThere {
+    /// What is said of it.
+    pub risk: Risk,
+    /// From which to which value of the field its range holds the target, where it does at all.
+    pub range: (Option<f64>, Option<f64>),
+}
+
+impl ThresholdSearch {
+    /// What is known of the crossing within a bracket, of results that range over `spread` on the
+    /// grid.
+    pub(super) fn crossing(
+        &self,
+        bracket: Bracket,
+        spread: f64,
+        stop: &AtomicBool,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Crossing, Refusal> {
+        let rising = bracket.low.1 < 0.0;
+        let width = WIDTH * bracket.high.0.abs().max(bracket.low.0.abs());
+        let mut left = 1.0;
+        let mut one_more_run = || {
+            left *= PATIENCE;
+            progress(1.0 - left);
+        };
+        let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
+            let result = self.results_at(value, stop)?[self.quantity];
+            one_more_run();
+            Ok(result.ok_or_else(|| self.absent())? - self.target)
+        })?;
+        let at = bracket.secant();
+        let jump = ((bracket.high.1 - bracket.low.1).abs() > JUMP * spread)
+            .then_some((bracket.low.1 + self.target, bracket.high.1 + self.target));
+        let scenario = self.at(at)?.check()?;
+        let mut answer = solve(&scenario, Keep::default(), &mut until(stop))?;
+        one_more_run();
+        complete(&scenario, &mut answer, stop, |_| {})?;
+        one_more_run();
+        let mut crossing = Crossing {
+            at,
+            rising,
+            step: None,
+            mesh: None,
+            jump,
+            flags: answer.flags.clone(),
+            risk: None,
+        };
+        if jump.is_some() {
+            return Ok(crossing);
+        }
+        if let Some(injury) = Injury::of(self.quantity) {
+            let range = self.risk_range(injury, (at, rising), &answer, stop)?;
+            crossing.risk = answer.risk(injury).map(|risk| RiskThere { risk, range });
+            return Ok(crossing);
+        }
+        let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
+            Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
+            // Beyond there is nothing: the slope is not known.
+            solved => Ok(solved.ok()),
+        });
+        let ends = low?.zip(high?);
+        let [from, to] = self.aside(at);
+        let slope = ends.map_or(f64::NAN, |(low, high)| {
+            let value = |answer: &Answer| answer.results()[self.quantity].unwrap_or(f64::NAN);
+            (value(&high) - value(&low)) / (to - from)
+        });
+        let value = answer.results()[self.quantity];
+        let errors = &answer.errors;
+        let off =
+            [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
+                let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
+                off.is_finite().then_some(off)
+            });
+        [crossing.step, crossing.mesh] = off;
+        Ok(crossing)
+    }
+
+    /// Two values on both sides of one, between which slopes are taken.
+    fn aside(&self, at: f64) -> [f64; 2] {
+        let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
+        [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
+    }
+
+    /// From which to which value of the field the range of a risk holds the target: by runs at
+    /// other values, with what is not known at the crossing `at`.
+    fn risk_range(
+        &self,
+        injury: Injury,
+        (at, rising): (f64, bool),
+        answer: &Answer,
+        stop: &AtomicBool,
+    ) -> Result<(Option<f64>, Option<f64>), Refusal> {
+        let Some(there) = answer.risk(injury) else {
+            return Ok((None, None));
+        };
+        let target = self.target / self.quantity.row().factor;
+        // Whether the upper end of the range, or the lower one, has the target at a value; none
+        // where nothing can be computed.
+        let reached = |value: f64, upper: bool| {
+            let scenario = self.at(value)?;
+            let checked = scenario.check()?;
+            let run = match single(&checked, None, &mut until(stop)) {
+                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                other => other.ok(),
+            };
+            let measure = injury.measure();
+            let value = run.and_then(|run| run.values[measure]);
+            Ok(value.map(|value| {
+                let value = value / measure.row().factor;
+                let known = Known {
+                    value,
+                    ..there.known
+                };
+                let range = injury.assess(&Blow::of(&scenario), known).range;
+                (if upper { range.1 } else { range.0 }) >= target
+            }))
+        };
+        let end = |upper: bool| {
+            // The upper end has the target where the risk itself has not yet, the lower one later.
+            let away = if upper == rising { 1.0 / ASIDE } else { ASIDE };
+            let (mut near, mut far) = (at, at);
+            for step in 0.. {
+                far = (near * away).clamp(self.bounds.min, self.bounds.max);
+                match reached(far, upper) {
+                    Ok(Some(has)) if has != upper => break,
+                    Ok(Some(_)) if far != near && step < FARTHEST => near = far,
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    _ => return Ok(None),
+                }
+            }
+            for _ in 0..HALVINGS {
+                let middle = (near * far).sqrt();
+                match reached(middle, upper)? {
+                    Some(has) if has == upper => near = middle,
+                    _ => far = middle,
+                }
+            }
+            Ok(Some((near * far).sqrt()))
+        };
+        if at <= 0.0 {
+            return Ok((None, None));
+        }
+        let mut ends = Vec::new();
+        ordered::run(
+            (0, 2),
+            stop,
+            |i| Some(end((i == 0) == rising)),
+            |_, end| {
+                ends.push(end);
+                ControlFlow::Continue(())
+            },
+        );
+        let mut ends = ends.into_iter();
+        let mut next = || ends.next().unwrap_or(Err(Refusal::Cancelled));
+        Ok((next()?, next()?))
+    }
+}

@@ -1,0 +1,277 @@
+//! Where a result reaches a value as one number of the scenario goes through a range.
+//!
+//! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it;
+//! wherever two neighbours lie on two sides of the value, the crossing between them is bracketed
+//! to a share of itself (see [`crate::many::root`]). With e the error of the result there, as
+//! answers state it, and s its slope over a hundredth to both sides, the crossing may be off by
+//! e / s: one figure for the step, one for the mesh. A risk carries what is said of it there, and
+//! the range of the field over which its range, with all that is not known at the crossing, holds
+//! the value.
+//!
+//! Left out: two crossings between neighbours of the grid, which leave no change of sign to be
+//! seen, and of results that are no risks what the inputs that are not varied may be off by (see
+//! [`crate::many::ensemble`]).
+
+mod crossing;
+mod question;
+#[cfg(test)]
+mod tests;
+
+use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
+
+pub use crossing::{Crossing, RiskThere};
+pub use question::{meant, usual, wanted};
+
+use crate::answer::brief::single;
+use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve};
+use crate::many::root::Bracket;
+use crate::many::sweep::spaced;
+use crate::run::kept::Keep;
+use crate::run::ordered::{self, until};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::Refusal;
+use crate::scenario::Scenario;
+use crate::scenario::fields::{Bounds, Field, Kind};
+use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
+use crate::scenario::set::set;
+
+/// Intervals of the grid, at least, and the largest ratio of neighbours on it.
+const INTERVALS: usize = 24;
+const LARGEST_RATIO: f64 = 2.0;
+/// The grid goes down to this share of the present value, and then to the end of a range that
+/// somebody gave.
+const LEAST_SHARE: f64 = 1e-3;
+/// To this share alone where nobody gave one: a blow so slow lasts for ever.
+const SLOWEST_SHARE: f64 = 1e-2;
+/// Of a range that nobody narrowed, one value of the grid in this many is looked at first.
+const COARSE: usize = 4;
+/// The share of the progress that stands for the grid.
+const LOOKED: f64 = 0.6;
+
+/// A search for the values of `field` at which a result reaches `target`.
+#[derive(Clone)]
+pub struct ThresholdSearch {
+    scenario: Scenario,
+    /// The field that is varied.
+    pub field: &'static Field,
+    bounds: Bounds,
+    /// Least and greatest value of the field.
+    pub range: (f64, f64),
+    /// Whether the person gave that range; else it is all that the field may be, but for what is
+    /// less than a hundredth of the present value.
+    narrow: bool,
+    /// The result.
+    pub quantity: Quantity,
+    /// The value that it is to reach, in its unit.
+    pub target: f64,
+}
+
+/// The crossings that a search found, and the grid that it looked at.
+#[derive(Debug, Clone)]
+pub struct Threshold {
+    /// Values of the field on the grid, and the result there or why there is none.
+    pub seen: Vec<(f64, Result<f64, String>)>,
+    /// Every crossing, from below.
+    pub crossings: Vec<Crossing>,
+}
+
+/// Values of the field, and the result there if there is one, or why nothing could be computed.
+type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
+
+impl ThresholdSearch {
+    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see
+    /// [`wanted`].
+    ///
+    /// # Errors
+    /// Says why the field cannot be varied so, and what could.
+    pub fn read(
+        scenario: Scenario,
+        vary: &str,
+        (quantity, target): (Quantity, f64),
+    ) -> Result<Self, ScenarioError> {
+        let (path, ends) = match vary.split_once('=') {
+            Some((path, ends)) => (path.trim(), Some(ends)),
+            None => (vary.trim(), None),
+        };
+        let (field, bounds) = question::bounds(&scenario, path)?;
+        let range = match ends {
+            None => (bounds.min, bounds.max),
+            Some(ends) => question::range(field, &bounds, ends)?,
+        };
+        let mut search = Self {
+            scenario,
+            field,
+            bounds,
+            range,
+            narrow: ends.is_some(),
+            quantity,
+            target,
+        };
+        let (from, present) = (search.range.0, search.present());
+        if !search.narrow && from > 0.0 && present > from {
+            search.range.0 = from.max(SLOWEST_SHARE * present);
+        }
+        Ok(search)
+    }
+
+    /// The scenario with another value of the field.
+    fn at(&self, value: f64) -> Result<Scenario, ScenarioError> {
+        let mut scenario = self.scenario.clone();
+        set(&mut scenario, self.field.path, &plain(value))?;
+        Ok(scenario)
+    }
+
+    fn absent(&self) -> Refusal {
+        let message = "this scenario has no such result";
+        ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
+    }
+
+    fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        solve(&scenario, Keep::default(), &mut until(stop))
+    }
+
+    /// The value of the field now.
+    pub fn present(&self) -> f64 {
+        match &self.field.kind {
+            Kind::Number(_, place) => (place.get)(&self.scenario).copied(),
+            Kind::OptionalNumber(_, place) => (place.get)(&self.scenario).copied().flatten(),
+            _ => None,
+        }
+        .unwrap_or(f64::NAN)
+    }
+
+    /// The values that are looked at first: evenly where the range has both signs or is narrow,
+    /// else by ratios from the present value on.
+    fn grid(&self) -> Vec<f64> {
+        let (from, to) = self.range;
+        if from < 0.0 || to <= 4.0 * from || from == to {
+            return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
+        }
+        let middle = match self.present() {
+            present if present > 0.0 => present,
+            _ => LEAST_SHARE * to,
+        };
+        let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
+        let least = from.max(LEAST_SHARE * middle);
+        let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);
+        let three_digits = |x: f64| format!("{x:.2e}").parse().unwrap_or(x);
+        let ratios = |by: f64| (1..).map(move |k| three_digits(middle * by.powi(k)));
+        let mut grid = vec![from, middle, to];
+        grid.extend(ratios(ratio).take_while(|x| *x < to));
+        grid.extend(ratios(1.0 / ratio).take_while(|x| *x > least));
+        grid.sort_by(f64::total_cmp);
+        grid.dedup();
+        grid
+    }
+
+    /// Looks for every crossing. `progress` is told the share done.
+    ///
+    /// # Errors
+    /// Where the scenario has no such result or was stopped.
+    pub fn answer(
+        &self,
+        stop: &AtomicBool,
+        mut progress: impl FnMut(f64) + Send,
+    ) -> Result<Threshold, Refusal> {
+        let seen = self.run_grid(stop, &mut progress)?;
+        if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
+            let there = self.results_at(seen[0].0, stop)?;
+            let there = there.present().map(|(of, _)| of.key());
+            let message = format!(
+                "this scenario has no such result; the nearest that it has: {}",
+                five_nearest(self.quantity.key(), there)
+            );
+            return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
+        }
+        let none = || "no such result there".to_owned();
+        let seen: Vec<(f64, Result<f64, String>)> = seen
+            .into_iter()
+            .map(|(at, result)| (at, result.and_then(|value| value.ok_or_else(none))))
+            .collect();
+        let brackets = self.brackets(&seen);
+        let mut crossings = Vec::new();
+        let values = || seen.iter().filter_map(|(_, result)| result.as_ref().ok());
+        let spread =
+            values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
+        for (i, bracket) in brackets.iter().enumerate() {
+            let each = (1.0 - LOOKED) / brackets.len() as f64;
+            let mut progress = |share: f64| progress(LOOKED + each * (i as f64 + share));
+            crossings.push(self.crossing(*bracket, spread, stop, &mut progress)?);
+        }
+        Ok(Threshold { seen, crossings })
+    }
+
+    /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th
+    /// value is looked at first, and others only between two of which one has no result, or where
+    /// the target may lie. Each is one run: its error matters at a crossing, where it is stated.
+    fn run_grid(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
+        let grid = self.grid();
+        let last = grid.len() - 1;
+        let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
+        let coarse = if self.narrow { 1 } else { COARSE };
+        let first: Vec<usize> = (0..=last)
+            .filter(|i| i % coarse == 0 || *i == last)
+            .collect();
+        let mut done = 0;
+        let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
+            let run = |i: usize| match self.results_at(grid[at[i]], stop) {
+                Err(Refusal::Cancelled) => None,
+                Err(refusal) => Some(Err(refusal.to_string())),
+                Ok(results) => Some(Ok(results[self.quantity])),
+            };
+            let begun = done;
+            ordered::run((0, at.len()), stop, run, |i, result| {
+                seen[at[i]] = Some(result);
+                done += 1;
+                progress(LOOKED * done as f64 / grid.len() as f64);
+                ControlFlow::Continue(())
+            });
+            if done < begun + at.len() {
+                return Err(Refusal::Cancelled);
+            }
+            Ok(())
+        };
+        run_at(&first, &mut seen)?;
+        let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
+        let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
+            (Some(a), Some(b)) => {
+                let slack = (a - b).abs();
+                (a.min(b) - slack..=a.max(b) + slack).contains(&self.target)
+            }
+            (a, b) => a.is_some() != b.is_some(),
+        };
+        let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
+        let between = pairs
+            .filter(|pair| worth(*pair))
+            .flat_map(|(a, b)| a + 1..b);
+        run_at(&between.collect::<Vec<_>>(), &mut seen)?;
+        let pairs = grid.into_iter().zip(seen);
+        Ok(pairs
+            .filter_map(|(at, result)| Some((at, result?)))
+            .collect())
+    }
+
+    /// The results of one run at a value of the field.
+    fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
+        let scenario = self.at(value)?.check()?;
+        Ok(single(&scenario, None, &mut until(stop))?.values)
+    }
+
+    /// Neighbours on two sides of the target.
+    fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
+        let pairs = seen.windows(2).filter_map(|pair| {
+            let [(a, Ok(low)), (b, Ok(high))] = pair else {
+                return None;
+            };
+            let bracket = Bracket {
+                low: (*a, low - self.target),
+                high: (*b, high - self.target),
+            };
+            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
+        });
+        pairs.collect()
+    }
+}
