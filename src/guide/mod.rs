@@ -3,7 +3,7 @@
 //! A page is a Markdown file beside this one that reads well as plain text in 80 columns: no
 //! links, tables only where their rows line up. A new page costs its file and a line in the list
 //! of topics; its title is its first line. Tables of figures stand between comments that name
-//! where they come from: `tests/figures.rs` makes them.
+//! where they come from: `tests/program/figures.rs` makes them.
 
 #![allow(
     clippy::doc_markdown,

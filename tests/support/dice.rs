@@ -1,7 +1,5 @@
 //! Numbers at random, the same ones every time.
 
-#![allow(dead_code, reason = "every test file uses a part")]
-
 /// Numbers at random, by the constants of Knuth's MMIX.
 pub struct Dice(pub u64);
 

@@ -4,8 +4,6 @@
 //! window that has gone, and what a blow does grows with its size: a force of 300 N has size 1.
 //! Humps are polynomials, which give the same digits on every machine.
 
-#![allow(dead_code, reason = "every test file uses a part")]
-
 use std::time::Duration;
 
 use contrecoup::answer::brief::{BriefAnswer, Check};

@@ -1,7 +1,5 @@
 //! Tests that need something which is not there.
 
-#![allow(dead_code, reason = "every test file uses a part")]
-
 use std::io::Write;
 
 /// Says that a test is left out for want of something. Where `CI` asks for all of them it fails.

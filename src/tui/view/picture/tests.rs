@@ -244,7 +244,7 @@ fn every_number_of_colours_has_its_own_form() {
             crate::tui::view::text::to_ascii(&mut buffer);
         }
         let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path("../../../../tests/snapshots");
+        settings.set_snapshot_path("../../../../tests/app/snapshots");
         settings.set_prepend_module_to_snapshot(false);
         settings.set_omit_expression(true);
         settings.bind(|| insta::assert_snapshot!(format!("anatomy_{name}"), text(&buffer)));
