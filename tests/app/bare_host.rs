@@ -1,9 +1,9 @@
-//! The static program where there is nothing else: a root with one file in it, no locale, no library, no
-//! `/proc` and no `/dev`, also over ssh.
+//! The static program where there is nothing else: a root with one file in it, no locale, no
+//! library, no `/proc` and no `/dev`, also over ssh.
 //!
-//! The program is built by the command of the guide on installing, as `.ci/run` does before the tests. To
-//! build it takes minutes, so elsewhere the tests are skipped where it is not there or is older than the
-//! program.
+//! The program is built by the command of the guide on installing, as `.ci/run` does before the
+//! tests. To build it takes minutes, so elsewhere the tests are skipped where it is not there or is
+//! older than the program.
 
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))]
 

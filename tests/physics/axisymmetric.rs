@@ -476,7 +476,8 @@ fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
         let diameter = between(3.0, 240.0, 0);
         let density = between(0.1, 8.0, 1);
         let mass = density * std::f64::consts::PI / 6.0 * (0.1 * diameter).powi(3);
-        // As fast as gives it from 1 mJ to the most that a scenario takes, and no faster than one takes.
+        // As fast as gives it from 1 mJ to the most that a scenario takes, and no faster than one
+        // takes.
         let energy = between(1e-3, MOST_ENERGY_J, 2);
         let speed = (2.0 * energy / (mass * 1e-3)).sqrt().min(FASTEST_M_S);
         let object = ball(mass, diameter, speed);

@@ -1,8 +1,9 @@
 //! Whether what is claimed holds in random scenes.
 //!
-//! The reference of a step error takes literally a hundred times as many steps as the answer, in every
-//! segment of the load. A sixth-order one with fewer steps is cheaper, but no substitute: its peaks
-//! are searched in longer steps, and so differ from the finer one's by more than many true errors.
+//! The reference of a step error takes literally a hundred times as many steps as the answer, in
+//! every segment of the load. A sixth-order one with fewer steps is cheaper, but no substitute: its
+//! peaks are searched in longer steps, and so differ from the finer one's by more than many true
+//! errors.
 
 use crate::program::{json, program};
 use contrecoup::run::quantity::{Leads, Quantity};

@@ -1,4 +1,5 @@
-//! Many runs as a shell sees them: what is refused, what a kill leaves, and that shards are the whole.
+//! Many runs as a shell sees them: what is refused, what a kill leaves, and that shards are the
+//! whole.
 
 use std::fs;
 use std::path::Path;

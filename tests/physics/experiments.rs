@@ -25,7 +25,8 @@ static HERE: LazyLock<Tried> = LazyLock::new(|| {
 
 #[test]
 fn published_moduli_meet_most_experiments_and_no_other_row_is_off_by_a_factor_of_two() {
-    // A baseball's surface is known within a factor of ten; no wall that meets the pressures widens so.
+    // A baseball's surface is known within a factor of ten; no wall that meets the pressures widens
+    // so.
     let named = ["baseball-whole", "bb-widening"];
     let met = ROWS.iter().filter(|row| row["met"] == true).count();
     assert!(met >= 12, "{met} of {}", ROWS.len());

@@ -1,5 +1,5 @@
-//! Force curves as they were recorded: a table that samples a known pulse answers like it, a noisy one
-//! keeps its stated errors, and the program takes a CSV file from wherever a person has it.
+//! Force curves as they were recorded: a table that samples a known pulse answers like it, a noisy
+//! one keeps its stated errors, and the program takes a CSV file from wherever a person has it.
 
 use std::fs;
 use std::path::Path;
@@ -335,7 +335,8 @@ fn a_sweep_over_recorded_curves_runs_each_of_them() {
     ] {
         fs::write(folder.path().join(name), text).unwrap();
     }
-    // Beside another pulse the word Table would be refused; beside a table it would mean that table.
+    // Beside another pulse the word Table would be refused; beside a table it would mean that
+    // table.
     let own = "(name: \"x\", impact: ForcePulse(force_n: 300, shape: Csv(\"a.csv\")))";
     fs::write(folder.path().join("x.ron"), own).unwrap();
     let vary = "impact.shape=Csv(\"a.csv\"),Csv(\"b.csv\"),half-sine";

@@ -398,7 +398,8 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
         }
     }
 
-    // A whole run: its energy to the same agreement, its peaks no lower than any force seen outside.
+    // A whole run: its energy to the same agreement, its peaks no lower than any force seen
+    // outside.
     let run = case
         .record(
             &plan(Integrator::Srkn6b, 2e-7 / k, last),

@@ -1,8 +1,10 @@
 //! What the command line prints, as a person reads it: help, results, lists and refusals.
 //!
-//! Every number is written `#`, so that no text changes when the physics does, only when its words do.
+//! Every number is written `#`, so that no text changes when the physics does, only when its words
+//! do.
 //!
-//! `INSTA_UPDATE=always cargo test --release --test program cli_text` takes what is printed now for right.
+//! `INSTA_UPDATE=always cargo test --release --test program cli_text` takes what is printed now for
+//! right.
 
 use crate::program::program;
 use clap::CommandFactory;
@@ -225,7 +227,8 @@ fn lists() {
     compare("guide", &["guide"], &said(&["guide"]));
 }
 
-/// What drives a result, strongest first, is a figure as well: the lines are sorted and have no bars.
+/// What drives a result, strongest first, is a figure as well: the lines are sorted and have no
+/// bars.
 fn without_ranks(text: &str) -> String {
     let paragraphs = text.split("\n\n").map(|paragraph| {
         let mut lines: Vec<&str> = paragraph.lines().collect();

@@ -1,5 +1,5 @@
-//! A sweep as it runs on a cluster: GNU parallel shares it out, jobs are killed and started again, and the
-//! parts are put together by the command of the guide.
+//! A sweep as it runs on a cluster: GNU parallel shares it out, jobs are killed and started again,
+//! and the parts are put together by the command of the guide.
 
 #![cfg(unix)]
 

@@ -1,8 +1,8 @@
 //! What the program is made of: licences that let anybody use it, one source, no crate twice, and a
 //! package that holds what it is built from.
 //!
-//! This asks cargo itself, for the licences in `deny.toml`; `cargo deny` asks the same of the same data,
-//! but has to be built first.
+//! This asks cargo itself, for the licences in `deny.toml`; `cargo deny` asks the same of the same
+//! data, but has to be built first.
 
 use std::fs;
 use std::process::Command;

@@ -1,11 +1,12 @@
 //! The figures in the README and in the guide are what the program prints.
 //!
-//! `FIGURES=all cargo test --release --test program figures` runs every command again and rewrites its figures in place;
-//! names in place of `all`, as in `FIGURES=coverage,evidence`, rewrite only those. Without `FIGURES` the tables are
-//! compared in form with what the program prints: the same lines but for their numbers, which differ between machines.
+//! `FIGURES=all cargo test --release --test program figures` runs every command again and rewrites
+//! its figures in place; names in place of `all`, as in `FIGURES=coverage,evidence`, rewrite only
+//! those. Without `FIGURES` the tables are compared in form with what the program prints: the same
+//! lines but for their numbers, which differ between machines.
 //!
-//! Left out: commands that take minutes or need a quiet machine are not run to compare; their rows are named here, and
-//! rewriting fails if they are no longer printed.
+//! Left out: commands that take minutes or need a quiet machine are not run to compare; their rows
+//! are named here, and rewriting fails if they are no longer printed.
 
 use crate::renew;
 use std::collections::HashMap;
@@ -72,7 +73,8 @@ fn find(name: &str) -> &'static Figures {
     found.unwrap_or_else(|| panic!("nothing makes the figures {name}"))
 }
 
-/// The content of a block that is no figures but a list of the program's own, the same to the letter.
+/// The content of a block that is no figures but a list of the program's own, the same to the
+/// letter.
 fn list(name: &str) -> Option<String> {
     match name {
         "keys" => Some(keys::markdown(&tables::all()) + "\n"),

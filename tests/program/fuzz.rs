@@ -1,9 +1,10 @@
-//! Campaigns of random input: nothing panics, nothing hangs, every refusal can be read on a terminal, and
-//! what is accepted is sound.
+//! Campaigns of random input: nothing panics, nothing hangs, every refusal can be read on a
+//! terminal, and what is accepted is sound.
 //!
-//! Each campaign first tries every file of `tests/finds/NAME`, where a find is kept for good, then random
-//! input for a second: the same every time. `FUZZ_SECONDS=3600 cargo test --release --test program fuzz` goes on
-//! for an hour each, `FUZZ_SEED=N` from another place. A find is written to `tests/finds` and named.
+//! Each campaign first tries every file of `tests/finds/NAME`, where a find is kept for good, then
+//! random input for a second: the same every time. `FUZZ_SECONDS=3600 cargo test --release --test
+//! program fuzz` goes on for an hour each, `FUZZ_SEED=N` from another place. A find is written to
+//! `tests/finds` and named.
 
 use crate::made_up;
 use std::fmt::Write;
@@ -229,7 +230,8 @@ fn scenarios() {
     });
 }
 
-/// A sound scenario gives an answer or says why not. One in some is tried, for a short time on a coarse mesh.
+/// A sound scenario gives an answer or says why not. One in some is tried, for a short time on a
+/// coarse mesh.
 fn assert_runs(mut scenario: Scenario, number: usize) {
     if !number.is_multiple_of(16) {
         return;

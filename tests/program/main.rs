@@ -7,6 +7,7 @@ mod command_line;
 mod dependencies;
 mod figures;
 mod fuzz;
+mod house;
 mod library;
 mod memory_and_files;
 mod no_threads;

@@ -1,5 +1,5 @@
-//! Where no thread can start, as in a container that is held to one: everything is computed by the thread
-//! that there is, or refused in a sentence.
+//! Where no thread can start, as in a container that is held to one: everything is computed by the
+//! thread that there is, or refused in a sentence.
 
 #![cfg(target_os = "linux")]
 

@@ -1,6 +1,7 @@
 //! The page that `contrecoup report` writes, as a browser has it.
 //!
-//! The browser is chromium. Where there is none the tests that need it say so and pass, but not where `CI` is set.
+//! The browser is chromium. Where there is none the tests that need it say so and pass, but not
+//! where `CI` is set.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -97,8 +97,8 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
     // A full opening, so that no angle is behind bone.
     let mut roomy = Scenario::default();
     roomy.eye.opening_deg = 120.0;
-    // Of the Physiological model, each support and each surface; the cylinder is wide, with a sharp edge,
-    // and so slow that any mass brings little energy.
+    // Of the Physiological model, each support and each surface; the cylinder is wide, with a sharp
+    // edge, and so slow that any mass brings little energy.
     let mut orbit = roomy.clone();
     set(&mut orbit, "model", "Physiological").unwrap();
     set(&mut orbit, "impact", "Projectile").unwrap();
