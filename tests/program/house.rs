@@ -62,8 +62,12 @@ fn module(file: &Path) -> Vec<String> {
 /// Modules of the library with their code: neither comments nor tests.
 fn modules() -> BTreeMap<Vec<String>, String> {
     let code = |text: &str| {
-        let (code, _) = text.split_once("#[cfg(test)]\nmod tests {").unwrap_or((text, ""));
-        let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let (code, _) = text
+            .split_once("#[cfg(test)]\nmod tests {")
+            .unwrap_or((text, ""));
+        let lines = code
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
         lines.collect::<Vec<_>>().join("\n")
     };
     let is_test = |names: &[String]| names.iter().any(|name| name.ends_with("tests"));
@@ -145,15 +149,27 @@ fn imports() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
     let elsewhere = handed_on(&modules);
     let of = |(from, code): (&Vec<String>, &String)| {
         let handed = |line: &&str| !line.starts_with("pub use ");
-        let code: String = code.split(';').map(str::trim_start).filter(handed).collect::<Vec<_>>().join(";\n");
+        let code: String = code
+            .split(';')
+            .map(str::trim_start)
+            .filter(handed)
+            .collect::<Vec<_>>()
+            .join(";\n");
         let whole = named(&code, "crate::").into_iter();
         // Further in it stands for a module within the file.
-        let tops: String = code.lines().filter(|line| !line.starts_with(' ')).collect::<Vec<_>>().join("\n");
+        let tops: String = code
+            .lines()
+            .filter(|line| !line.starts_with(' '))
+            .collect::<Vec<_>>()
+            .join("\n");
         let above = &from[..from.len() - 1];
-        let above = named(&tops, "super::").into_iter().map(|path| format!("{}::{path}", above.join("::")));
+        let above = named(&tops, "super::")
+            .into_iter()
+            .map(|path| format!("{}::{path}", above.join("::")));
         let held = |path: String| {
             let names: Vec<&str> = path.split("::").collect();
-            let known = (1..=names.len()).find_map(|count| elsewhere.get(&names[..count].join("::")));
+            let known =
+                (1..=names.len()).find_map(|count| elsewhere.get(&names[..count].join("::")));
             let path = known.unwrap_or(&path);
             let mut names: Vec<String> = path.split("::").map(str::to_owned).collect();
             while !names.is_empty() && !modules.contains_key(&names) {
@@ -169,7 +185,12 @@ fn imports() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
 #[test]
 fn trees_of_imports_are_spread() {
     let code = "use crate::run::{flags, kept::{Keep, Spacing}};\nlet x = crate::files::open(y);";
-    let all = ["run::flags", "run::kept::Keep", "run::kept::Spacing", "files::open"];
+    let all = [
+        "run::flags",
+        "run::kept::Keep",
+        "run::kept::Spacing",
+        "files::open",
+    ];
     assert_eq!(named(code, "crate::"), all);
 }
 
@@ -183,7 +204,10 @@ fn a_lower_room_imports_no_higher_one() {
     assert!(imports.len() > 250);
     for (from, others) in &imports {
         for other in others.iter().filter(|other| other[0] != from[0]) {
-            assert!(floor(&from[0]) > floor(&other[0]), "{from:?} imports {other:?}");
+            assert!(
+                floor(&from[0]) > floor(&other[0]),
+                "{from:?} imports {other:?}"
+            );
         }
     }
 }

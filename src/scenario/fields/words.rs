@@ -1,4 +1,5 @@
-//! Words that stand for the values of several fields: whose orbit it is, and where a blow comes from.
+//! Words that stand for the values of several fields: whose orbit it is, and where a blow comes
+//! from.
 
 use super::Choices;
 use crate::scenario::{Rim, Scenario};
