@@ -389,3 +389,29 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
         .success()
         .stdout(contains("\n1,0.2,").and(contains("\n2,Auto,")));
 }
+
+#[test]
+fn a_run_that_ends_at_an_eye_pressed_flat_says_so_and_asks_for_no_longer_window() {
+    let blow = [
+        "paper-300n",
+        "--set=model=Physiological",
+        "--set=impact.force_n=5000",
+        "--quick",
+    ];
+    let flat = |more: &[&str]| {
+        let output = program(&[&["run"], &blow[..], more].concat())
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap().replace('\n', " ")
+    };
+    let (first, all) = (flat(&[]), flat(&["--all"]));
+    assert!(all.contains("ms: the eye was pressed flat"), "{all}");
+    for text in [first, all] {
+        assert!(
+            text.contains("ended where the eye was pressed flat"),
+            "{text}"
+        );
+        assert!(!text.contains("longer window_ms"), "{text}");
+        assert!(!text.contains("what acted is gone"), "{text}");
+    }
+}
