@@ -136,8 +136,8 @@ fn the_package_holds_what_the_program_is_built_from_and_no_more() {
     }
 }
 
-/// Rooms of the source, from the lowest, as the page on contributing draws them; the command line and the
-/// app are at the top together.
+/// Rooms of the source, from the lowest, as the page on contributing draws them; the command line
+/// and the app are at the top together.
 const ROOMS: [&[&str]; 9] = [
     &["scenario"],
     &["run"],

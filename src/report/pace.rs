@@ -11,8 +11,8 @@ const SAID: [f64; 19] = [
     2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 120.0, 180.0, 300.0, 600.0, 900.0, 1200.0,
     1800.0, 3600.0, 7200.0, 18000.0, 36000.0,
 ];
-/// No time is said before this many s have passed and this share is done; of work of hours a smaller
-/// share tells, after so many s.
+/// No time is said before this many s have passed and this share is done; of work of hours a
+/// smaller share tells, after so many s.
 const FIRST: (f64, f64) = (1.0, 0.002);
 const LATEST: f64 = 5.0;
 /// The time that is said rises only where the work takes this many times as long.

@@ -226,9 +226,10 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     )?;
     let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
     let at = answer.run.simulated;
-    let why = match answer.pressed_flat() {
-        true => "the eye was pressed flat, and there the model ends",
-        false => answer.case.rules().ends_early,
+    let why = if answer.pressed_flat() {
+        "the eye was pressed flat, and there the model ends"
+    } else {
+        answer.case.rules().ends_early
     };
     if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
