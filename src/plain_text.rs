@@ -27,15 +27,17 @@ pub const MAX_LINES: usize = 20;
 const MAX_MARKS: usize = 3;
 
 /// Whether a character would do something to a terminal rather than be seen: control characters,
-/// line separators, marks that reorder the text around them, and letters that take no room.
+/// line separators, marks that reorder the text around them, letters that take no room, and spaces
+/// that look like the plain one.
 pub fn is_unprintable(c: char) -> bool {
     c.is_control()
         || matches!(c,
-            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}'
-            | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}' | '\u{2800}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
-            | '\u{ffa0}' | '\u{fff9}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
-            | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
+            '\u{a0}' | '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{1680}' | '\u{17b4}'
+            | '\u{17b5}' | '\u{180b}'..='\u{180f}' | '\u{2000}'..='\u{200f}' | '\u{2028}'..='\u{202f}'
+            | '\u{205f}'..='\u{206f}' | '\u{2800}' | '\u{3000}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}'
+            | '\u{feff}' | '\u{ffa0}' | '\u{fff0}'..='\u{fffb}' | '\u{13430}'..='\u{1343f}' | '\u{16fe4}'
+            | '\u{1bca0}'..='\u{1bca3}' | '\u{1d159}' | '\u{1d173}'..='\u{1d17a}'
+            | '\u{e0000}'..='\u{e0fff}')
 }
 
 /// One line: the text with every unprintable character written out.
@@ -93,13 +95,17 @@ pub fn quoted(text: &str) -> String {
     cut(text, LONGEST_QUOTE)
 }
 
+/// What begins a formula; some spreadsheets take the wide letters of East Asia for the same.
+#[cfg(feature = "app")]
+const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
+
 /// A cell of CSV that no spreadsheet takes for a formula. CSV has no escapes, so what a terminal
 /// would obey is written out as well.
 #[cfg(feature = "app")]
 pub fn cell(text: &str) -> String {
     let text = printable(text);
     let is_number = text.parse::<f64>().is_ok();
-    if text.trim_start().starts_with(['=', '+', '-', '@']) && !is_number {
+    if text.trim_start().starts_with(FORMULA) && !is_number {
         format!("'{text}")
     } else {
         text.into_owned()
@@ -183,8 +189,23 @@ mod tests {
         ('\0'..='\u{1f}')
             .chain('\u{7f}'..='\u{9f}')
             .chain([
-                '\u{ad}', '\u{34f}', '\u{61c}', '\u{17b4}', '\u{17b5}', '\u{2800}', '\u{feff}',
+                '\u{ad}',
+                '\u{34f}',
+                '\u{61c}',
+                '\u{17b4}',
+                '\u{17b5}',
+                '\u{2800}',
+                '\u{feff}',
+                '\u{a0}',
+                '\u{1680}',
+                '\u{202f}',
+                '\u{205f}',
+                '\u{3000}',
+                '\u{16fe4}',
+                '\u{1d159}',
             ])
+            .chain('\u{2000}'..='\u{200a}')
+            .chain('\u{13430}'..='\u{1343f}')
             .chain('\u{180b}'..='\u{180f}')
             .chain('\u{fe00}'..='\u{fe0f}')
             .chain('\u{1bca0}'..='\u{1bca3}')
@@ -192,7 +213,7 @@ mod tests {
             .chain('\u{200b}'..='\u{200f}')
             .chain('\u{2028}'..='\u{202e}')
             .chain('\u{2060}'..='\u{206f}')
-            .chain('\u{fff9}'..='\u{fffb}')
+            .chain('\u{fff0}'..='\u{fffb}')
             .chain('\u{e0000}'..='\u{e007f}')
     }
 
@@ -237,12 +258,13 @@ mod tests {
             "@SUM(A1)",
             " =1",
             "\t=1",
+            "＝1+1",
+            "＋1+1",
+            "－2+3",
+            "＠SUM(A1)",
         ] {
             let cell = cell(text);
-            assert!(
-                !cell.trim_start().starts_with(['=', '+', '-', '@']),
-                "{cell}"
-            );
+            assert!(cell.starts_with(['\'', '\\']), "{cell}");
         }
         for text in ["-2.5", "+3", "1e-5", "a=b", "bb-62"] {
             assert_eq!(cell(text), text);

@@ -48,8 +48,22 @@ pub fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
     put(file, &target, true)
 }
 
+/// Links that are followed one after the other where nothing stands at their end.
+const MAX_LINKS: usize = 40;
+
 /// The file that a path leads to, even where it is still to be made.
 pub fn resolved(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match path.read_link() {
+            Ok(next) => path = path.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => break,
+        }
+    }
+    in_its_folder(&path)
+}
+
+fn in_its_folder(path: &Path) -> PathBuf {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
     let beside = || Some(folder.ok()?.join(path.file_name()?));
@@ -86,6 +100,11 @@ pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
 /// system says.
 pub fn put(file: NamedTempFile, path: &Path, replace: bool) -> io::Result<()> {
     let put = if replace {
+        // What somebody keeps to themselves stays theirs alone.
+        #[cfg(unix)]
+        if let Ok(old) = path.metadata() {
+            let _ = file.as_file().set_permissions(old.permissions());
+        }
         file.persist(path)
     } else {
         file.persist_noclobber(path)
@@ -144,6 +163,23 @@ mod tests {
         write(&file("device"), |out| out.write_all(b"gone")).unwrap();
         assert_eq!(fs::read(file("device")).unwrap(), b"");
         assert_eq!(names(folder.path()).len(), 3);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_what_is_still_to_be_made_makes_it_and_a_private_file_stays_private() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| folder.path().join(name);
+        std::os::unix::fs::symlink("second", file("first")).unwrap();
+        std::os::unix::fs::symlink("made", file("second")).unwrap();
+        write(&file("first"), |out| out.write_all(b"new")).unwrap();
+        assert!(file("first").is_symlink() && file("second").is_symlink());
+        assert_eq!(fs::read_to_string(file("made")).unwrap(), "new");
+        fs::set_permissions(file("made"), PermissionsExt::from_mode(0o600)).unwrap();
+        write(&file("first"), |out| out.write_all(b"newer")).unwrap();
+        let mode = file("made").metadata().unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o600);
     }
 
     #[test]

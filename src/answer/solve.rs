@@ -127,6 +127,11 @@ impl Answer {
         self.run.readings.peak(of)
     }
 
+    /// Whether the eye was pressed flat, which ends a run: no window and no step tells more.
+    pub fn pressed_flat(&self) -> bool {
+        is_flat(&self.flags)
+    }
+
     /// Simulated time that was asked for, in s; where none was, how long the run lasted.
     pub fn window(&self) -> f64 {
         if self.case.ends_by_itself() {
@@ -295,13 +300,16 @@ pub(crate) fn solve_case(
     Ok(answer)
 }
 
+fn is_flat(flags: &[Flag]) -> bool {
+    flags.iter().any(|flag| flag.kind == FlagKind::EyeFlat)
+}
+
 /// The share of its step that a run should have taken; none if it was good enough, or if its mesh
 /// folded or its eye was pressed flat, where no step helps.
 fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step_percent();
     let rule = &case.rules().refinement;
-    let flat = solved.run.flags.iter().any(|f| f.kind == FlagKind::EyeFlat);
-    if flat {
+    if is_flat(&solved.run.flags) {
         None
     } else if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)

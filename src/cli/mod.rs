@@ -66,7 +66,7 @@ fn example(command: &str) -> String {
 fn long_version() -> &'static str {
     static TEXT: LazyLock<String> = LazyLock::new(|| {
         // Whoever builds says which commit it is; a package of the registry has none.
-        let commit = option_env!("CONTRECOUP_COMMIT").unwrap_or("not recorded");
+        let commit = crate::report::commit().unwrap_or("not recorded");
         let version = env!("CARGO_PKG_VERSION");
         format!("{version} (commit {commit}, kernel {})", kernel_name(false))
     });

@@ -9,6 +9,10 @@ use crate::report::pace::Pace;
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_millis(500);
+/// In a log or a pipe, where no line is written anew, it is said once what goes on for this many
+/// seconds, after this many.
+const LONG: f64 = 60.0;
+const KNOWN: Duration = Duration::from_secs(5);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
@@ -24,6 +28,7 @@ pub(super) struct Progress {
 struct Line {
     pace: Pace,
     shown: Option<(String, Instant)>,
+    said: bool,
 }
 
 impl Progress {
@@ -61,6 +66,12 @@ impl Progress {
         let elapsed = self.began.elapsed();
         let mut line = self.line();
         line.pace.advance(share, elapsed);
+        let is_long = line.pace.left().is_some_and(|left| left >= LONG);
+        if !self.visible && !line.said && elapsed > KNOWN && is_long {
+            line.said = true;
+            // Nobody is hurt if it is lost.
+            let _ = writeln!(io::stderr(), "{what}: {}", line.pace.words(of));
+        }
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
         if !self.visible || elapsed <= PATIENCE || line.shown.as_ref().is_some_and(recent) {
             return;

@@ -12,7 +12,7 @@ use crate::answer::solve::{Answer, Cut};
 use crate::injury::SIGNS;
 use crate::many::comparison::Entry;
 use crate::plain_text::{cell as cell_text, markdown, printable};
-use crate::report::figure::{CUT, Figure};
+use crate::report::figure::{Figure, cut_signs};
 use crate::report::format::{WIDTH, paragraph, percent, wrapped};
 use crate::report::json::cut;
 use crate::report::risks::{first_line, legend, range};
@@ -85,9 +85,9 @@ impl Table {
             .iter()
             .filter_map(|entry| Some((entry.name.as_str(), entry.answer()?)))
             .collect();
-        let cut =
-            |(_, answer): &(&str, &Answer)| columns.iter().any(|of| answer.cut(*of).is_some());
-        let cut = answers.iter().any(cut).then(|| CUT.to_owned());
+        let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
+        let cut = || answers.iter().map(|(_, answer)| *answer).filter(is_cut);
+        let cut = cut().next().map(|_| cut_signs(cut()).to_owned());
         let bb = legend(answers.iter().map(|(_, answer)| *answer)).map(str::to_owned);
         Self {
             rows: entries.iter().map(row).collect(),

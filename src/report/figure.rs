@@ -94,8 +94,14 @@ pub struct Figure {
     pub cut: Option<Cut>,
 }
 
-/// What the signs of [`Figure::cell`] mean.
-pub const CUT: &str = "≥: at least, ~: so far; the run ended too early (a longer window_ms tells)";
+/// What the signs of [`Figure::cell`] mean, in some answers that were cut off.
+pub fn cut_signs<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> &'static str {
+    if answers.all(Answer::pressed_flat) {
+        "≥: at least, ~: so far; the run ended where the eye was pressed flat"
+    } else {
+        "≥: at least, ~: so far; the run ended too early (a longer window_ms tells)"
+    }
+}
 
 /// What stands before a result that the run cut off, in words.
 pub fn cut_word(cut: Option<Cut>) -> &'static str {
@@ -133,7 +139,7 @@ impl Figure {
     }
 
     /// The number as a table shows it: a sign says what the end of the run means for it, see
-    /// [`CUT`].
+    /// [`cut_signs`].
     pub fn cell(&self) -> String {
         let sign = match self.cut {
             Some(Cut::AtLeast) => "≥",

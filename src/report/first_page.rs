@@ -4,7 +4,7 @@
 use crate::answer::solve::Answer;
 use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
 use crate::plain_text::printable;
-use crate::report::figure::{CUT, Figure, SCALE, causes, unusable};
+use crate::report::figure::{Figure, SCALE, causes, cut_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
 use crate::report::risks::uncounted;
 use crate::report::text::row;
@@ -162,7 +162,7 @@ fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
     let trust = format!("±: {causes}; mesh level {level}{chosen}");
     lines.extend(wrapped(&trust, WIDTH));
     if cut {
-        lines.push(CUT.to_owned());
+        lines.push(cut_signs(std::iter::once(answer)).to_owned());
     }
     Ok(lines)
 }

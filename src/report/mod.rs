@@ -22,3 +22,24 @@ pub mod sweep;
 pub mod text;
 pub mod threshold;
 pub mod tissue_fit;
+
+/// The commit that was built, where whoever built it said so: outside of a checkout the line of the
+/// guide that asks `git` says nothing.
+pub fn commit() -> Option<&'static str> {
+    said(option_env!("CONTRECOUP_COMMIT"))
+}
+
+fn said(commit: Option<&str>) -> Option<&str> {
+    commit.filter(|commit| !commit.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::said;
+
+    #[test]
+    fn a_commit_of_no_letters_is_none() {
+        assert_eq!(said(Some("")), None);
+        assert_eq!(said(Some("1a2b3c4")), Some("1a2b3c4"));
+    }
+}

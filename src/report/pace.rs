@@ -11,8 +11,10 @@ const SAID: [f64; 19] = [
     2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 120.0, 180.0, 300.0, 600.0, 900.0, 1200.0,
     1800.0, 3600.0, 7200.0, 18000.0, 36000.0,
 ];
-/// No time is said before this many s have passed and this share is done.
+/// No time is said before this many s have passed and this share is done; of work of hours a
+/// smaller share tells, after so many s.
 const FIRST: (f64, f64) = (1.0, 0.002);
+const LATEST: f64 = 5.0;
 /// The time that is said rises only where the work takes this many times as long.
 const LONGER: f64 = 1.5;
 
@@ -40,7 +42,7 @@ impl Pace {
         self.share = share;
         let (before, began) = *self.first.get_or_insert((share, now));
         let (done, took) = (share - before, now - began);
-        if took < FIRST.0 || done < FIRST.1 {
+        if took < FIRST.0 || done <= 0.0 || (done < FIRST.1 && took < LATEST) {
             return;
         }
         self.rate = Some(done / took);
@@ -54,6 +56,11 @@ impl Pace {
     pub fn until(&self, share: f64) -> Option<String> {
         let left = (share - self.share).max(0.0) / self.rate?;
         Some(time(SAID[near(left)]))
+    }
+
+    /// How long the rest takes, in s and as it is said, once that is known.
+    pub fn left(&self) -> Option<f64> {
+        self.said.map(|said| SAID[said])
     }
 
     /// The share done.
@@ -72,8 +79,8 @@ impl Pace {
     /// The progress, and how long the rest takes, once that is known.
     pub fn words(&self, of: Option<usize>) -> String {
         let done = self.done(of);
-        match self.said {
-            Some(said) => format!("{done}, {}", time(SAID[said])),
+        match self.left() {
+            Some(left) => format!("{done}, {}", time(left)),
             None => done,
         }
     }

@@ -122,7 +122,7 @@ impl SweepFormat {
                     return None;
                 };
                 let varied = sweep.axes().len();
-                let figures = Quantity::ALL.len() + 2 * Injury::ALL.len() + 1;
+                let figures = Quantity::ALL.len() + 2 * Injury::ALL.len();
                 let number = record
                     .get(0)?
                     .parse()
@@ -130,10 +130,14 @@ impl SweepFormat {
                     .filter(|row| *row < sweep.rows())?;
                 let same = |(text, value): (&str, &str)| text == cell(value);
                 let values = record.iter().skip(1).zip(sweep.values(number));
-                let is_figure = |text: &str| text.is_empty() || text.parse::<f64>().is_ok();
-                let whole = record.len() == 1 + varied + figures + LAST.len() - 1
+                let is_figure =
+                    |text: &str| text.is_empty() || text.parse::<f64>().is_ok_and(f64::is_finite);
+                // Of a run whose step error is not known it is not finite.
+                let error = record.get(1 + varied + figures)?;
+                let whole = record.len() == 1 + varied + figures + LAST.len()
                     && values.into_iter().all(same)
-                    && record.iter().skip(1 + varied).take(figures).all(is_figure);
+                    && record.iter().skip(1 + varied).take(figures).all(is_figure)
+                    && (error.is_empty() || error.parse::<f64>().is_ok());
                 whole.then_some(number)
             }
             Self::Json => {

@@ -1,7 +1,7 @@
 //! Results as text for a terminal of 80 columns.
 
 use crate::report::figure::{
-    CUT, Figure, PARTS, SCALE, causes, times_its_limit, unusable, with_unit,
+    Figure, PARTS, SCALE, causes, cut_signs, times_its_limit, unusable, with_unit,
 };
 use crate::report::format::{WIDTH, block, capital, paragraph, percent, significant};
 use crate::report::json::AZIMUTH;
@@ -181,7 +181,7 @@ fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     };
     writeln!(out, "±: {}{unknown}", causes(&answer.errors))?;
     if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
-        writeln!(out, "{CUT}")?;
+        writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
     }
     Ok(())
 }
@@ -225,7 +225,12 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.step_limit * 1e6,
     )?;
     let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
-    let (at, why) = (answer.run.simulated, answer.case.rules().ends_early);
+    let at = answer.run.simulated;
+    let why = if answer.pressed_flat() {
+        "the eye was pressed flat, and there the model ends"
+    } else {
+        answer.case.rules().ends_early
+    };
     if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
     } else if at < 0.999_999 * answer.window() {

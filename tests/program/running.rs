@@ -10,7 +10,10 @@ use predicates::prelude::*;
 use predicates::str::{contains, is_empty};
 use serde_json::Value;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Duration;
 
 #[test]
 fn every_result_is_printed_where_all_are_asked_for() {
@@ -384,4 +387,56 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
         .assert()
         .success()
         .stdout(contains("\n1,0.2,").and(contains("\n2,Auto,")));
+}
+
+#[test]
+fn a_run_that_ends_at_an_eye_pressed_flat_says_so_and_asks_for_no_longer_window() {
+    let blow = [
+        "paper-300n",
+        "--set=model=Physiological",
+        "--set=impact.force_n=5000",
+        "--quick",
+    ];
+    let flat = |more: &[&str]| {
+        let output = program(&[&["run"], &blow[..], more].concat())
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap().replace('\n', " ")
+    };
+    let (first, all) = (flat(&[]), flat(&["--all"]));
+    assert!(all.contains("ms: the eye was pressed flat"), "{all}");
+    for text in [first, all] {
+        assert!(
+            text.contains("ended where the eye was pressed flat"),
+            "{text}"
+        );
+        assert!(!text.contains("longer window_ms"), "{text}");
+        assert!(!text.contains("what acted is gone"), "{text}");
+    }
+}
+
+#[test]
+fn in_a_log_work_of_minutes_says_how_long_it_goes_on() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
+        .args([
+            "sweep",
+            "paper-300n",
+            "--level=4",
+            "--vary=force=1:600:20000",
+        ])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
+    let (send, receive) = std::sync::mpsc::channel();
+    std::thread::spawn(move || send.send(said.next()));
+    let first = receive.recv_timeout(Duration::from_secs(60));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let first = first.unwrap().unwrap().unwrap();
+    assert!(
+        first.starts_with("rows: ") && first.contains("of 20000, about"),
+        "{first}"
+    );
 }

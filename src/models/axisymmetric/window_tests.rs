@@ -6,7 +6,7 @@ use crate::run::flags::FlagKind;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::scenario::library::find;
-use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario};
+use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario, Support};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -126,6 +126,32 @@ fn an_eye_that_is_pressed_flat_ends_the_run_and_all_is_at_least() {
             answer.run.cost.steps
         );
     }
+}
+
+#[test]
+fn how_a_free_eye_flies_off_as_a_whole_is_no_injury() {
+    // 20 N for so long gives it 14 and 53 m/s.
+    let free = |duration_ms| {
+        answered(&Scenario {
+            model: Model::Physiological(Physiological {
+                support: Support::Free,
+                ..Physiological::default()
+            }),
+            impact: Impact::ForcePulse(ForcePulse {
+                force_n: 20.0,
+                duration_ms,
+                ..ForcePulse::default()
+            }),
+            window_ms: None,
+            ..Scenario::default()
+        })
+    };
+    let (short, long) = (free(5.0), free(20.0));
+    for quantity in [Quantity::Energy, Quantity::Damage] {
+        let [short, long] = [&short, &long].map(|answer| answer.result(quantity).unwrap());
+        assert!(long < 1.2 * short, "{quantity:?}: {short} {long}");
+    }
+    assert!(long.result(Quantity::Apex).unwrap() < 10.0);
 }
 
 #[test]

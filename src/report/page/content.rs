@@ -45,7 +45,7 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
 
 /// The version that answered.
 pub(super) fn version() -> String {
-    let commit = option_env!("CONTRECOUP_COMMIT").map(|commit| format!(", commit {commit}"));
+    let commit = crate::report::commit().map(|commit| format!(", commit {commit}"));
     format!(
         "contrecoup {}{}",
         env!("CARGO_PKG_VERSION"),

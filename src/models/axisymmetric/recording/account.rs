@@ -42,6 +42,8 @@ pub(crate) struct Account {
     /// Volume of the globe at rest, m3.
     globe_volume: f64,
     pub energy: Energy,
+    /// What the eye was given by the last balance, J.
+    work: f64,
     pub extremes: Extremes,
     pub fold: FoldWatch,
     pub traces: Traces,
@@ -93,6 +95,7 @@ impl Account {
             energy_before,
             globe_volume,
             energy: Energy::default(),
+            work: 0.0,
             extremes: Extremes::at_rest(),
             fold: FoldWatch::new(cells),
             traces: Traces::default(),
@@ -172,6 +175,13 @@ impl Account {
         self.energy_before - e.object - e.lost_in_object - e.contact
     }
 
+    /// Takes what the eye was given, J, of which an eye that nothing holds flies off with some: no
+    /// part of it feels that.
+    pub fn impart(&mut self, given: f64, flown: f64) {
+        self.work = given;
+        self.extremes.energy_imparted = given - flown;
+    }
+
     /// Values of the traces at `time`, where the force on the eye and on the monitored nodes, its
     /// shape, its tissues and the object are such.
     pub fn trace(
@@ -194,7 +204,7 @@ impl Account {
         t.kinetic.push(self.energy.kinetic);
         t.elastic.push(self.energy.elastic);
         t.dissipated.push(self.energy.lost);
-        t.work.push(self.extremes.energy_imparted);
+        t.work.push(self.work);
         t.pressure.push(self.filters[0].now);
         t.back_pressure.push(self.back_mean.now);
         t.scleral_stress.push(self.stress);

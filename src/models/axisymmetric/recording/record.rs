@@ -104,7 +104,7 @@ impl Recorded for Motion<'_> {
             energy.object = projectile.kinetic(kick) + projectile.stored();
             given = self.account.given();
         }
-        self.account.extremes.energy_imparted = given;
+        self.account.impart(given, self.flown(kick));
     }
 
     fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
@@ -141,6 +141,17 @@ impl Motion<'_> {
         let weighed = self.mass.iter().zip(&self.state.x);
         let moment: f64 = weighed.map(|(m, x)| m * x).sum();
         moment / self.mass.iter().sum::<f64>() - self.middle
+    }
+
+    /// The energy of that flight, J, where forces act for `kick` s.
+    fn flown(&self, kick: f64) -> f64 {
+        if self.eye.parameters.surround.is_some() {
+            return 0.0;
+        }
+        let state = &self.state;
+        let speed = |i: usize| state.vx[i] + 0.5 * kick * state.fx[i] * state.free_x[i];
+        let momentum: f64 = (0..state.x.len()).map(|i| self.mass[i] * speed(i)).sum();
+        0.5 * momentum * momentum / self.mass.iter().sum::<f64>()
     }
 
     fn velocities(&self) -> Vec<(f64, f64)> {

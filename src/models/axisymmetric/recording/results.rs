@@ -54,7 +54,7 @@ pub struct Extremes {
     pub least_triangle: f64,
     /// How the mesh folded: cells with such a triangle.
     pub fold: Option<Fold>,
-    /// Energy that the eye was given, J.
+    /// Energy that the eye was given, but for that of its flight as a whole, J.
     pub energy_imparted: f64,
     /// When the object's surface was first crushed through to its hard core, s.
     pub crushed_at: Option<f64>,

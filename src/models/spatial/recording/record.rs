@@ -118,7 +118,8 @@ impl Recorded for Motion<'_> {
         self.account.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
         let moving = &self.flying.moving;
         self.account.energy.object = moving.kinetic(kick) + moving.stored();
-        self.account.extremes.energy_imparted = self.account.given();
+        let flown = self.flown(kick);
+        self.account.impart(self.account.given(), flown);
     }
 
     fn trace(&mut self, now: &Instant, time: f64, node_force: [f64; 4]) {
@@ -152,6 +153,24 @@ impl Motion<'_> {
     fn read_shape(&mut self, time: f64) {
         self.account
             .read_shape(&self.shapes.read(&self.state.at), time);
+    }
+
+    /// The energy of an eye that nothing holds as it flies as a whole, J, where forces act for
+    /// `kick` s.
+    fn flown(&self, kick: f64) -> f64 {
+        if self.eye.parameters.surround.is_some() {
+            return 0.0;
+        }
+        let (state, mass, copies) = (&self.state, &self.eye.mass, self.eye.copies());
+        let momentum = |k: usize| -> f64 {
+            let speed =
+                |i: usize| state.speed[k][i] + 0.5 * kick * state.force[k][i] * state.free[k][i];
+            (0..mass.len()).map(|i| mass[i] * speed(i)).sum()
+        };
+        // Half of an eye and its image fly along their plane.
+        let ways = if copies > 1.0 { 2 } else { 3 };
+        let squares: f64 = (0..ways).map(|k| momentum(k) * momentum(k)).sum();
+        0.5 * copies * squares / mass.iter().sum::<f64>()
     }
 
     /// How the globe has moved and turned.
