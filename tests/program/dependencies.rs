@@ -1,11 +1,10 @@
 //! What the program is made of: licences that let anybody use it, one source, no crate twice, and a
-//! package that holds what it is built from. And which of its rooms imports which.
+//! package that holds what it is built from.
 //!
 //! This asks cargo itself, for the licences in `deny.toml`; `cargo deny` asks the same of the same
 //! data, but has to be built first.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
@@ -134,58 +133,4 @@ fn the_package_holds_what_the_program_is_built_from_and_no_more() {
             "{file} is no part of the program"
         );
     }
-}
-
-/// Rooms of the source, from the lowest, as the page on contributing draws them; the command line
-/// and the app are at the top together.
-const ROOMS: [&[&str]; 9] = [
-    &["scenario"],
-    &["run"],
-    &["models"],
-    &["injury"],
-    &["answer"],
-    &["many"],
-    &["verify"],
-    &["report"],
-    &["cli", "tui"],
-];
-
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, found);
-        } else {
-            found.push(path);
-        }
-    }
-}
-
-#[test]
-fn a_lower_room_imports_no_higher_one() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut seen = 0;
-    for (floor, rooms) in ROOMS.iter().enumerate() {
-        for room in *rooms {
-            let mut files = Vec::new();
-            sources(&source.join(room), &mut files);
-            for file in files {
-                let text = fs::read_to_string(&file).unwrap();
-                // Comments may point up, and tests ask whoever tells.
-                let code = text.split("#[cfg(test)]").next().unwrap();
-                let is_test = file.to_string_lossy().contains("tests");
-                let lines = code
-                    .lines()
-                    .filter(|line| !line.trim_start().starts_with("//"));
-                for line in lines.filter(|_| !is_test) {
-                    seen += usize::from(line.contains("crate::"));
-                    for above in ROOMS[floor + 1..].iter().copied().flatten() {
-                        let import = format!("crate::{above}::");
-                        assert!(!line.contains(&import), "{}: {line}", file.display());
-                    }
-                }
-            }
-        }
-    }
-    assert!(seen > 1000, "{seen} imports");
 }
