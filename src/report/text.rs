@@ -176,6 +176,7 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 /// What the signs behind the figures mean.
 fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let unknown = match answer.errors.without_limit().next() {
+        Some(_) if answer.pressed_flat() => "; ±?: no eye was tested so hard",
         Some(_) => "; ±?: finer meshes do not agree",
         None => "",
     };

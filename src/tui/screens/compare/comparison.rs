@@ -216,9 +216,12 @@ impl Comparison {
         let Some(entry) = entries.find(same) else {
             return;
         };
-        entry.without_mesh = rest.as_ref().is_none_or(|rest| rest.mesh.is_none());
-        if let (Found::Answer(shown), Some(rest)) = (&mut entry.found, rest) {
-            rest.put(Arc::make_mut(&mut shown.answer));
+        if let Found::Answer(shown) = &mut entry.found {
+            let answer = Arc::make_mut(&mut shown.answer);
+            if let Some(rest) = rest {
+                rest.put(answer);
+            }
+            entry.without_mesh = answer.errors.mesh.is_none();
         }
     }
 
