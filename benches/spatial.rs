@@ -8,7 +8,7 @@ use contrecoup::models::axisymmetric::time::march::CellLoop;
 use contrecoup::models::axisymmetric::time::until::Until;
 use contrecoup::models::paper::forces::kernel::vector_sets;
 use contrecoup::models::spatial::eye::SpatialEye;
-use contrecoup::models::spatial::{Aim, Blow, Extent, OrbitRim, STEP_SHARE, run_as};
+use contrecoup::models::spatial::{Aim, Extent, OrbitRim, STEP_SHARE, SpatialBlow, run_as};
 use contrecoup::run::kept::Keep;
 use contrecoup::scenario::Rim;
 use std::ops::ControlFlow;
@@ -54,7 +54,7 @@ fn main() {
             Extent::Half => aim.plane(),
             Extent::Full => 0.0,
         };
-        let blow = Blow { object, aim, up };
+        let blow = SpatialBlow { object, aim, up };
         let plain = [(CellLoop::Plain, Until::Time(SHORT))];
         let vectors = vector_sets().into_iter();
         let vectors = vectors.map(|level| (CellLoop::Vectors(level), Until::Settled(WINDOW)));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::report::picture::Anatomy;
-use crate::report::picture::field::Field;
+use crate::report::picture::field::TissueField;
 use crate::run::drawing::Drawing;
 use crate::scenario::Scenario;
 use crate::tui::view::heat::hottest;
@@ -20,7 +20,7 @@ pub struct ShownAnswer {
     /// The largest force on any node in any frame, in N.
     pub hottest: f64,
     /// What can fill the globe, each with the end of its scale, what tells most first.
-    pub fields: Vec<(Field, f64)>,
+    pub fields: Vec<(TissueField, f64)>,
     /// What pictures are made of.
     pub drawing: Drawing,
     /// What moves with its tissue in them.
@@ -32,7 +32,7 @@ impl ShownAnswer {
     pub fn new(scenario: Scenario, answer: Answer) -> Self {
         let drawing = answer.case.eye.drawing();
         let frames = &answer.run.frames;
-        let fields = Field::all(&drawing, frames).into_iter();
+        let fields = TissueField::all(&drawing, frames).into_iter();
         Self {
             scenario,
             hottest: hottest(&answer),

@@ -31,7 +31,7 @@ use std::sync::atomic::AtomicBool;
 
 /// An object that eyes were tested with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Kind {
+pub struct TestObject {
     /// Its name for people.
     pub name: &'static str,
     /// In g.
@@ -46,8 +46,8 @@ pub struct Kind {
     pub foam: bool,
 }
 
-const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> Kind {
-    Kind {
+const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> TestObject {
+    TestObject {
         name,
         mass_g,
         diameter_mm,
@@ -58,16 +58,16 @@ const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> K
 }
 
 /// The kinds behind the energy curves.
-pub static KINDS: [Kind; 6] = [
+pub static KINDS: [TestObject; 6] = [
     kind("BB 4.5 mm", 0.345, 4.5, false),
     kind("pellet 6 mm", 0.2, 6.0, false),
     kind("ball 6.35 mm", 1.05, 6.35, false),
-    Kind {
+    TestObject {
         doubt_g: 0.9,
         ..kind("rod 9.25 mm", 3.5, 9.25, true)
     },
     kind("rod 11.16 mm", 45.5, 11.16, true),
-    Kind {
+    TestObject {
         foam: true,
         ..kind("foam 12.4 mm", 0.2, 12.4, true)
     },
@@ -81,7 +81,7 @@ const FOAM: Surface = Surface::Inflated {
     modulus_mpa: 3.0,
 };
 /// Blunt metal that began to hurt the retina, and the energy at which it did, J.
-static BLUNT: [Kind; 3] = [
+static BLUNT: [TestObject; 3] = [
     kind("metal 2.6 g", 2.6, 6.35, true),
     kind("metal 3.5 g", 3.5, 9.25, true),
     kind("metal 45.5 g", 45.5, 11.16, true),
@@ -96,7 +96,7 @@ const END: f64 = 100e3;
 /// Shares of a published energy between which the slope of a measure is taken.
 const AROUND: [f64; 2] = [0.5, 2.0];
 
-impl Kind {
+impl TestObject {
     /// This object at a speed.
     fn at(&self, speed_m_s: f64, species: Species, support: Support) -> Scenario {
         let mut projectile = Projectile {
@@ -203,7 +203,7 @@ const MATCHES: [Match; 6] = [
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KindFelt {
     /// The kind.
-    pub kind: &'static Kind,
+    pub kind: &'static TestObject,
     /// The mean of what the tissue felt there, SI.
     pub felt: f64,
     /// The risk that the curve of all other kinds tells of it, where 50 % was published.
@@ -248,7 +248,7 @@ type Felt = Option<PerInjury<f64>>;
 /// One run that is needed.
 #[derive(Clone, Copy, PartialEq)]
 struct Job {
-    kind: Kind,
+    kind: TestObject,
     speed: f64,
     species: Species,
     support: Support,
@@ -328,7 +328,7 @@ fn deviation(of: &[f64]) -> f64 {
 }
 
 /// A kind at an energy over area, J/m2.
-fn at(kind: &Kind, energy: f64, species: Species) -> Job {
+fn at(kind: &TestObject, energy: f64, species: Species) -> Job {
     Job {
         kind: *kind,
         speed: kind.speed(energy * kind.area()),
@@ -338,7 +338,7 @@ fn at(kind: &Kind, energy: f64, species: Species) -> Job {
     }
 }
 
-fn onset(kind: &Kind) -> Job {
+fn onset(kind: &TestObject) -> Job {
     Job {
         kind: *kind,
         speed: kind.speed(ONSET_J),
@@ -368,7 +368,7 @@ impl Match {
     }
 
     /// The kinds that it rests on.
-    fn kinds(&self) -> impl Iterator<Item = &'static Kind> {
+    fn kinds(&self) -> impl Iterator<Item = &'static TestObject> {
         let foam = self.injury == Injury::CornealAbrasion;
         KINDS.iter().filter(move |kind| foam || !kind.foam)
     }
@@ -398,7 +398,7 @@ impl Match {
     }
 
     /// The mean of log10 of what one kind brings about at `factor` times the published energies.
-    fn felt(&self, kind: &Kind, factor: f64, runs: &Runs) -> Option<f64> {
+    fn felt(&self, kind: &TestObject, factor: f64, runs: &Runs) -> Option<f64> {
         let mut all = Vec::new();
         for species in self.species() {
             for half in self.half {
@@ -410,7 +410,7 @@ impl Match {
 
     fn fit(&self, runs: &Runs) -> TissueFit {
         let injury = self.injury;
-        let felt: Vec<(&'static Kind, f64)> = self
+        let felt: Vec<(&'static TestObject, f64)> = self
             .kinds()
             .filter_map(|kind| Some((kind, self.felt(kind, 1.0, runs)?)))
             .collect();
@@ -492,7 +492,7 @@ pub struct WithInput {
 }
 
 /// A kind at an energy in an eye with another value of an input.
-fn moved(of: &Match, kind: &Kind, change: (&'static str, f64)) -> Job {
+fn moved(of: &Match, kind: &TestObject, change: (&'static str, f64)) -> Job {
     Job {
         change: Some(change),
         ..at(kind, of.half[0], Species::Human)

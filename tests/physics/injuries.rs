@@ -146,7 +146,7 @@ fn one_run_for_each_input_tells_what_an_ensemble_draws() {
         let inputs = InputQuery::of(&answer).estimate(&scenario, &stop, |_| {});
         answer.inputs = Some(inputs.unwrap());
         let proceed = |_: &Ensemble| ControlFlow::Continue(());
-        let drawn = ensemble::run(&scenario, (64, 1), None, &stop, &proceed).unwrap();
+        let drawn = ensemble::run(&scenario, (40, 1), None, &stop, &proceed).unwrap();
         for risk in answer.risks() {
             let band = drawn.band(risk.injury.result()).unwrap();
             let (low, high) = (100.0 * risk.range.0, 100.0 * risk.range.1);

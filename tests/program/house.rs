@@ -1,5 +1,5 @@
 //! The rules of the house: which room may import which, how files of a room hang together, what
-//! only the app knows, and how wide a comment is.
+//! only the app knows, how many names mean two things, and how wide a comment is.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -21,6 +21,8 @@ const ROOMS: [&[&str]; 10] = [
 
 /// Files that import each other in a circle, at most.
 const LARGEST_CIRCLE: usize = 3;
+/// Names of public types that stand more than once, at most.
+const MOST_TWICE: usize = 8;
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -244,6 +246,30 @@ fn nothing_below_the_app_knows_its_screen() {
             assert!(!code.contains("crossterm::"), "{names:?}");
         }
     }
+}
+
+#[test]
+fn few_names_of_public_types_stand_more_than_once() {
+    let kinds = ["pub struct ", "pub enum ", "pub trait ", "pub type "];
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for code in modules().values() {
+        for line in code.lines() {
+            let rest = kinds
+                .iter()
+                .find_map(|kind| line.trim_start().strip_prefix(kind));
+            let name = |rest: &str| {
+                rest.split(|c: char| !c.is_alphanumeric())
+                    .next()
+                    .map(str::to_owned)
+            };
+            if let Some(name) = rest.and_then(name) {
+                *counts.entry(name).or_default() += 1;
+            }
+        }
+    }
+    assert!(counts.len() > 300, "{}", counts.len());
+    counts.retain(|_, count| *count > 1);
+    assert!(counts.len() <= MOST_TWICE, "{counts:?}");
 }
 
 #[test]

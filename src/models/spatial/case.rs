@@ -9,7 +9,7 @@ use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::mesh::Extent;
 use crate::models::spatial::eye::orbit::OrbitRim;
 use crate::models::spatial::forces::object::Aim;
-use crate::models::spatial::time::run::{Blow, step_limit};
+use crate::models::spatial::time::run::{SpatialBlow, step_limit};
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Geometry, Physiological, Projectile, Support};
 
@@ -76,7 +76,7 @@ pub struct SpatialCase {
     /// The eye.
     pub eye: SpatialEye,
     /// What hits it and how.
-    pub blow: Blow,
+    pub blow: SpatialBlow,
     /// Simulated time.
     pub window: Until,
     /// Longest stable step at rest, in s.
@@ -98,7 +98,7 @@ impl SpatialCase {
             Extent::Full => 0.0,
         };
         let eye = SpatialEye::new(&scene.parameters, scene.rim, extent, scene.level);
-        let blow = Blow {
+        let blow = SpatialBlow {
             object: scene.object,
             aim: scene.aim,
             up,

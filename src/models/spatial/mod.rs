@@ -35,4 +35,4 @@ pub use crate::models::spatial::eye::mesh::Extent;
 pub use crate::models::spatial::eye::orbit::OrbitRim;
 pub use crate::models::spatial::forces::object::Aim;
 pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
-pub use crate::models::spatial::time::run::{Blow, run, run_as, run_through, step_limit};
+pub use crate::models::spatial::time::run::{SpatialBlow, run, run_as, run_through, step_limit};

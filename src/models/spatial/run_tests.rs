@@ -13,7 +13,7 @@ use crate::models::spatial::eye::mesh::Extent;
 use crate::models::spatial::eye::orbit::OrbitRim;
 use crate::models::spatial::forces::object::Aim;
 use crate::models::spatial::recording::results::EngineRun;
-use crate::models::spatial::time::run::{Blow, run, run_as};
+use crate::models::spatial::time::run::{SpatialBlow, run, run_as};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::model::EyeModel;
 use crate::run::quantity::Quantity;
@@ -51,7 +51,7 @@ fn hit(eye: &SpatialEye, object: Object, aim: Aim, ms: f64) -> EngineRun {
         Extent::Half => aim.plane(),
         Extent::Full => 0.0,
     };
-    let blow = Blow { object, aim, up };
+    let blow = SpatialBlow { object, aim, up };
     let keep = Keep::default();
     run(eye, &blow, ms * 1e-3, STEP_SHARE, keep, &mut unwatched).unwrap()
 }
@@ -94,7 +94,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
     for (a, b) in x.sectors.lens.iter().zip(y.sectors.lens) {
         assert!(near(*a, b), "{a} {b}");
     }
-    let blow = Blow {
+    let blow = SpatialBlow {
         object: BB,
         aim,
         up: 0.0,

@@ -15,8 +15,8 @@ use crate::answer::solve::Answer;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::content::{FRAMES, spacing};
-use crate::report::picture::field::{Field, STEPS, step};
-use crate::report::picture::{Anatomy, Detail, Part, Shape, in_globe};
+use crate::report::picture::field::{STEPS, TissueField, step};
+use crate::report::picture::{Anatomy, DrawnDetail, Part, Shape, in_globe};
 use crate::report::risks::lines;
 use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::{Frame, nearest};
@@ -57,7 +57,7 @@ pub struct Picture<'a> {
     drawing: Drawing,
     anatomy: Anatomy,
     /// What fills the globe, and the end of its scale.
-    field: (Field, f64),
+    field: (TissueField, f64),
     /// Cells of the globe, and nodes at their corners.
     cells: Vec<DrawnCell>,
     nodes: Vec<usize>,
@@ -77,7 +77,7 @@ impl<'a> Picture<'a> {
             .filter(|cell| in_globe(&drawing, &cell.corners));
         let cells: Vec<DrawnCell> = globe.copied().collect();
         let nodes: BTreeSet<usize> = cells.iter().flat_map(|cell| cell.corners).collect();
-        let field = Field::all(&drawing, kept)[0];
+        let field = TissueField::all(&drawing, kept)[0];
         let time = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
         let deepest = nearest(kept, time);
         let count = (MOST / (2.0 * nodes.len() as f64)).clamp(FEWEST, FRAMES);
@@ -119,7 +119,7 @@ impl<'a> Picture<'a> {
     }
 
     fn layers(&self, frame: &Frame) -> Vec<Shape> {
-        let detail = Detail {
+        let detail = DrawnDetail {
             grain: GRAIN_M,
             zoom: 1.0,
             points: OUTLINE,

@@ -19,7 +19,7 @@ const LARGE_M: f64 = 6e-3;
 
 /// What fills the globe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Field {
+pub enum TissueField {
     /// Pressure in its cells, Pa.
     Pressure,
     /// The largest stretch of its cells, as a share.
@@ -28,7 +28,7 @@ pub enum Field {
     Force,
 }
 
-impl Field {
+impl TissueField {
     /// All that an eye has, what tells most of a blow first.
     pub fn all(drawing: &Drawing, frames: &[Frame]) -> Vec<Self> {
         let pressures = frames.iter().any(|frame| !frame.cells.is_empty());
@@ -160,10 +160,10 @@ mod tests {
 
     #[test]
     fn a_value_is_written_in_two_digits_with_its_unit() {
-        assert_eq!(Field::Pressure.figure(871_000.0), "0.87 MPa");
-        assert_eq!(Field::Pressure.figure(48_700.0), "49 kPa");
-        assert_eq!(Field::Strain.figure(0.5), "50 %+");
-        assert_eq!(Field::Force.figure(11.3), "11 N");
+        assert_eq!(TissueField::Pressure.figure(871_000.0), "0.87 MPa");
+        assert_eq!(TissueField::Pressure.figure(48_700.0), "49 kPa");
+        assert_eq!(TissueField::Strain.figure(0.5), "50 %+");
+        assert_eq!(TissueField::Force.figure(11.3), "11 N");
         assert_eq!(
             [step(-1.0, 2.0), step(1.0, 2.0), step(9.0, 2.0)],
             [0, 5, 10]

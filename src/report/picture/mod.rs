@@ -109,7 +109,7 @@ impl Shape {
 
 /// How a picture is made.
 #[derive(Debug, Clone, Copy)]
-pub struct Detail {
+pub struct DrawnDetail {
     /// The smallest thing that it can show, in m.
     pub grain: f64,
     /// How many times displacement is shown.
@@ -118,7 +118,7 @@ pub struct Detail {
     pub points: usize,
 }
 
-impl Detail {
+impl DrawnDetail {
     /// Whether several thin layers would only blur each other.
     fn is_small(self) -> bool {
         self.grain > 0.85e-3
@@ -196,8 +196,8 @@ impl Anatomy {
     }
 
     /// All layers of a frame, the later over the earlier.
-    pub fn layers(&self, drawing: &Drawing, frame: &Frame, detail: Detail) -> Vec<Shape> {
-        let Detail { grain, zoom, .. } = detail;
+    pub fn layers(&self, drawing: &Drawing, frame: &Frame, detail: DrawnDetail) -> Vec<Shape> {
+        let DrawnDetail { grain, zoom, .. } = detail;
         let place = |node: usize| drawing.place(frame, node, zoom);
         let moved = |held: &[Held]| -> Vec<Point2<f64>> {
             let places = held.iter().map(|held| drawing.moved(frame, held, zoom));
@@ -287,7 +287,7 @@ fn shell_layers(
     drawing: &Drawing,
     outline: &Outline,
     ball: Option<&object::Hitting>,
-    detail: Detail,
+    detail: DrawnDetail,
 ) -> Vec<Shape> {
     let (small, least) = (detail.is_small(), 1.35 * detail.grain);
     let limbus = drawing.outlines.limbus;

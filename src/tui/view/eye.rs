@@ -11,7 +11,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
 use crate::answer::solve::Answer;
-use crate::report::picture::field::Field;
+use crate::report::picture::field::TissueField;
 use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
@@ -68,7 +68,7 @@ pub struct EyePicture<'a> {
     /// The largest force of the colour scale, in N.
     pub largest: f64,
     /// What fills the globe of the anatomy, and the end of its scale.
-    pub field: Option<(Field, f64)>,
+    pub field: Option<(TissueField, f64)>,
     /// How many times displacement is shown.
     pub zoom: u32,
     /// How much of the mesh.

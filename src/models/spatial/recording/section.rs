@@ -12,7 +12,7 @@ use crate::models::spatial::eye::orbit::{Cavity, Orbit, Round};
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::forces::object::towards;
 use crate::models::spatial::recording::sensor::monitored;
-use crate::models::spatial::time::run::Blow;
+use crate::models::spatial::time::run::SpatialBlow;
 use crate::run::places::Region;
 use crate::scenario::direction::upper;
 use nalgebra::{Point2, Vector3};
@@ -66,7 +66,7 @@ pub(crate) struct Section {
 }
 
 impl Section {
-    pub fn new(eye: &SpatialEye, blow: &Blow) -> Self {
+    pub fn new(eye: &SpatialEye, blow: &SpatialBlow) -> Self {
         let plane = blow.aim.plane();
         let azimuth = upper(plane) - blow.up;
         let mut section = Self {

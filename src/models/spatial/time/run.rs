@@ -37,7 +37,7 @@ const LOOK_EVERY: usize = 16;
 
 /// A blow: what flies, how it comes, and by which azimuth the eye's mesh is turned from its own up.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Blow {
+pub struct SpatialBlow {
     /// What flies. It touches the globe or bone at the start.
     pub object: Object,
     /// How it comes, in the eye's own axes.
@@ -47,7 +47,7 @@ pub struct Blow {
     pub up: f64,
 }
 
-impl Blow {
+impl SpatialBlow {
     /// How it comes in the axes of the mesh.
     pub(crate) fn in_mesh(&self) -> Aim {
         self.aim.turned(self.up)
@@ -55,7 +55,7 @@ impl Blow {
 }
 
 /// The longest stable step of an eye that nothing has moved yet, in s.
-pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
+pub fn step_limit(eye: &SpatialEye, blow: &SpatialBlow) -> f64 {
     let (keep, window) = (Keep::default(), Until::Time(1.0));
     let mut motion = Motion::new(eye, CellLoop::Rows, blow, keep, window);
     motion.forces(0.0).limit
@@ -68,7 +68,7 @@ pub fn step_limit(eye: &SpatialEye, blow: &Blow) -> f64 {
 /// stops.
 pub fn run(
     eye: &SpatialEye,
-    blow: &Blow,
+    blow: &SpatialBlow,
     window: impl Into<Until>,
     steps: impl Into<Steps>,
     keep: Keep,
@@ -84,7 +84,7 @@ pub fn run(
 pub fn run_as(
     form: CellLoop,
     eye: &SpatialEye,
-    blow: &Blow,
+    blow: &SpatialBlow,
     window: impl Into<Until>,
     steps: impl Into<Steps>,
     keep: Keep,
@@ -100,7 +100,7 @@ pub fn run_as(
 /// See [`run`]; stopped by `take` too.
 pub fn run_through(
     eye: &SpatialEye,
-    blow: &Blow,
+    blow: &SpatialBlow,
     window: impl Into<Until>,
     steps: impl Into<Steps>,
     spacing: Spacing,
@@ -177,7 +177,13 @@ pub(crate) struct Instant {
 }
 
 impl<'a> Motion<'a> {
-    fn new(eye: &'a SpatialEye, form: CellLoop, blow: &Blow, keep: Keep, window: Until) -> Self {
+    fn new(
+        eye: &'a SpatialEye,
+        form: CellLoop,
+        blow: &SpatialBlow,
+        keep: Keep,
+        window: Until,
+    ) -> Self {
         let cells: Box<dyn Cells> = match form {
             CellLoop::Plain => Box::new(PlainCells::new(eye)),
             _ => Box::new(CellRows::new(eye, form.level())),

@@ -12,8 +12,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
-use crate::report::picture::field::{Field, STEPS, step};
-use crate::report::picture::{Detail, POINTS, Part, front, in_globe, moment};
+use crate::report::picture::field::{STEPS, TissueField, step};
+use crate::report::picture::{DrawnDetail, POINTS, Part, front, in_globe, moment};
 use crate::run::drawing::shares;
 use crate::run::kept::Frame;
 use crate::tui::look::Look;
@@ -53,7 +53,7 @@ pub struct Anatomical<'a> {
     /// The moment, in s.
     pub time: f64,
     /// What fills the globe, and the end of its scale.
-    pub field: (Field, f64),
+    pub field: (TissueField, f64),
     /// How many times displacement is shown.
     pub zoom: u32,
     /// Whether it moves.
@@ -97,7 +97,7 @@ impl Anatomical<'_> {
             _ => (across as usize, down as usize),
         };
         let (wide, high) = (columns * across, rows * down);
-        let detail = Detail {
+        let detail = DrawnDetail {
             grain: window.grain(),
             zoom: f64::from(self.zoom),
             points: POINTS,
