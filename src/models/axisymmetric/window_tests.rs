@@ -150,7 +150,7 @@ fn how_a_free_eye_flies_off_as_a_whole_is_no_injury() {
         })
     };
     let (short, long) = (free(5.0), free(20.0));
-    for quantity in [Quantity::Energy, Quantity::Damage] {
+    for quantity in [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy] {
         let [short, long] = [&short, &long].map(|answer| answer.result(quantity).unwrap());
         assert!(long < 1.2 * short, "{quantity:?}: {short} {long}");
     }

@@ -65,7 +65,7 @@ impl Recorded for Motion<'_> {
                 .read_object(energy, (between, 0.0), intrusion, time);
         }
         if self.load.is_some() {
-            let work = self.account.energy.work;
+            let work = self.account.energy.work - self.flown(0.0);
             self.account.extremes.energy_given.offer(work, time);
         }
         let (eye, cells, state) = (self.eye, &self.cells, &self.state);
