@@ -120,12 +120,12 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
     let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, Keep::default(), watch)?;
-    let first = answer.errors.time_step_percent();
+    let first = answer.errors.time_step.headline();
     let tried = plan.step;
     let good_step = plan.step * shortening(&plan, promise, first);
     if scenario.numerics.step_us.is_none() {
         for _ in 0..MAX_ATTEMPTS {
-            let error = answer.errors.time_step_percent();
+            let error = answer.errors.time_step.headline();
             if error <= promise || answer.run.folded_at().is_some() {
                 break;
             }
@@ -138,10 +138,10 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
         ranges: ranges.try_into().ok(),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
-        check: Some(Check {
+        check: answer.errors.time_step_percent().map(|last| Check {
             first,
             tried,
-            last: answer.errors.time_step_percent(),
+            last,
             good_step,
         }),
     })

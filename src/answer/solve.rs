@@ -27,7 +27,8 @@ use std::time::{Duration, Instant};
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// By the time step, in % of each result.
+    /// By the time step, in % of each result; of an eye that is pressed flat none is stated, however
+    /// well steps agree.
     pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
     pub mesh: Option<Results>,
@@ -38,9 +39,9 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Largest step error of a leading result, in %.
-    pub fn time_step_percent(&self) -> f64 {
-        self.time_step.headline()
+    /// Largest step error of a leading result, in %; none where none is stated.
+    pub fn time_step_percent(&self) -> Option<f64> {
+        Some(self.time_step.worst()?.1)
     }
 
     /// Largest mesh error of a leading result that has a limit, in %; none until it is estimated.
@@ -66,6 +67,10 @@ impl Errors {
             .map(|(quantity, _)| quantity)
     }
 }
+
+/// Of an eye that is pressed flat a range that leaves no more than this out on either side tells
+/// nothing.
+const OPEN: f64 = 0.05;
 
 /// Said of an eye that nothing touched.
 const MISSED: &str = "none: the object never touches the eye";
@@ -127,9 +132,14 @@ impl Answer {
         self.run.readings.peak(of)
     }
 
+    /// Whether a flag of this kind limits the results.
+    pub fn has(&self, kind: FlagKind) -> bool {
+        self.flags.iter().any(|flag| flag.kind == kind)
+    }
+
     /// Whether the eye was pressed flat, which ends a run: no window and no step tells more.
     pub fn pressed_flat(&self) -> bool {
-        is_flat(&self.flags)
+        self.has(FlagKind::EyeFlat)
     }
 
     /// Simulated time that was asked for, in s; where none was, how long the run lasted.
@@ -159,7 +169,8 @@ impl Answer {
     pub fn risk(&self, injury: Injury) -> Option<Risk> {
         let known = self.known(injury).filter(|_| !self.run.missed)?;
         let mut risk = injury.assess(&self.case.blow, known);
-        if self.spoiled().is_some() {
+        let open = self.pressed_flat() && risk.range.0 < OPEN && risk.range.1 > 1.0 - OPEN;
+        if open || self.spoiled().is_some() {
             // What was computed may be anything.
             (risk.usable, risk.range, risk.at_least) = (false, (0.0, 1.0), false);
         }
@@ -272,7 +283,7 @@ pub(crate) fn solve_case(
         let share = match measured(&case, &plan, keep, watch) {
             Ok(solved) => {
                 let before = best.as_ref().map(|(_, solved)| solved);
-                let error = |run: &Measured| run.errors.time_step_percent();
+                let error = |run: &Measured| run.errors.time_step.headline();
                 let helps = before.is_none_or(|before| error(&solved) < 0.75 * error(before));
                 let share = shorter(&case, &plan, &solved).filter(|_| helps);
                 // Where the mesh folded, a shorter step need not be the better one.
@@ -307,7 +318,7 @@ fn is_flat(flags: &[Flag]) -> bool {
 /// The share of its step that a run should have taken; none if it was good enough, or if its mesh
 /// folded or its eye was pressed flat, where no step helps.
 fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
-    let error = solved.errors.time_step_percent();
+    let error = solved.errors.time_step.headline();
     let rule = &case.rules().refinement;
     if is_flat(&solved.run.flags) {
         None
@@ -350,7 +361,7 @@ impl Measured {
     /// error.
     fn is_better_than(&self, other: &Self, balance_percent: f64) -> bool {
         let balance = |run: &Self| run.errors.energy_balance.max(balance_percent);
-        let error = |run: &Self| run.errors.time_step_percent();
+        let error = |run: &Self| run.errors.time_step.headline();
         (balance(self), error(self)) <= (balance(other), error(other))
     }
 }
@@ -409,11 +420,11 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
     if is_flat(&flags) {
-        // Meshes may agree there, but nobody knows whether an eye does.
-        (errors.mesh, errors.limits) = (
-            Some(Results::from_fn(|_| None)),
-            Some(Limits::from_fn(|_| None)),
-        );
+        // Steps and meshes may agree there, but nobody knows whether an eye does.
+        flags.retain(|flag| flag.kind != FlagKind::Unconverged);
+        let nothing = Results::from_fn(|_| None);
+        (errors.time_step, errors.mesh) = (nothing, Some(nothing));
+        errors.limits = Some(Limits::from_fn(|_| None));
     }
     Answer {
         step: case.longest_step(&plan),

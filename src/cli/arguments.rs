@@ -4,6 +4,7 @@
 //! the same values with the same words.
 
 use std::io::{self, Write};
+use std::mem::discriminant;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -21,7 +22,7 @@ use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, model_first, set};
-use crate::scenario::{CheckedScenario, Scenario};
+use crate::scenario::{CheckedScenario, Impact, Scenario};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
@@ -138,6 +139,7 @@ impl Changes {
             let path = if path == AT { usual(&scenario).0 } else { path };
             (typed.to_owned(), path, text)
         });
+        let before = discriminant(&scenario.impact);
         let mut asked: Vec<(String, &str, &str)> = set.chain(own).collect();
         model_first(&scenario, &mut asked, |(_, path, _)| path);
         let mut changes = Vec::new();
@@ -168,7 +170,14 @@ impl Changes {
         if changes.iter().any(|(path, _)| *path == "name") {
             return Ok(scenario);
         }
-        let name = with_changes(&scenario.name, &changes);
+        let kind = discriminant(&scenario.impact);
+        let name = match &scenario.impact {
+            _ if kind == before => &scenario.name,
+            // Nothing of what the name tells of hits the eye.
+            Impact::ForcePulse(_) => "Force pulse",
+            Impact::Projectile(_) => "Object",
+        };
+        let name = with_changes(name, &changes);
         Ok(scenario.renamed(name))
     }
 }

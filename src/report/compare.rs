@@ -58,8 +58,9 @@ impl Table {
                     let mut cells: Vec<String> =
                         columns.iter().map(|of| cell(answer, *of)).collect();
                     let errors = &answer.errors;
-                    cells.push(percent(errors.time_step_percent()));
-                    cells.push(errors.mesh_percent().map_or("?".to_owned(), percent));
+                    for error in [errors.time_step_percent(), errors.mesh_percent()] {
+                        cells.push(error.map_or_else(|| "?".to_owned(), percent));
+                    }
                     cells
                 }
             };

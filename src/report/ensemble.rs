@@ -5,7 +5,8 @@ use crate::injury::SIGNS;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::plain_text::printable;
-use crate::report::format::{paragraph, percent, significant};
+use crate::report::format::{paragraph, percent, share, significant};
+use crate::run::flags::FlagKind;
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
@@ -87,16 +88,31 @@ pub fn text(
         }
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();
+        let said = |value: f64| match quantity {
+            of if of.is_risk() => share(value / 100.0).trim_end_matches(" %").to_owned(),
+            of if of.is_rounding(value) => "0".to_owned(),
+            _ => significant(value),
+        };
         writeln!(
             out,
             "{:<19}{:>3}{:>12}{:>12}{:>12}{:>16}",
             row.label,
             row.unit,
-            significant(low),
-            significant(median),
-            significant(high),
-            nominal.map_or_else(String::new, significant)
+            said(low),
+            said(median),
+            said(high),
+            nominal.map_or_else(String::new, said)
         )?;
+    }
+    let flat = |kinds: &[FlagKind]| kinds.contains(&FlagKind::EyeFlat);
+    let flat = ensemble.valid().filter(|(_, run)| flat(&run.flags)).count();
+    if flat > 0 {
+        let of = ensemble.valid().count();
+        let remark = format!(
+            "! in {flat} of {of} samples the eye was pressed flat: their results are at least so \
+             large, and no eye was tested so hard"
+        );
+        paragraph(&remark, out)?;
     }
     for remark in outside(ensemble) {
         paragraph(&remark, out)?;

@@ -13,7 +13,8 @@ use crate::report::format::digits;
 use crate::report::format::percent;
 use crate::report::format::share;
 use crate::report::format::significant;
-use crate::run::quantity::Quantity;
+use crate::run::flags::FlagKind;
+use crate::run::quantity::{Family, Quantity};
 use crate::run::result_trace::Group;
 use crate::run::trace::OtherTrace;
 use crate::run::trace::Trace;
@@ -40,7 +41,8 @@ impl Off {
     /// How far a result with these errors may be off.
     pub fn of(errors: &Errors, of: Quantity) -> Self {
         match (errors.time_step[of], &errors.mesh) {
-            (None, _) => Self::Unstated,
+            (None, _) if of.row().family == Family::Unstated => Self::Unstated,
+            (None, _) => Self::Limitless,
             (Some(step), None) => Self::Step(step),
             (Some(step), Some(mesh)) => {
                 mesh[of].map_or(Self::Limitless, |mesh| Self::Both(step + mesh))
@@ -78,6 +80,20 @@ pub fn causes(errors: &Errors) -> &'static str {
     match errors.mesh {
         Some(_) => "step and mesh",
         None => "step alone, mesh not estimated",
+    }
+}
+
+/// What the errors behind the figures of an answer are, in words, with their signs.
+pub fn error_signs(answer: &Answer) -> String {
+    let causes = causes(&answer.errors);
+    if answer.pressed_flat() {
+        "±?: no eye was tested so hard".to_owned()
+    } else if answer.has(FlagKind::BeyondTests) {
+        format!("±: {causes}, but no eye was tested so hard")
+    } else if answer.errors.without_limit().next().is_some() {
+        format!("±: {causes}; ±?: finer meshes do not agree")
+    } else {
+        format!("±: {causes}")
     }
 }
 
@@ -158,6 +174,11 @@ impl Figure {
             number,
             ..self.clone()
         }
+    }
+
+    /// The number as [`Self::cell`] shows it with its unit.
+    pub fn signed(&self) -> String {
+        with_unit(&self.cell(), self.unit)
     }
 
     /// The number with its unit alone.

@@ -4,7 +4,7 @@
 use crate::answer::solve::Answer;
 use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
 use crate::plain_text::printable;
-use crate::report::figure::{Figure, SCALE, causes, cut_signs, unusable};
+use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
 use crate::report::risks::uncounted;
 use crate::report::text::row;
@@ -158,8 +158,8 @@ fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
     } else {
         String::new()
     };
-    let (causes, level) = (causes(&answer.errors), answer.case.level());
-    let trust = format!("±: {causes}; mesh level {level}{chosen}");
+    let (signs, level) = (error_signs(answer), answer.case.level());
+    let trust = format!("{signs}; mesh level {level}{chosen}");
     lines.extend(wrapped(&trust, WIDTH));
     if cut {
         lines.push(cut_signs(std::iter::once(answer)).to_owned());

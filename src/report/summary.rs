@@ -3,7 +3,7 @@
 
 use crate::answer::solve::Answer;
 use crate::plain_text::printable;
-use crate::report::figure::{Figure, SCALE, causes, unusable};
+use crate::report::figure::{Figure, SCALE, error_signs, unusable};
 use crate::report::risks::{first_line, legend};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
@@ -23,7 +23,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
         Some(why) => format!("{why}; raw {index}"),
         None => format!("damage index {index} ({SCALE})"),
     };
-    let causes = causes(&answer.errors);
+    let signs = error_signs(answer);
     let flags: Vec<&str> = answer.flags.iter().map(|flag| flag.kind.name()).collect();
     let flags = match flags.join(", ") {
         none if none.is_empty() => "no flags".to_owned(),
@@ -33,7 +33,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
     let command = command.map_or_else(String::new, |command| format!("{command}\n"));
     format!(
         "{name}: {verdict}\n\
-         {index}{figures} (±: {causes})\n\
+         {index}{figures} ({signs})\n\
          {flags}{bb}; research and education, not diagnosis\n{command}"
     )
 }

@@ -1,9 +1,9 @@
 //! Results as text for a terminal of 80 columns.
 
 use crate::report::figure::{
-    Figure, PARTS, SCALE, causes, cut_signs, times_its_limit, unusable, with_unit,
+    Figure, PARTS, SCALE, cut_signs, error_signs, times_its_limit, unusable, with_unit,
 };
-use crate::report::format::{WIDTH, block, capital, paragraph, percent, significant};
+use crate::report::format::{WIDTH, block, capital, digits, paragraph, percent, significant};
 use crate::report::json::AZIMUTH;
 use crate::report::{errors, limit};
 
@@ -73,9 +73,12 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     }
     signs(answer, out)?;
     for detail in &answer.run.details {
-        if let Shown::OnLine(label, words) = &detail.shown {
-            writeln!(out, "{label:<18} {:>9} {words}", significant(detail.value))?;
-        }
+        let (label, figure, words) = match &detail.shown {
+            Shown::OnLine(label, words) => (label, significant(detail.value), words),
+            Shown::About(label, words) => (label, digits(detail.value, 2), words),
+            Shown::InData | Shown::Behind(..) => continue,
+        };
+        writeln!(out, "{label:<18} {figure:>9} {words}")?;
     }
     crate::report::risks::evidence(answer, out)?;
     Ok(())
@@ -175,12 +178,7 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 
 /// What the signs behind the figures mean.
 fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let unknown = match answer.errors.without_limit().next() {
-        Some(_) if answer.pressed_flat() => "; ±?: no eye was tested so hard",
-        Some(_) => "; ±?: finer meshes do not agree",
-        None => "",
-    };
-    writeln!(out, "±: {}{unknown}", causes(&answer.errors))?;
+    writeln!(out, "{}", error_signs(answer))?;
     if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
         writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
     }

@@ -6,6 +6,9 @@
 /// A peak later than this share of the simulated time may still be growing.
 pub(crate) const LATE_PEAK_SHARE: f64 = 0.999;
 
+/// An eye shortened by this share has its front on its back, and a run ends.
+pub const PRESSED_FLAT: f64 = 0.85;
+
 /// Something that limits a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flag {
@@ -125,9 +128,10 @@ impl FlagKind {
             }
             Self::ArcUnresolved => "try a finer mesh, as --level sets it",
             Self::BoneShields => "aim nearer to the front",
-            Self::SurfaceCrushed | Self::EyeFlat | Self::BeyondTests => {
+            Self::SurfaceCrushed | Self::EyeFlat => {
                 "believe no more than `at least`, or try a smaller blow"
             }
+            Self::BeyondTests => "take the figures as rough, or try a smaller blow",
             Self::WentPast => "aim nearer to the middle",
             Self::RimStops => {
                 "bone takes a part of the blow: try another side, impact.from, or rim, model.rim"

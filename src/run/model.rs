@@ -180,6 +180,8 @@ pub enum Shown {
     InData,
     /// On a line of its own: what it is called, and the figure in words.
     OnLine(&'static str, String),
+    /// The same of a figure whose error is not known, so to two digits.
+    About(&'static str, String),
     /// Behind a result, in these words.
     Behind(Quantity, String),
 }

@@ -44,7 +44,7 @@ impl Rerun {
                 flags.push(flag.kind);
             }
         }
-        let step_errors = solved().map(|answer| answer.errors.time_step_percent());
+        let step_errors = solved().filter_map(|answer| answer.errors.time_step_percent());
         Self {
             experiment,
             predicted: answers.each_ref().map(|answer| read(experiment, answer)),

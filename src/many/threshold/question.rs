@@ -1,5 +1,6 @@
 //! What is asked of a search: the field that it varies, and the result and value that it looks for.
 
+use crate::run::flags::PRESSED_FLAT;
 use crate::run::quantity::Quantity;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
@@ -114,6 +115,15 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
     };
     let number = value.strip_suffix(unit).unwrap_or(value);
     match number.trim().parse::<f64>() {
+        Ok(target) if target < 0.0 && quantity != Quantity::Rebound => {
+            let complaint = format!("is below 0, where {} never is", quantity.label());
+            Err(refused(value, &complaint, "0 or more"))
+        }
+        Ok(target) if quantity == Quantity::Shortening && target > 100.0 * PRESSED_FLAT => {
+            let complaint = "is beyond where the eye is pressed flat, at which a run ends";
+            let allowed = format!("up to {} %", 100.0 * PRESSED_FLAT);
+            Err(refused(value, complaint, &allowed))
+        }
         Ok(target) if target.is_finite() => Ok((quantity, target)),
         _ => Err(refused(value, "is no number", example)),
     }

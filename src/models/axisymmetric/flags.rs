@@ -3,7 +3,7 @@
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::time::until::Until;
-use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
+use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, PRESSED_FLAT};
 use crate::run::quantity::Quantity;
 use crate::run::raised::Raised;
 use crate::run::readings::Readings;
@@ -104,11 +104,16 @@ pub(crate) fn of_blow(
     }
     if let Some(time) = extremes.flat_at {
         let at = time * 1e3;
+        let what = if extremes.shortening.value > PRESSED_FLAT {
+            "the eye was pressed flat"
+        } else {
+            "a part of the eye was pressed to nothing"
+        };
         raised.raise_at(
             time,
             FlagKind::EyeFlat,
             format!(
-                "the eye was pressed flat at {at:.3} ms: the model ends there, every result is at least so large"
+                "{what} at {at:.3} ms: the model ends there, every result is at least so large"
             ),
         );
     } else {

@@ -37,7 +37,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
     );
     let stress_words = Shown::Behind(Quantity::ScleralStress, words(stress));
     let equator_words = Shown::Behind(Quantity::EquatorStretch, words(equator));
-    let turned = Shown::OnLine("Globe turned", "degrees at most".to_owned());
+    let turned = Shown::About("Globe turned", "degrees at most".to_owned());
     let (edge, lens, iris) = (
         hour(&e.sectors.edge),
         hour(&e.sectors.lens),
@@ -56,7 +56,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         Detail::new(
             "globe_way_mm",
             e.way.value * 1e3,
-            Shown::OnLine("Globe moved", moved),
+            Shown::About("Globe moved", moved),
         ),
     ];
     details.extend(common_details(&e.common));
@@ -73,6 +73,6 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
 /// The share of the impulse that bone took, if it took any.
 fn taken_by_bone(e: &Extremes) -> Option<Detail> {
     let (eye, bone) = (e.impulse_on_eye.norm(), e.impulse_on_bone.norm());
-    let shown = Shown::OnLine("Taken by bone", "% of the impulse".to_owned());
+    let shown = Shown::About("Taken by bone", "% of the impulse".to_owned());
     (bone > 0.0).then(|| Detail::new("bone_impulse_percent", 1e2 * bone / (eye + bone), shown))
 }

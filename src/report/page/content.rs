@@ -91,8 +91,6 @@ pub(super) struct ResultRow {
 
 pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<ResultRow> {
     let errors = &answer.errors;
-    // Of an eye that is pressed flat no error is stated, however well steps agree.
-    let step = |of| errors.time_step[of].filter(|_| !answer.pressed_flat());
     let row = |(of, _): (Quantity, f64)| {
         let mesh = errors.mesh.as_ref();
         let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
@@ -104,7 +102,7 @@ pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<ResultRow> {
                 Some(peak) => format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)),
                 None => String::new(),
             },
-            step: known(step(of)),
+            step: known(errors.time_step[of]),
             mesh: known(mesh.and_then(|errors| errors[of])),
         }
     };

@@ -264,14 +264,21 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         if model.stale() == Some(FIRST_ESTIMATE) {
             said.push("as if straight on, with the error of its step alone".to_owned());
         }
+        if answer.pressed_flat() {
+            said.push("eye pressed flat, flatter than any tested (±?)".to_owned());
+        }
         if risks.iter().any(Risk::bursts) {
             said.push(BURST.to_owned());
         }
         let notes = risks.iter().flat_map(|risk| risk.notes.iter().copied());
         let notes = notes.map(|note| if brief { in_short(note) } else { note });
-        // What spoils an answer is said already.
-        let flags = answer.flags.iter();
-        let flags = flags.filter(|flag| spoiled.is_none() || flag.kind != FlagKind::MeshFolded);
+        // What spoils or ends an answer is said already.
+        let said_already = |kind: FlagKind| match kind {
+            FlagKind::MeshFolded => spoiled.is_some(),
+            FlagKind::BeyondTests => answer.pressed_flat(),
+            kind => kind == FlagKind::EyeFlat,
+        };
+        let flags = answer.flags.iter().filter(|flag| !said_already(flag.kind));
         let flags = flags.map(|flag| {
             if brief {
                 flag.kind.words()

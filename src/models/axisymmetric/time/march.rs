@@ -10,6 +10,7 @@
 use crate::models::axisymmetric::readings;
 use crate::models::axisymmetric::recording::account::Recorded;
 use crate::models::axisymmetric::recording::results::Extremes;
+use crate::run::flags::PRESSED_FLAT;
 use crate::run::kept::Frame;
 use crate::run::plan::Plan;
 use crate::run::refusal::Refusal;
@@ -27,10 +28,8 @@ const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
 pub(crate) const GONE: f64 = 0.5e-3;
-/// An eye shortened by this share has its front on its back: what comes then is not in the model.
-const FLAT: f64 = 0.85;
-/// Nor is it where the stability bound of a cell has fallen to this share of that at rest: it is
-/// pressed to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
+/// What comes after [`PRESSED_FLAT`] is not in the model, nor what comes where the stability bound
+/// of a cell has fallen to this share of that at rest: it is pressed to nothing. No preset at twice its speed comes below 0.0026, but what is flat before.
 const PRESSED_TO_NOTHING: f64 = 1e-3;
 /// An object is narrow if its radius is less than this share of the eye's.
 pub(crate) const NARROW: f64 = 0.25;
@@ -192,7 +191,7 @@ pub(crate) trait Marching: Recorded + Sized {
             };
             let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(bounds.cells);
             let extremes = &mut self.account().extremes;
-            let flat = bounds.cells < least || extremes.shortening.value > FLAT;
+            let flat = bounds.cells < least || extremes.shortening.value > PRESSED_FLAT;
             if flat {
                 extremes.flat_at = Some(time);
             }

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::report::figure::Figure;
+use crate::report::figure::{Figure, cut_word};
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
 use crate::run::trace::Trace;
@@ -58,10 +58,12 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
         _ => name.to_owned(),
     };
     let whole = figure.to_string();
-    let tight = whole.replace(" %", "%");
+    let tight = whole.replace(&figure.bare(), &figure.signed());
+    let tight = tight.trim_start_matches(cut_word(figure.cut)).trim_start();
+    let tight = tight.replace(" %", "%");
     let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
     let closest = close.replace(' ', "");
-    let bare = |count| figure.coarser(count).bare().replace(' ', "");
+    let bare = |count| figure.coarser(count).signed().replace(' ', "");
     let small = figure.off.percent().is_some_and(|error| error < 1.0);
     let error = figure.off.to_string().replace(' ', "");
     let least = if small { "±<1%" } else { &error };
