@@ -21,8 +21,8 @@ pub(super) fn answered(
 ) -> Result<Vec<Entry>, CliError> {
     let stop = interrupt::flag()?;
     let progress = Progress::new();
-    let entries = compare(asked, keep, &stop, |done, of| {
-        progress.count("simulating", done, of);
+    let entries = compare(asked, keep, &stop, |share| {
+        progress.show_of("simulating", share, asked.len());
     });
     progress.clear();
     entries.map_err(|refusal| CliError::stopped(refusal, otherwise))

@@ -59,7 +59,12 @@ impl Progress {
 
     /// Shows how many are done of how many.
     pub fn count(&self, what: &str, done: usize, of: usize) {
-        self.put(what, done as f64 / of.max(1) as f64, Some(of));
+        self.show_of(what, done as f64 / of.max(1) as f64, of);
+    }
+
+    /// Shows what share of so many is done.
+    pub fn show_of(&self, what: &str, share: f64, of: usize) {
+        self.put(what, share, Some(of));
     }
 
     fn put(&self, what: &str, share: f64, of: Option<usize>) {

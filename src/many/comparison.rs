@@ -8,6 +8,7 @@ use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, PoisonError};
 
 use crate::answer::complete::complete;
 use crate::answer::solve::{Answer, solve};
@@ -17,6 +18,9 @@ use crate::run::ordered::until;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::scenario::{CheckedScenario, Scenario};
+
+/// The share of the progress of an answer that stands for its first run.
+const FIRST_RUN: f64 = 0.04;
 
 /// The answer to a scenario, as far as it is known; a screen may wrap it into what it draws.
 #[derive(Debug, Clone)]
@@ -153,7 +157,7 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
 }
 
 /// Answers all of them, in their order; `keep` says what each scenario's recording holds.
-/// `progress` is told how many are done of how many.
+/// `progress` is told the share done.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.
@@ -161,18 +165,30 @@ pub fn compare(
     asked: &[(String, CheckedScenario)],
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,
     stop: &AtomicBool,
-    mut progress: impl FnMut(usize, usize) + Send,
+    progress: impl FnMut(f64) + Send,
 ) -> Result<Vec<Entry>, Refusal> {
-    let solved = |scenario: &CheckedScenario| {
-        let mut watch = until(stop);
+    let told = Mutex::new((vec![0.0; asked.len()], progress));
+    let tell = |at: usize, share: f64| {
+        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
+        let (shares, progress) = &mut *told;
+        shares[at] = share;
+        progress(shares.iter().sum::<f64>() / shares.len() as f64);
+    };
+    let solved = |at: usize, scenario: &CheckedScenario| {
+        let mut watch = |share| {
+            tell(at, FIRST_RUN * share);
+            until(stop)(share)
+        };
         let mut answer = solve(scenario, keep(scenario), &mut watch)?;
-        complete(scenario, &mut answer, stop, |_| {})?;
+        complete(scenario, &mut answer, stop, |share| {
+            tell(at, FIRST_RUN + (1.0 - FIRST_RUN) * share);
+        })?;
         Ok(answer)
     };
     let mut entries = Vec::new();
     let job = |at: usize| {
         let (name, scenario) = &asked[at];
-        let found = match solved(scenario) {
+        let found = match solved(at, scenario) {
             Err(Refusal::Cancelled) => return None,
             Err(refusal) => Found::Refused(refusal.to_string()),
             Ok(answer) => Found::Answer(answer),
@@ -183,7 +199,7 @@ pub fn compare(
         })
     };
     ordered::run((0, asked.len()), stop, job, |at, entry| {
-        progress(at + 1, asked.len());
+        tell(at, 1.0);
         entries.push(entry);
         ControlFlow::Continue(())
     });
@@ -212,7 +228,7 @@ mod tests {
     fn entries_keep_their_order_until_they_are_sorted_and_have_both_errors() {
         let asked = vec![of("100"), of("300"), of("200")];
         let stop = AtomicBool::new(false);
-        let mut entries = compare(&asked, |_| Keep::default(), &stop, |_, _| {}).unwrap();
+        let mut entries = compare(&asked, |_| Keep::default(), &stop, |_| {}).unwrap();
         let names = |entries: &[Entry]| -> Vec<String> {
             entries.iter().map(|entry| entry.name.clone()).collect()
         };
@@ -225,6 +241,6 @@ mod tests {
         let columns = leading(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
         stop.store(true, Memory::Relaxed);
-        assert!(compare(&[of("100")], |_| Keep::default(), &stop, |_, _| {}).is_err());
+        assert!(compare(&[of("100")], |_| Keep::default(), &stop, |_| {}).is_err());
     }
 }

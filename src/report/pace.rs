@@ -71,7 +71,8 @@ impl Pace {
     /// The progress as a count of pieces where they are counted, else in %.
     pub fn done(&self, of: Option<usize>) -> String {
         match of {
-            Some(of) => format!("{:.0} of {of}", self.share * of as f64),
+            // What is nearly done is not yet.
+            Some(of) => format!("{} of {of}", (self.share * of as f64 + 1e-6).floor()),
             None => format!("{:.0} %", (100.0 * self.share).floor()),
         }
     }
