@@ -27,8 +27,8 @@ use std::time::{Duration, Instant};
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// By the time step, in % of each result; of an eye that is pressed flat none is stated, however
-    /// well steps agree.
+    /// By the time step, in % of each result; of an eye that is pressed flat none is stated,
+    /// however well steps agree.
     pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
     pub mesh: Option<Results>,

@@ -368,7 +368,8 @@ mod tests {
             energy_balance: 0.0,
         };
         let front = Quantity::ForceFront;
-        assert_eq!(Off::of(&errors, front).to_string(), "");
+        assert_eq!(Off::of(&errors, front).to_string(), "±?");
+        assert_eq!(Off::of(&errors, Quantity::Hyphema).to_string(), "");
         time_step[front] = Some(0.004);
         errors.time_step = time_step;
         assert_eq!(Off::of(&errors, front).to_string(), "±<0.01 %");

@@ -114,12 +114,12 @@ mod tests {
         };
         assert_eq!(at(0.0, 0), "0 of 256");
         assert_eq!(at(0.02, 500), "5 of 256", "too early to say");
-        assert_eq!(at(0.1, 2000), "26 of 256, about 20 s");
+        assert_eq!(at(0.1, 2000), "25 of 256, about 20 s");
         // A little slower, a little faster: nothing moves.
         assert_eq!(at(0.15, 3800), "38 of 256, about 20 s");
         assert_eq!(at(0.2, 4200), "51 of 256, about 20 s");
         assert_eq!(at(0.5, 10_000), "128 of 256, about 10 s");
-        assert_eq!(at(0.51, 40_000), "131 of 256, about 45 s");
+        assert_eq!(at(0.51, 40_000), "130 of 256, about 45 s");
         assert_eq!(at(1.0, 78_000), "256 of 256, about 2 s");
     }
 

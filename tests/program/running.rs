@@ -190,7 +190,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         assert!(!kinds.contains(&FlagKind::EyeMissed), "{name}");
         assert!(!kinds.contains(&FlagKind::EnergyImbalance), "{name}");
         if answer.case.blow.energy.is_none() {
-            assert!(answer.errors.time_step_percent() < 1.0, "{name}");
+            assert!(answer.errors.time_step.headline() < 1.0, "{name}");
             assert!(answer.errors.energy_balance < 0.1, "{name}");
             continue;
         }
@@ -201,7 +201,10 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
             FlagKind::Unconverged,
         ];
         let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
-        assert!(answer.errors.time_step_percent() < 1.5 || flagged, "{name}");
+        assert!(
+            answer.errors.time_step.headline() < 1.5 || flagged,
+            "{name}"
+        );
         assert!(!answer.risks().is_empty(), "{name}");
         let words = preset.text().unwrap();
         assert!(words.starts_with("//"), "{name}");
@@ -412,7 +415,28 @@ fn a_run_that_ends_at_an_eye_pressed_flat_says_so_and_asks_for_no_longer_window(
         );
         assert!(!text.contains("longer window_ms"), "{text}");
         assert!(!text.contains("what acted is gone"), "{text}");
+        assert!(text.contains("±?: no eye was tested so hard"), "{text}");
     }
+}
+
+#[test]
+fn an_eye_pressed_flat_states_no_error_to_programs_either() {
+    let set = ["--set=model=Physiological", "--set=impact.force_n=5000"];
+    let data = json(&[&["run", "paper-300n", "--quick"], &set[..]].concat());
+    for of in ["time_step_percent", "mesh_percent"] {
+        assert!(data["error"][of].is_null(), "{}", data["error"]);
+        let each = &data["error"][format!("{of}_by_result")];
+        let stated = |of: &serde_json::Map<String, Value>| of.values().any(|v| !v.is_null());
+        assert!(!each.as_object().is_some_and(stated), "{each}");
+    }
+}
+
+#[test]
+fn a_force_in_the_place_of_an_object_does_not_go_by_the_name_of_the_object() {
+    program(&["run", "bb-56", "--quick", "--set=impact=ForcePulse"])
+        .assert()
+        .success()
+        .stdout(contains("Force pulse; impact=ForcePulse").and(contains("BB at 56").not()));
 }
 
 #[test]

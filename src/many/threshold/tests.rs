@@ -111,6 +111,10 @@ fn questions_that_make_no_sense_are_refused_in_words() {
     assert!(unread("damage_percent>50").contains("has no ="));
     assert!(unread("damage_percent=x").contains("is no number"));
     assert_eq!(wanted("peak_pressure_mpa = 1 MPa").unwrap().1, 1.0);
+    // What no blow can bring is not looked for.
+    assert!(unread("peak_pressure_mpa = -3").contains("never is"));
+    assert!(unread("shortening_percent = 90").contains("up to 85 %"));
+    assert!(wanted("rebound_speed = -3").is_ok());
     let until = (Quantity::Pressure, 1.0);
     let question = ThresholdSearch::read(short(), "impact.force_n=100:200", until).unwrap();
     let error = question
