@@ -140,8 +140,8 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
         check: answer.errors.time_step_percent().map(|last| Check {
             first,
-            tried,
             last,
+            tried,
             good_step,
         }),
     })
