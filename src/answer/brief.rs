@@ -66,6 +66,11 @@ impl BriefAnswer {
     pub fn folded(&self) -> bool {
         self.flags.contains(&FlagKind::MeshFolded)
     }
+
+    /// Whether the eye was pressed flat, of which no error is stated.
+    pub fn pressed_flat(&self) -> bool {
+        self.flags.contains(&FlagKind::EyeFlat)
+    }
 }
 
 fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
@@ -178,7 +183,7 @@ pub fn compared(
             || attempt == MAX_ATTEMPTS;
         if done {
             let mut answer = brief(&case, &coarse);
-            answer.check = Some(Check {
+            answer.check = (!answer.pressed_flat()).then(|| Check {
                 first,
                 tried: plan.step,
                 last: error,

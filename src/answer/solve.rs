@@ -9,7 +9,7 @@ use crate::answer::results::{InputDoubt, Limits, Results};
 use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled};
 use crate::injury::{DamageIndex, Injury, Known, Risk};
-use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE};
+use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
 use crate::run::model::Run;
 use crate::run::ordered::until;
@@ -134,7 +134,7 @@ impl Answer {
 
     /// Whether a flag of this kind limits the results.
     pub fn has(&self, kind: FlagKind) -> bool {
-        self.flags.iter().any(|flag| flag.kind == kind)
+        has(&self.flags, kind)
     }
 
     /// Whether the eye was pressed flat, which ends a run: no window and no step tells more.
@@ -311,16 +311,12 @@ pub(crate) fn solve_case(
     Ok(answer)
 }
 
-fn is_flat(flags: &[Flag]) -> bool {
-    flags.iter().any(|flag| flag.kind == FlagKind::EyeFlat)
-}
-
 /// The share of its step that a run should have taken; none if it was good enough, or if its mesh
 /// folded or its eye was pressed flat, where no step helps.
 fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step.headline();
     let rule = &case.rules().refinement;
-    if is_flat(&solved.run.flags) {
+    if has(&solved.run.flags, FlagKind::EyeFlat) {
         None
     } else if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
@@ -413,19 +409,18 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         time,
         total_time,
     } = solved;
+    if has(&run.flags, FlagKind::EyeFlat) {
+        // Steps and meshes may agree there, but nobody knows whether an eye does.
+        let nothing = Results::from_fn(|_| None);
+        (errors.time_step, errors.mesh) = (nothing, Some(nothing));
+        errors.limits = Some(Limits::from_fn(|_| None));
+    }
     let two_runs = TwoRuns {
         worst: errors.time_step.worst_listed(&case.results(&run)),
         disagreement,
     };
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
-    if is_flat(&flags) {
-        // Steps and meshes may agree there, but nobody knows whether an eye does.
-        flags.retain(|flag| flag.kind != FlagKind::Unconverged);
-        let nothing = Results::from_fn(|_| None);
-        (errors.time_step, errors.mesh) = (nothing, Some(nothing));
-        errors.limits = Some(Limits::from_fn(|_| None));
-    }
     Answer {
         step: case.longest_step(&plan),
         step_limit: case.step_limit(plan.integrator),

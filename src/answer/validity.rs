@@ -1,7 +1,7 @@
 //! What the flags of a run say of the results that it computed, and what to do where they are not
 //! usable.
 
-use crate::run::flags::{Flag, FlagKind};
+use crate::run::flags::{Flag, FlagKind, has};
 use crate::run::rules::Rules;
 
 /// Why the motion of a run cannot be believed, and what to do about it.
@@ -16,7 +16,7 @@ pub struct Spoiled {
 /// Why the motion cannot be believed, from the flags of a run and the rules of its model.
 pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
     // An eye that nothing touched rests, whatever becomes of the object.
-    if flags.iter().any(|flag| flag.kind == FlagKind::EyeMissed) {
+    if has(flags, FlagKind::EyeMissed) {
         return None;
     }
     flags.iter().find_map(|flag| {

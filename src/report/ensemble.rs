@@ -5,8 +5,8 @@ use crate::injury::SIGNS;
 use crate::many::bands::Band;
 use crate::many::ensemble::Ensemble;
 use crate::plain_text::printable;
-use crate::report::format::{paragraph, percent, share, significant};
-use crate::run::flags::FlagKind;
+use crate::report::figure::number_of;
+use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
@@ -88,11 +88,7 @@ pub fn text(
         }
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();
-        let said = |value: f64| match quantity {
-            of if of.is_risk() => share(value / 100.0).trim_end_matches(" %").to_owned(),
-            of if of.is_rounding(value) => "0".to_owned(),
-            _ => significant(value),
-        };
+        let said = |value| number_of(quantity, value, significant);
         writeln!(
             out,
             "{:<19}{:>3}{:>12}{:>12}{:>12}{:>16}",
@@ -104,17 +100,7 @@ pub fn text(
             nominal.map_or_else(String::new, said)
         )?;
     }
-    let flat = |kinds: &[FlagKind]| kinds.contains(&FlagKind::EyeFlat);
-    let flat = ensemble.valid().filter(|(_, run)| flat(&run.flags)).count();
-    if flat > 0 {
-        let of = ensemble.valid().count();
-        let remark = format!(
-            "! in {flat} of {of} samples the eye was pressed flat: their results are at least so \
-             large, and no eye was tested so hard"
-        );
-        paragraph(&remark, out)?;
-    }
-    for remark in outside(ensemble) {
+    for remark in flat(ensemble).into_iter().chain(outside(ensemble)) {
         paragraph(&remark, out)?;
     }
     if ensemble.valid().next().is_none() {
@@ -146,6 +132,19 @@ pub fn text(
     cost(ensemble, out)?;
     writeln!(out)?;
     paragraph(SIGNS, out)
+}
+
+/// In how many samples the eye was pressed flat, in words; none where in none.
+fn flat(ensemble: &Ensemble) -> Option<String> {
+    let samples = ensemble.valid();
+    let flat = samples.filter(|(_, run)| run.pressed_flat()).count();
+    let of = ensemble.valid().count();
+    (flat > 0).then(|| {
+        format!(
+            "! in {flat} of {of} samples the eye was pressed flat: their results are at least so \
+             large, and no eye was tested so hard"
+        )
+    })
 }
 
 /// Which results lie outside their bands as they stand, one line for each input that may be why.
@@ -185,7 +184,7 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     if checks.count == 0 {
         writeln!(
             out,
-            "Step error: not checked, as no sample kept its mesh whole"
+            "Step error: not checked, as no sample kept its mesh whole and its eye in shape"
         )?;
     } else {
         let worst = match checks.first {

@@ -76,7 +76,7 @@ impl fmt::Display for Off {
 }
 
 /// What the errors behind the figures of a page come from, in words.
-pub fn causes(errors: &Errors) -> &'static str {
+fn causes(errors: &Errors) -> &'static str {
     match errors.mesh {
         Some(_) => "step and mesh",
         None => "step alone, mesh not estimated",
@@ -128,18 +128,23 @@ pub fn cut_word(cut: Option<Cut>) -> &'static str {
     }
 }
 
+/// The number of a result: a risk as a share, rounding as 0, anything else as `otherwise` has it.
+pub fn number_of(of: Quantity, value: f64, otherwise: impl FnOnce(f64) -> String) -> String {
+    if of.is_risk() {
+        share(value / 100.0).trim_end_matches(" %").to_owned()
+    } else if of.is_rounding(value) {
+        "0".to_owned()
+    } else {
+        otherwise(value)
+    }
+}
+
 impl Figure {
     /// A result of an answer, if the scene has it.
     pub fn of(answer: &Answer, of: Quantity) -> Option<Self> {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
-        let number = if of.is_risk() {
-            share(value / 100.0).trim_end_matches(" %").to_owned()
-        } else if of.is_rounding(value) {
-            "0".to_owned()
-        } else {
-            number(value, off)
-        };
+        let number = number_of(of, value, |value| number(value, off));
         let cut = answer.cut(of);
         Some(Self {
             // Of a risk that is less than so much, and may grow, nothing is known.

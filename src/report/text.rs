@@ -10,7 +10,7 @@ use crate::report::{errors, limit};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
 use crate::plain_text::printable;
-use crate::run::flags::{Flag, FlagKind};
+use crate::run::flags::FlagKind;
 use crate::run::model::{Detail, Shown};
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
@@ -223,14 +223,13 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         },
         answer.step_limit * 1e6,
     )?;
-    let capped = |flag: &Flag| flag.kind == FlagKind::WindowCapped;
     let at = answer.run.simulated;
     let why = if answer.pressed_flat() {
         "the eye was pressed flat, and there the model ends"
     } else {
         answer.case.rules().ends_early
     };
-    if answer.case.ends_by_itself() && !answer.flags.iter().any(capped) {
+    if answer.case.ends_by_itself() && !answer.has(FlagKind::WindowCapped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
     } else if at < 0.999_999 * answer.window() {
         let window = plain((answer.window() * 1e9).round() / 1e6);

@@ -34,6 +34,11 @@ impl Flag {
     }
 }
 
+/// Whether one of these flags is of such a kind.
+pub fn has(flags: &[Flag], kind: FlagKind) -> bool {
+    flags.iter().any(|flag| flag.kind == kind)
+}
+
 /// Kinds of flags.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]

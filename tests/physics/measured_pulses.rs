@@ -112,7 +112,7 @@ fn a_noisy_recording_keeps_its_stated_errors_and_costs_a_few_steps_a_knot() {
         fine.numerics.step_us = Some(0.2);
         let (missed, stated) = (
             100.0 * apart(&coarse, &answer(&fine)),
-            coarse.errors.time_step.headline(),
+            coarse.errors.time_step_percent().unwrap(),
         );
         println!(
             "{integrator:?}: missed {missed:.2e} %, stated {stated:.2e} %, {} steps, {} for the shape",
@@ -144,7 +144,10 @@ fn the_most_knots_in_the_shortest_time_stay_affordable_and_are_honest() {
     let mut fine = scenario.clone();
     fine.numerics.step_us = Some(0.05);
     let missed = 100.0 * apart(&crowded, &answer(&fine));
-    assert!(missed <= crowded.errors.time_step.headline(), "{missed}");
+    assert!(
+        missed <= crowded.errors.time_step_percent().unwrap(),
+        "{missed}"
+    );
 }
 
 #[test]

@@ -215,7 +215,7 @@ fn nothing_moves_without_force() {
     let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     assert!(answer.flags.is_empty(), "{:?}", answer.flags);
     assert!(answer.index().damage() < 1e-9);
-    assert!(answer.errors.time_step.headline() < 1e-5);
+    assert!(answer.errors.time_step_percent().unwrap() < 1e-5);
 }
 
 /// Each stated error of a scenario beside the difference from a run of short steps, in %.

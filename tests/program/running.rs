@@ -190,7 +190,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         assert!(!kinds.contains(&FlagKind::EyeMissed), "{name}");
         assert!(!kinds.contains(&FlagKind::EnergyImbalance), "{name}");
         if answer.case.blow.energy.is_none() {
-            assert!(answer.errors.time_step.headline() < 1.0, "{name}");
+            assert!(answer.errors.time_step_percent().unwrap() < 1.0, "{name}");
             assert!(answer.errors.energy_balance < 0.1, "{name}");
             continue;
         }
@@ -202,7 +202,7 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         ];
         let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
         assert!(
-            answer.errors.time_step.headline() < 1.5 || flagged,
+            answer.errors.time_step_percent().unwrap() < 1.5 || flagged,
             "{name}"
         );
         assert!(!answer.risks().is_empty(), "{name}");
@@ -429,6 +429,9 @@ fn an_eye_pressed_flat_states_no_error_to_programs_either() {
         let stated = |of: &serde_json::Map<String, Value>| of.values().any(|v| !v.is_null());
         assert!(!each.as_object().is_some_and(stated), "{each}");
     }
+    let many = json(&[&["ensemble", "paper-300n", "--samples=8"], &set[..]].concat());
+    let checked = &many["step_error"];
+    assert!(checked["worst_percent"].is_null(), "{checked}");
 }
 
 #[test]

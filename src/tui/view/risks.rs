@@ -275,8 +275,8 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         // What spoils or ends an answer is said already.
         let said_already = |kind: FlagKind| match kind {
             FlagKind::MeshFolded => spoiled.is_some(),
-            FlagKind::BeyondTests => answer.pressed_flat(),
-            kind => kind == FlagKind::EyeFlat,
+            FlagKind::EyeFlat | FlagKind::BeyondTests => answer.pressed_flat(),
+            _ => false,
         };
         let flags = answer.flags.iter().filter(|flag| !said_already(flag.kind));
         let flags = flags.map(|flag| {

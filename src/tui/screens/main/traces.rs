@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::report::figure::{Figure, cut_word};
+use crate::report::figure::Figure;
 use crate::run::kept::Peak;
 use crate::run::quantity::Quantity;
 use crate::run::trace::Trace;
@@ -58,9 +58,8 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
         _ => name.to_owned(),
     };
     let whole = figure.to_string();
-    let tight = whole.replace(&figure.bare(), &figure.signed());
-    let tight = tight.trim_start_matches(cut_word(figure.cut)).trim_start();
-    let tight = tight.replace(" %", "%");
+    let tight = format!("{} {}", figure.signed(), figure.off);
+    let tight = tight.trim_end().replace(" %", "%");
     let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
     let closest = close.replace(' ', "");
     let bare = |count| figure.coarser(count).signed().replace(' ', "");
