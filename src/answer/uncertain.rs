@@ -19,9 +19,7 @@ use crate::normal;
 use crate::scenario::direction::HOURS;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
-use crate::scenario::{
-    Geometry, Model, Physiological, Rim, STEEPEST_OBJECT_DEG, Scenario, Support, fields, set,
-};
+use crate::scenario::{Geometry, Model, Physiological, Rim, Scenario, Support, fields, set};
 use std::f64::consts::PI;
 
 /// A distribution.
@@ -219,7 +217,7 @@ impl UncertainInput {
             field,
             nominal,
             shape,
-            bounds: drawn_within(field, nominal, bounds, scenario),
+            bounds: drawn_within(field, nominal, bounds),
             source,
         })
     }
@@ -370,11 +368,9 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
 }
 
 /// What an input is drawn within: an hour goes once round.
-fn drawn_within(field: &Field, nominal: f64, bounds: Bounds, scenario: &Scenario) -> (f64, f64) {
+fn drawn_within(field: &Field, nominal: f64, bounds: Bounds) -> (f64, f64) {
     if is_clock(field) {
         (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
-    } else if field.path == "impact.angle_deg" && scenario.projectile().is_some() {
-        (-STEEPEST_OBJECT_DEG, STEEPEST_OBJECT_DEG)
     } else {
         (bounds.min, bounds.max)
     }

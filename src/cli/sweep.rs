@@ -240,7 +240,7 @@ fn open(
         }
         let text = String::from_utf8_lossy(&line);
         let line_number = heading.lines().count() + done + 1;
-        let number = form.number(sweep, text.trim_end());
+        let number = form.number(sweep, &text);
         // What is longer than a row, or stands behind the last, is no row that was damaged.
         if number.is_none() && done < rows.len() && read < LONGEST_LINE {
             // Nobody is hurt if it is lost.

@@ -1,7 +1,7 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
 use crate::injury::Injury;
-use crate::many::sweep::{Sweep, SweepRow};
+use crate::many::sweep::{Sweep, SweepRow, fnv1a};
 use crate::plain_text::cell;
 use crate::run::quantity::Quantity;
 use crate::scenario::fields;
@@ -22,7 +22,7 @@ fn range_keys(injury: Injury) -> [String; 2] {
 }
 
 /// Columns after the results and the ranges of risks.
-const LAST: [&str; 3] = ["step_error_percent", "flags", "refused"];
+const LAST: [&str; 4] = ["step_error_percent", "flags", "refused", "sum"];
 
 fn csv(cells: &[String]) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -81,7 +81,7 @@ impl SweepFormat {
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
                 cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
-                csv(&cells)
+                self.summed(sweep, csv(&cells).trim_end())
             }
             Self::Json => {
                 let mut varied = Map::new();
@@ -105,58 +105,37 @@ impl SweepFormat {
                     "flags": flags,
                     "refused": refused,
                 });
-                format!("{object}\n")
+                self.summed(
+                    sweep,
+                    object.to_string().strip_suffix('}').unwrap_or_default(),
+                )
             }
         }
     }
 
-    /// The number of the row that a line holds; none of a line that is damaged: its columns, varied
-    /// values and figures must be those of such a row.
+    /// The number of the row that a line holds; none of a line that was changed since it was
+    /// written, by the sum that it ends with.
     pub fn number(self, sweep: &Sweep, line: &str) -> Option<usize> {
+        let body = line.get(..line.len().checked_sub(self.ending(0).len())?)?;
+        let number = match self {
+            Self::Csv => body,
+            Self::Json => body.strip_prefix("{\"row\":")?,
+        };
+        let number = number.split(',').next()?.parse().ok()?;
+        (self.summed(sweep, body) == line && number < sweep.rows()).then_some(number)
+    }
+
+    /// A row with its sum, which hangs on the sweep too.
+    fn summed(self, sweep: &Sweep, body: &str) -> String {
+        let sum = fnv1a(&format!("{:016x}{body}", sweep.fingerprint()));
+        format!("{body}{}", self.ending(sum))
+    }
+
+    /// What a row ends with.
+    fn ending(self, sum: u64) -> String {
         match self {
-            Self::Csv => {
-                let mut reader = csv::ReaderBuilder::new();
-                let reader = reader.has_headers(false).from_reader(line.as_bytes());
-                let [record] = &reader.into_records().collect::<Result<Vec<_>, _>>().ok()?[..]
-                else {
-                    return None;
-                };
-                let varied = sweep.axes().len();
-                let figures = Quantity::ALL.len() + 2 * Injury::ALL.len();
-                let number = record
-                    .get(0)?
-                    .parse()
-                    .ok()
-                    .filter(|row| *row < sweep.rows())?;
-                let same = |(text, value): (&str, &str)| text == cell(value);
-                let values = record.iter().skip(1).zip(sweep.values(number));
-                let is_figure =
-                    |text: &str| text.is_empty() || text.parse::<f64>().is_ok_and(f64::is_finite);
-                // Of a run whose step error is not known it is not finite.
-                let error = record.get(1 + varied + figures)?;
-                let whole = record.len() == 1 + varied + figures + LAST.len()
-                    && values.into_iter().all(same)
-                    && record.iter().skip(1 + varied).take(figures).all(is_figure)
-                    && (error.is_empty() || error.parse::<f64>().is_ok());
-                whole.then_some(number)
-            }
-            Self::Json => {
-                let object: Value = serde_json::from_str(line).ok()?;
-                let number = usize::try_from(object.get("row")?.as_u64()?).ok();
-                let number = number.filter(|row| *row < sweep.rows())?;
-                let axes = sweep.axes().iter().zip(sweep.values(number));
-                let varied = axes.map(|(axis, text)| (axis.path.clone(), typed(&axis.path, text)));
-                let figure = |value: &Value| value.is_null() || value.is_number();
-                let results = match object.get("results")? {
-                    Value::Object(results) => {
-                        results.len() == Quantity::ALL.len() + 2 * Injury::ALL.len()
-                            && results.values().all(figure)
-                    }
-                    other => other.is_null() && object.get("refused")?.is_string(),
-                };
-                let same = object.get("varied")? == &Value::Object(varied.collect());
-                (same && results).then_some(number)
-            }
+            Self::Csv => format!(",{sum:016x}\n"),
+            Self::Json => format!(",\"sum\":\"{sum:016x}\"}}\n"),
         }
     }
 }

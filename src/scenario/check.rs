@@ -12,8 +12,8 @@ use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
 use crate::scenario::{
-    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, STEEPEST_OBJECT_DEG,
-    Scenario, Support, doubt,
+    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, Support,
+    doubt,
 };
 
 /// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
@@ -182,10 +182,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
         problems.push(Problem::refused(path, value, complaint, allowed.to_owned()));
     };
     let angle = scenario.impact.angle_deg();
-    let steepest = match scenario.impact {
-        Impact::ForcePulse(_) => STEEPEST_DEG,
-        Impact::Projectile(_) => STEEPEST_OBJECT_DEG,
-    };
+    let steepest = scenario.steepest_deg();
     if angle.abs() > steepest {
         let allowed = format!("-{steepest} to {steepest} deg");
         let complaint = "is out of range for model Physiological";
@@ -269,8 +266,6 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
 const HOLDER_MM: f64 = 20.0;
 /// This near to where gelatin begins, in degrees, a BB touches it.
 const EDGE_DEG: f64 = 8.0;
-/// A force at a greater angle would come from behind the equator.
-const STEEPEST_DEG: f64 = 90.0;
 
 /// A blow whose middle lies beyond the opening of the orbit would land on bone.
 fn behind_bone(scenario: &Scenario) -> Option<Problem> {

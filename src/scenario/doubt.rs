@@ -54,13 +54,14 @@ impl<'de> Visitor<'de> for Once {
 /// What may stand between a value and its doubt; the first is what the program writes.
 const SIGNS: [&str; 3] = ["±", "+-", "+/-"];
 
-/// The number that a field holds now and its bounds.
+/// The number that a field holds now and its bounds there.
 pub fn number(field: &Field, scenario: &Scenario) -> Option<(f64, Bounds)> {
-    match &field.kind {
-        Kind::Number(bounds, place) => Some((*(place.get)(scenario)?, *bounds)),
-        Kind::OptionalNumber(bounds, place) => Some(((*(place.get)(scenario)?)?, *bounds)),
-        _ => None,
-    }
+    let number = match &field.kind {
+        Kind::Number(_, place) => *(place.get)(scenario)?,
+        Kind::OptionalNumber(_, place) => (*(place.get)(scenario)?)?,
+        _ => return None,
+    };
+    Some((number, field.bounds_in(scenario)?))
 }
 
 /// ` ± 20`, or nothing where the field is not doubted.

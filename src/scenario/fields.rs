@@ -272,6 +272,9 @@ macro_rules! of_section {
     };
 }
 
+/// The field whose bounds hang on what hits which eye.
+const ANGLE_PATH: &str = "impact.angle_deg";
+
 /// Both impacts have an angle.
 const ANGLE: Place<f64> = Place {
     get: |s| match &s.impact {
@@ -373,7 +376,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(projectile, projectile_mut, diameter_mm))),
     field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, FASTEST_M_S, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
     field("impact.from", "Comes from", "", "The side that it comes from; its angle and hour follow", Choice(&Directions)),
-    field("impact.angle_deg", "Angle", "deg", "0 is straight on; below 0 from the other side", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field(ANGLE_PATH, "Angle", "deg", "0 is straight on; below 0 from the other side", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
     field("impact.angle_clock", "Hour of angle", "h", "12 above, 6 below; 3 the nose of a right eye, 9 of a left", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, angle_clock))),
     field("impact.offset_mm", "Off centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, 10.0, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
     field("impact.offset_clock", "Aims towards", "h", "The hour towards which it aims beside the middle", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, offset_clock))),
@@ -429,9 +432,26 @@ impl Field {
         }
     }
 
+    /// The bounds of a number in a scenario: how steep a blow may be hangs on what hits which eye.
+    pub fn bounds_in(&self, scenario: &Scenario) -> Option<Bounds> {
+        let (Number(bounds, _) | OptionalNumber(bounds, _)) = &self.kind else {
+            return None;
+        };
+        if self.path != ANGLE_PATH {
+            return Some(*bounds);
+        }
+        let steepest = scenario.steepest_deg();
+        Some(Bounds {
+            min: -steepest,
+            max: steepest,
+            ..*bounds
+        })
+    }
+
     /// What the field accepts in a scenario, in words: each eye has levels of its own.
     pub fn allowed_in(&self, scenario: &Scenario) -> String {
         match &self.kind {
+            Number(bounds, _) => self.between(&self.bounds_in(scenario).unwrap_or(*bounds)),
             Integer(min, max, _) => {
                 format!(
                     "whole numbers {min} to {}",
@@ -442,20 +462,17 @@ impl Field {
         }
     }
 
+    /// Bounds in words.
+    fn between(&self, Bounds { min, max, .. }: &Bounds) -> String {
+        let words = format!("{} to {} {}", plain(*min), plain(*max), self.unit);
+        words.trim_end().to_owned()
+    }
+
     /// What the field accepts, in words.
     pub fn allowed(&self) -> String {
-        let unit = if self.unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {}", self.unit)
-        };
         match &self.kind {
-            Number(Bounds { min, max, .. }, _) => {
-                format!("{} to {}{unit}", plain(*min), plain(*max))
-            }
-            OptionalNumber(Bounds { min, max, .. }, _) => {
-                format!("{AUTO}, or {} to {}{unit}", plain(*min), plain(*max))
-            }
+            Number(bounds, _) => self.between(bounds),
+            OptionalNumber(bounds, _) => format!("{AUTO}, or {}", self.between(bounds)),
             Integer(min, max, _) => format!("whole numbers {min} to {max}"),
             Choice(choices) => [&choices.names(), choices.written()].concat().join(", "),
             Integers(min, max, most, _) => {

@@ -8,8 +8,8 @@
 //! the mean of an orbit, which the brow is not.
 
 use crate::scenario::{
-    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Projectile, STEEPEST_OBJECT_DEG, Scenario, Support,
-    TRUSTED_ANGLE_DEG,
+    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile, STEEPEST_OBJECT_DEG,
+    Scenario, Support, TRUSTED_ANGLE_DEG,
 };
 use serde::{Deserialize, Serialize};
 
@@ -63,6 +63,16 @@ impl Scenario {
         } else {
             Geometry::Full
         })
+    }
+
+    /// The greatest angle of a blow, in degrees: bone shields the paper's eye beyond its opening, and
+    /// a force beyond a right angle would come from behind the equator.
+    pub fn steepest_deg(&self) -> f64 {
+        match (&self.model, &self.impact) {
+            (Model::Paper, _) => self.eye.opening_deg,
+            (_, Impact::ForcePulse(_)) => 90.0,
+            (_, Impact::Projectile(_)) => STEEPEST_OBJECT_DEG,
+        }
     }
 
     /// The angle of a blow up to which the eye that is computed can be trusted, in degrees, if it

@@ -3,6 +3,7 @@
 //! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
 //! among the first rows if it belongs to the blow, folded away if it does not.
 
+use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
@@ -269,9 +270,9 @@ pub fn nudged(
     };
     let mut changed = scenario.clone();
     match &field.kind {
-        Kind::Number(bounds, place) => {
-            if let Some(value) = (place.get)(scenario) {
-                put_number(&mut changed, field, next(*value, bounds));
+        Kind::Number(..) => {
+            if let Some((value, bounds)) = number(field, scenario) {
+                put_number(&mut changed, field, next(value, &bounds));
             }
         }
         Kind::OptionalNumber(bounds, place) => {
@@ -330,7 +331,7 @@ fn stepped(value: f64, size: f64, up: bool) -> f64 {
 mod tests {
     use super::*;
     use crate::scenario::fields::tests::every_variant;
-    use crate::scenario::{EyeInput, PulseShape, fields};
+    use crate::scenario::{PulseShape, fields};
 
     fn field(path: &str) -> &'static Field {
         fields::find(path).unwrap()
@@ -378,21 +379,16 @@ mod tests {
     #[test]
     fn every_number_can_be_stepped_to_its_bounds_and_no_further() {
         for field in FIELDS {
-            let Kind::Number(bounds, place) = &field.kind else {
+            let Kind::Number(_, place) = &field.kind else {
                 continue;
             };
             let holder = every_variant()
                 .into_iter()
                 .rfind(|scenario| (place.get)(scenario).is_some())
                 .unwrap();
+            let bounds = field.bounds_in(&holder).unwrap();
             for (end, step) in [(bounds.max, Step::MUCH_MORE), (bounds.min, Step::MUCH_LESS)] {
-                let mut scenario = Scenario {
-                    eye: EyeInput {
-                        opening_deg: 120.0,
-                        ..EyeInput::default()
-                    },
-                    ..holder.clone()
-                };
+                let mut scenario = holder.clone();
                 *(place.get_mut)(&mut scenario).unwrap() = end;
                 let next = nudged(&scenario, field, step, None).unwrap_or(scenario);
                 assert_eq!((place.get)(&next), Some(&end), "{}", field.path);
@@ -407,7 +403,7 @@ mod tests {
             panic!()
         };
         pulse.angle_deg = 40.0;
-        let error = nudged(&scenario, field("impact.angle_deg"), Step::MORE, None);
+        let error = nudged(&scenario, field("eye.opening_deg"), Step::LESS, None);
         assert!(error.unwrap_err().contains("bone shields"));
     }
 

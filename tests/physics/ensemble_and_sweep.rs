@@ -251,8 +251,9 @@ fn damaged_rows_are_computed_again_and_that_is_said() {
             |cell: &&str| cell.contains('.') && cell.parse().is_ok_and(|v: f64| v != 200.0);
         let figure = last.split([',', ':', '}']).find(is_result).unwrap();
         for damaged in [
-            // Another value of the varied field, a figure that is none, a column less.
+            // Another value of the varied field, one digit of a figure, no figure, a column less.
             last.replacen("200", "250", 1),
+            last.replacen(figure, &one_digit_off(figure), 1),
             last.replacen("0.", "x.", 1),
             last.replacen(figure, "NaN", 1),
             last.replacen(',', "", 1),
@@ -268,6 +269,12 @@ fn damaged_rows_are_computed_again_and_that_is_said() {
             assert_eq!(fs::read_to_string(&table).unwrap(), whole, "{damaged}");
         }
     }
+}
+
+/// A number whose last digit is another.
+fn one_digit_off(figure: &str) -> String {
+    let (rest, last) = figure.split_at(figure.len() - 1);
+    format!("{rest}{}", if last == "1" { "2" } else { "1" })
 }
 
 #[test]

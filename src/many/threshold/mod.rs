@@ -98,7 +98,7 @@ impl ThresholdSearch {
         let (field, bounds) = question::bounds(&scenario, path)?;
         let range = match ends {
             None => (bounds.min, bounds.max),
-            Some(ends) => question::range(field, &bounds, ends)?,
+            Some(ends) => question::range(&scenario, field, &bounds, ends)?,
         };
         let mut search = Self {
             scenario,

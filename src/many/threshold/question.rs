@@ -25,7 +25,9 @@ pub(super) fn bounds(
         return Err(Problem::new(path, "there is no such field in this scenario").into());
     };
     match &field.kind {
-        Kind::Number(bounds, _) | Kind::OptionalNumber(bounds, _) => Ok((field, *bounds)),
+        Kind::Number(bounds, _) | Kind::OptionalNumber(bounds, _) => {
+            Ok((field, field.bounds_in(scenario).unwrap_or(*bounds)))
+        }
         Kind::Integer(..) => {
             let message =
                 format!("is a whole number, now {present}: `contrecoup sweep` lists its results");
@@ -37,11 +39,12 @@ pub(super) fn bounds(
 
 /// Reads `FROM:TO` within the bounds of a field.
 pub(super) fn range(
+    scenario: &Scenario,
     field: &Field,
     bounds: &Bounds,
     ends: &str,
 ) -> Result<(f64, f64), ScenarioError> {
-    let allowed = || format!("FROM:TO within {}", field.allowed());
+    let allowed = || format!("FROM:TO within {}", field.allowed_in(scenario));
     let refused = |complaint| Problem::refused(field.path, ends.trim(), complaint, allowed());
     let (from, to) = ends.split_once(':').ok_or_else(|| refused("is no range"))?;
     let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>()) else {

@@ -1,6 +1,7 @@
 use super::*;
 use crate::answer::solve::tests::answered;
 use crate::scenario::library::tests::preset;
+use crate::scenario::set::set;
 
 #[test]
 fn a_result_is_found_by_its_key_and_by_what_it_is_called() {
@@ -85,7 +86,9 @@ fn a_risk_carries_what_is_said_of_it_and_the_speeds_at_which_its_range_holds_the
 
 #[test]
 fn what_is_refused_on_the_way_is_told_and_does_not_end_the_search() {
-    let threshold = found(short(), "impact.angle_deg", "apex_displacement_mm = 1.5");
+    let mut beside = short();
+    set(&mut beside, "impact.angle_deg", "20").unwrap();
+    let threshold = found(beside, "eye.opening_deg", "apex_displacement_mm = 1.5");
     let refused = threshold.seen.iter().filter(|(_, r)| r.is_err()).count();
     assert!(refused > 0 && refused < threshold.seen.len());
 }
