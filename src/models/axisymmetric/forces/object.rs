@@ -419,6 +419,13 @@ impl MovingObject {
             .sum()
     }
 
+    /// How far in front of where it is its surface may yet swing, m.
+    pub fn swing(&self) -> f64 {
+        let apart = self.v[1] - self.v[0];
+        self.spring
+            .map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+    }
+
     pub fn momentum(&self) -> f64 {
         self.mass[0] * self.v[0] + self.mass[1] * self.v[1]
     }

@@ -306,8 +306,8 @@ impl Marching for Motion<'_> {
             (Some((object, projectile)), _) => {
                 let apex = self.state.shell.start;
                 let away = self.state.x[apex] - projectile.x[0] - object.reach();
-                let slowest = projectile.velocity().max(projectile.v[0]);
-                away > GONE && slowest < self.state.vx[apex].min(0.0)
+                away > GONE + projectile.swing()
+                    && projectile.velocity() < self.state.vx[apex].min(0.0)
             }
             (_, Some(load)) => load
                 .segments

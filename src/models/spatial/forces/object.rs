@@ -180,6 +180,13 @@ impl MovingObject {
             .sum()
     }
 
+    /// How far in front of where it is its surface may yet swing, m.
+    pub fn swing(&self) -> f64 {
+        let apart = (self.speed[1] - self.speed[0]).norm();
+        self.spring
+            .map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+    }
+
     /// kg m/s.
     pub fn momentum(&self) -> Vector {
         self.speed[0] * self.mass[0] + self.speed[1] * self.mass[1]

@@ -275,8 +275,7 @@ impl<'a> Motion<'a> {
             let (gap, normal) = depth(object, moving, vector(&self.state.at, node));
             if gap > nearest.0 {
                 let speed = vector(&self.state.speed, node);
-                let own = velocity.dot(&normal).max(moving.speed[0].dot(&normal));
-                nearest = (gap, own - speed.dot(&normal).min(0.0));
+                nearest = (gap, velocity.dot(&normal) - speed.dot(&normal).min(0.0));
             }
         }
         nearest
@@ -328,7 +327,7 @@ impl Marching for Motion<'_> {
 
     fn over(&self, _time: f64) -> bool {
         let (depth, closing) = self.nearest();
-        depth < -GONE && closing < 0.0
+        depth < -GONE - self.flying.moving.swing() && closing < 0.0
     }
 
     /// Whether the middle of the object lies within the shell.
