@@ -4,6 +4,7 @@ use contrecoup::answer::brief::{BriefAnswer, single};
 use contrecoup::answer::mesh_error::add_mesh_error;
 use contrecoup::answer::solve::{Answer, solve};
 use contrecoup::injury::Injury;
+use contrecoup::run::flags::FlagKind;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::quantity::Quantity;
 use contrecoup::run::sectors::Sectors;
@@ -42,6 +43,16 @@ fn a_blow_from_below_and_the_temple_strains_the_retinas_edge_above_at_the_nose()
     // What moved, and that it turned.
     assert!(answer.run.detail("globe_turn_deg").unwrap() > 0.1);
     assert!(answer.risk(Injury::GlobeRupture).unwrap().notes.len() < 2);
+}
+
+#[test]
+fn what_a_ball_spends_at_the_rim_counts_its_own_squeezing_and_a_fracture_is_named() {
+    let from_below = [("impact.from", "below"), ("window_ms", "1.2")];
+    let answer = answer("baseball-34", &from_below);
+    // Of 86 J; bone had stopped it, and its spring holds most of what it brought.
+    let spent = answer.run.detail("energy_at_bone_j").unwrap();
+    assert!((40.0..86.0).contains(&spent), "{spent}");
+    assert!(answer.has(FlagKind::BoneMayBreak), "{:?}", answer.flags);
 }
 
 #[test]

@@ -8,8 +8,8 @@ use crate::run::flags::{Flag, FlagKind};
 use crate::run::raised::Raised;
 use crate::run::readings::Readings;
 
-/// Energy at the rim that breaks bone in half of all cases, in J: a baseball at 13.9 m/s on the
-/// cheekbone. Walls of orbits were computed to break at 16 to 41 J.
+/// Energy of flight that breaks bone in half of all cases, in J: of a baseball at 13.9 m/s on the
+/// cheekbone, part of which squeezes the ball. Walls of orbits were computed to break at 16 to 41 J.
 const BONE_BREAKS: f64 = 14.0;
 
 /// Flags of a run of `simulated` s.
@@ -32,8 +32,8 @@ pub(crate) fn raise(
         raised.raise(
             FlagKind::BoneMayBreak,
             format!(
-                "the rim took {spent:.0} J; {BONE_BREAKS:.0} J break a cheekbone in half of all \
-                 cases, and here bone does not break"
+                "the object spent {spent:.0} J at the rim, its own squeezing included; a baseball of \
+                 {BONE_BREAKS:.0} J breaks a cheekbone in half of all cases; here bone does not break"
             ),
         );
     }

@@ -153,7 +153,7 @@ pub(crate) struct Motion<'a> {
     pub dented: Vec<bool>,
     pub tension_passed: Vec<LowPass>,
     pub account: Account,
-    /// Work of the object on bone so far, J.
+    /// Energy of its flight that the object has spent on bone so far, J.
     pub at_bone: f64,
     /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
     pub lost: f64,
@@ -259,7 +259,10 @@ impl<'a> Motion<'a> {
         if let Some(push) = &now.push {
             self.extremes.impulse_on_bone -= push.force * kick;
             let moving = &self.flying.moving;
-            let after = moving.speed[0] + moving.force[0] * (0.5 * kick / moving.mass[0]);
+            // As a whole: what squeezes a ball on bone counts in the tests of what breaks it.
+            let whole = moving.mass[0] + moving.mass[1];
+            let force = moving.force[0] + moving.force[1];
+            let after = moving.velocity() + force * (0.5 * kick / whole);
             self.at_bone -= push.force.dot(&after) * kick;
             self.extremes.energy_at_bone = self.extremes.energy_at_bone.max(self.at_bone);
         }
