@@ -48,9 +48,9 @@ impl ObjectSpring {
         }
     }
 
-    /// How far in front of where it is its surface may yet swing, in m: both ends, of `mass` kg, move
-    /// apart at `apart` m/s and squeeze the spring by `squeezed` m now. It is softest while it is
-    /// linear.
+    /// How far in front of where it is its surface may yet swing, in m: both ends, of `mass` kg,
+    /// move apart at `apart` m/s and squeeze the spring by `squeezed` m now. It is softest while it
+    /// is linear.
     pub fn swing(&self, mass: [f64; 2], apart: f64, squeezed: f64) -> f64 {
         let whole = mass[0] + mass[1];
         let energy = self.at(squeezed).energy + 0.5 * mass[0] * mass[1] / whole * apart * apart;
