@@ -63,7 +63,7 @@ impl EyeModel for SpatialCase {
         let extremes = &run.extremes;
         let readings = axisymmetric::readings::of(&extremes.common);
         Ok(Run {
-            details: readings::details(self, extremes),
+            details: readings::details(self, extremes, run.simulated),
             flags: flags::raise(self, extremes, &readings, run.simulated),
             readings,
             fold: extremes.common.fold,

@@ -9,8 +9,11 @@ use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::direction::place as place_name;
 use std::f64::consts::{PI, TAU};
 
-/// Figures beside the readings.
-pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
+/// What peaks in this last share of a run may not have come to its peak.
+const LAST: f64 = 0.02;
+
+/// Figures beside the readings of a run of `simulated` s.
+pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<Detail> {
     let up = case.blow.up;
     // Where a place lies, in degrees from the front and around from above to the nose.
     let place = |(front, azimuth): (f64, f64)| {
@@ -30,14 +33,26 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes) -> Vec<Detail> {
         let words = format!("most towards {}", place_name(azimuth));
         Detail::new(key, azimuth.to_degrees(), Shown::Behind(of, words))
     };
+    // A run ends when the readings have come to rest, which the globe as a whole need not have.
+    let until = |time: f64, moving| {
+        if time > (1.0 - LAST) * simulated {
+            moving
+        } else {
+            "at most"
+        }
+    };
     let then = e.way_then * 1e3;
     let moved = format!(
-        "mm at most: {:.1} back, {:.1} up, {:.1} to the nose",
-        then.x, then.y, then.z
+        "mm {}: {:.1} back, {:.1} up, {:.1} to the nose",
+        until(e.way.time, "and still moving as the run ended"),
+        then.x,
+        then.y,
+        then.z
     );
     let stress_words = Shown::Behind(Quantity::ScleralStress, words(stress));
     let equator_words = Shown::Behind(Quantity::EquatorStretch, words(equator));
-    let turned = Shown::About("Globe turned", "degrees at most".to_owned());
+    let turned = until(e.turn.time, "and still turning as the run ended");
+    let turned = Shown::About("Globe turned", format!("degrees {turned}"));
     let (edge, lens, iris) = (
         hour(&e.sectors.edge),
         hour(&e.sectors.lens),
